@@ -46,30 +46,30 @@ struct KindOptions {
 struct Kind {
     const char* name;
     const char* help;
-    void (*add_options)(CLI::App&, KindOptions&);
+    void (*add_options)(OptionSet, KindOptions&);
     void (*make)(const KindOptions&, SpecimenRequest&);
 };
 
-void add_width(CLI::App& app, KindOptions& options, const char* name) {
-    add_quantity(app, name, options.width, quantity::width, "width, along x")->required();
+void add_width(OptionSet set, KindOptions& options, const char* name) {
+    add_quantity(set, name, options.width, quantity::width, "width, along x").required();
 }
-void add_height(CLI::App& app, KindOptions& options) {
-    add_quantity(app, "--height", options.height, quantity::height, "height, along the load")->required();
+void add_height(OptionSet set, KindOptions& options) {
+    add_quantity(set, "--height", options.height, quantity::height, "height, along the load").required();
 }
-void add_diameter(CLI::App& app, KindOptions& options) {
-    add_quantity(app, "--diameter", options.diameter, quantity::diameter, "diameter")->required();
+void add_diameter(OptionSet set, KindOptions& options) {
+    add_quantity(set, "--diameter", options.diameter, quantity::diameter, "diameter").required();
 }
 
 const Kind kinds[] = {
     {"rectangle", "a rectangle, loaded along its height",
-     [](CLI::App& app, KindOptions& options) {
-         add_width(app, options, "--width");
-         add_height(app, options);
+     [](OptionSet set, KindOptions& options) {
+         add_width(set, options, "--width");
+         add_height(set, options);
          add_quantity(
-             app, "--notch", options.notch, quantity::notch,
+             set, "--notch", options.notch, quantity::notch,
              "length of a notch through the centre, across the load, whose grain boundaries are broken from the start; the "
              "width of the specimen makes it a joint");
-         add_quantity(app, "--notch-angle", options.angle, quantity::direction,
+         add_quantity(set, "--notch-angle", options.angle, quantity::direction,
                       "direction of the notch from x: a straight notch, which grain boundaries follow; default: across the load "
                       "along whole grain boundaries as they lie");
      },
@@ -83,22 +83,22 @@ const Kind kinds[] = {
          }
      }},
     {"disc", "a disc, loaded along its vertical diameter",
-     [](CLI::App& app, KindOptions& options) {
-         add_diameter(app, options);
-         CLI::Option* pole = add_choice<Pole>(app, "--pole", options.pole, {{"facet", Pole::facet}, {"vertex", Pole::vertex}},
-                                              "part of the rim that meets the platens");
-         CLI::Option* diameters = add_integer<int>(
-             app, "--diameters", options.diameters,
-             "number of diameters that can be loaded, at equal angles: 6 for every 30 degrees", 1, max_diameters);
-         CLI::Option* loaded = add_integer<int>(
-             app, "--loaded-diameter", options.loaded_diameter,
+     [](OptionSet set, KindOptions& options) {
+         add_diameter(set, options);
+         Option pole = add_choice<Pole>(set, "--pole", options.pole, {{"facet", Pole::facet}, {"vertex", Pole::vertex}},
+                                        "part of the rim that meets the platens");
+         Option diameters = add_integer<int>(set, "--diameters", options.diameters,
+                                             "number of diameters that can be loaded, at equal angles: 6 for every 30 degrees", 1,
+                                             max_diameters);
+         Option loaded = add_integer<int>(
+             set, "--loaded-diameter", options.loaded_diameter,
              "index of the diameter along the load, counter-clockwise from 0: the same grains, rotated, with holes and flaws", 0,
              max_diameters - 1);
-         CLI::Option* flats = add_quantity(app, "--flats", options.flats, quantity::flats,
-                                           "angle under which flat poles, the parts top and bottom, are seen from the centre");
-         for (CLI::Option* other : {pole, diameters, loaded}) flats->excludes(other);
-         add_quantity(app, "--slit", options.notch, quantity::slit, "length of a straight crack through the centre");
-         add_quantity(app, "--slit-angle", options.angle, quantity::direction,
+         Option flats = add_quantity(set, "--flats", options.flats, quantity::flats,
+                                     "angle under which flat poles, the parts top and bottom, are seen from the centre");
+         for (Option other : {pole, diameters, loaded}) flats.excludes(other);
+         add_quantity(set, "--slit", options.notch, quantity::slit, "length of a straight crack through the centre");
+         add_quantity(set, "--slit-angle", options.angle, quantity::direction,
                       "direction of the crack from x; 90deg along the load; default: 90deg");
      },
      [](const KindOptions& options, SpecimenRequest& request) {
@@ -111,19 +111,19 @@ const Kind kinds[] = {
          }
      }},
     {"ring", "a ring, loaded along its vertical diameter",
-     [](CLI::App& app, KindOptions& options) {
-         add_diameter(app, options);
-         add_quantity(app, "--inner-diameter", options.inner_diameter, quantity::diameter, "diameter of the hole")->required();
+     [](OptionSet set, KindOptions& options) {
+         add_diameter(set, options);
+         add_quantity(set, "--inner-diameter", options.inner_diameter, quantity::diameter, "diameter of the hole").required();
      },
      [](const KindOptions& options, SpecimenRequest& request) {
          if (!(options.inner_diameter < options.diameter)) throw UsageError("--inner-diameter: must be less than --diameter");
          request.region = ring(options.diameter, options.inner_diameter);
      }},
     {"beam", "a beam along x, to be bent",
-     [](CLI::App& app, KindOptions& options) {
-         add_width(app, options, "--length");
-         add_height(app, options);
-         add_quantity(app, "--notch", options.notch, quantity::slit, "length of a straight crack from below at mid-length");
+     [](OptionSet set, KindOptions& options) {
+         add_width(set, options, "--length");
+         add_height(set, options);
+         add_quantity(set, "--notch", options.notch, quantity::slit, "length of a straight crack from below at mid-length");
      },
      [](const KindOptions& options, SpecimenRequest& request) {
          request.region = rectangle(options.width, options.height);
@@ -131,9 +131,9 @@ const Kind kinds[] = {
          if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--notch")};
      }},
     {"half-disc", "half a disc on its flat side, to be bent",
-     [](CLI::App& app, KindOptions& options) {
-         add_diameter(app, options);
-         add_quantity(app, "--slit", options.notch, quantity::slit,
+     [](OptionSet set, KindOptions& options) {
+         add_diameter(set, options);
+         add_quantity(set, "--slit", options.notch, quantity::slit,
                       "length of a straight crack from the middle of the flat side");
      },
      [](const KindOptions& options, SpecimenRequest& request) {
@@ -141,26 +141,15 @@ const Kind kinds[] = {
          if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--slit")};
      }},
     {"polygon", "a polygon from a file, moved so that the middle of its extent is the origin",
-     [](CLI::App& app, KindOptions& options) {
-         app.add_option(
-                "file", options.file,
-                "TSV with columns x_mm and y_mm of the corners and, if there is one, part: the name of the side from a corner "
-                "to the next (side unless given; top, bottom, left and right are those of a rectangle)")
-             ->type_name("FILE")
-             ->required();
+     [](OptionSet set, KindOptions& options) {
+         add_text(set, "file", options.file,
+                  "TSV with columns x_mm and y_mm of the corners and, if there is one, part: the name of the side from a corner "
+                  "to the next (side unless given; top, bottom, left and right are those of a rectangle)")
+             .type_name("FILE")
+             .required();
      },
      [](const KindOptions& options, SpecimenRequest& request) { request.region = read_polygon(options.file); }},
 };
-
-/// An option that may be given again.
-void add_each(CLI::App& app, const std::string& option, std::vector<std::string>& target, const std::string& type,
-              const std::string& help) {
-    app.add_option(option, target, help)
-        ->type_name(type)
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->default_str("");
-}
 
 /// What is cut into a specimen of any kind.
 struct CutOptions {
@@ -170,20 +159,20 @@ struct CutOptions {
     std::string hole_file;
 };
 
-void add_cuts(CLI::App& app, CutOptions& options) {
-    add_each(app, "--hole", options.holes, "X,Y,RADIUS",
-             "round hole, as 10mm,-5mm,4mm; may be given again; its part is hole_1, hole_2 …");
-    detail::add_value(
-        app, "--flaws", [&options](const std::string& text) { options.flaws = text; },
+void add_cuts(OptionSet set, CutOptions& options) {
+    add_texts(set, "--hole", options.holes, "X,Y,RADIUS",
+              "round hole, as 10mm,-5mm,4mm; may be given again; its part is hole_1, hole_2 …");
+    add_value(
+        set, "--flaws", [&options](const std::string& text) { options.flaws = text; },
         "straight flaws that grain boundaries follow: TSV with columns x1_mm, y1_mm, x2_mm, y2_mm and, if wanted, class: broken "
         "(from the start; the default), intact or a NAME, whose contacts have the parameters [flaws.NAME] of the material, and "
         "state: broken or intact",
         "FILE", "");
-    detail::add_value(
-        app, "--holes", [&options](const std::string& text) { options.hole_file = text; },
+    add_value(
+        set, "--holes", [&options](const std::string& text) { options.hole_file = text; },
         "round holes: TSV with columns x_mm, y_mm, radius_mm", "FILE", "");
-    add_each(
-        app, "--joint-set", options.joint_sets, "KEY=VALUE,...",
+    add_texts(
+        set, "--joint-set", options.joint_sets, "KEY=VALUE,...",
         "parallel joints at random: spacing=20mm,dip=45deg and, if wanted, persistence=0.7 (share of a line that is jointed), "
         "length=30mm (mean; default: the spacing), class=broken|intact|NAME, state=broken|intact; may be given again");
 }
@@ -255,7 +244,7 @@ constexpr Quantity spread_of_grains = [] {
 }();
 
 /// How grains are made.
-void add_tessellation(CLI::App& shape, SpecimenRequest& request) {
+void add_tessellation(OptionSet shape, SpecimenRequest& request) {
     add_choice<Tessellation>(
         shape, "--tessellation", request.tessellation,
         {{"delaunay", Tessellation::delaunay}, {"voronoi", Tessellation::voronoi}, {"trigon", Tessellation::trigon}},
@@ -264,7 +253,7 @@ void add_tessellation(CLI::App& shape, SpecimenRequest& request) {
         "that they break (trigon); polygons fill convex shapes without holes and flaws");
     add_quantity(shape, "--element-size", request.element_size, quantity::element_size,
                  "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon");
-    detail::add_value(
+    add_value(
         shape, "--size-distribution",
         [&request](const std::string& text) {
             static const std::vector<std::pair<std::string, SizeDistribution>> distributions{
@@ -275,20 +264,20 @@ void add_tessellation(CLI::App& shape, SpecimenRequest& request) {
 }
 
 /// The grains that are made.
-void add_grain_options(CLI::App& shape, SpecimenRequest& request) {
-    CLI::Option* edge = add_quantity(
+void add_grain_options(OptionSet shape, SpecimenRequest& request) {
+    Option edge = add_quantity(
         shape, "--edge", request.edge, quantity::mean_edge,
         "requested mean edge over all grain edges, rim included; of polygons the edge of the equilateral triangle of their "
         "mean area");
-    CLI::Option* grains = add_integer<std::int64_t>(shape, "--grains", request.grains,
-                                                    "exact number of grains, or of polygons, instead of --edge", 1);
-    edge->excludes(grains);
+    Option grains = add_integer<std::int64_t>(shape, "--grains", request.grains,
+                                              "exact number of grains, or of polygons, instead of --edge", 1);
+    edge.excludes(grains);
     add_quantity(shape, "--spread", request.spread, spread_of_grains,
                  "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
                  "about 0.1 are reached only as far as a mesh without a preferred direction allows; of polygons that of their "
                  "equal-area diameters, at most 0.6",
                  "0.1");
-    detail::add_value(
+    add_value(
         shape, "--grade", [&request](const std::string& text) { request.grading = parse_grading(text, "--grade"); },
         "sizes that are graded, around the same mean edge or number of grains: along=y,from=0.5,to=2 (relative edges at the "
         "lower "
@@ -307,10 +296,10 @@ void add_grain_options(CLI::App& shape, SpecimenRequest& request) {
 }
 
 /// What the grains are, and where the specimen goes: options of all kinds.
-void add_fabric_options(CLI::App& shape, MeshOptions& options) {
+void add_fabric_options(OptionSet shape, MeshOptions& options) {
     SpecimenRequest& request = options.request;
     add_integer<std::uint64_t>(shape, "--seed", request.seed, "seed of the random numbers", 0);
-    detail::add_value(
+    add_value(
         shape, "--phases", [&request](const std::string& text) { request.phases.fractions = parse_phases(text); },
         "phases of the grains with their fractions of the area, whose sum is 1: quartz=0.32,feldspar=0.62,mica=0.06; reached to "
         "one grain",
@@ -324,26 +313,26 @@ void add_fabric_options(CLI::App& shape, MeshOptions& options) {
                  "distance at which the autocorrelation of the strength of grain boundaries is 1/e; default: uncorrelated");
     add_integer<std::uint64_t>(shape, "--strength-seed", request.strength.seed,
                                "seed of the strength of grain boundaries; default: that of --seed", 0);
-    detail::add_value(
+    add_value(
         shape, "--material", [&options](const std::string& text) { options.material = text; },
         "material (name or TOML file) whose phases and scatter of strengths are taken unless given, and whose bounds of the "
         "grain "
         "size are printed",
         "NAME|FILE", "");
-    detail::add_value(
+    add_value(
         shape, "-o,--output", [&options](const std::string& text) { options.output = text; },
         "specimen file to write; - for stdout", "FILE|-", "");
 }
 
 /// A mesh or a picture from elsewhere.
-void add_import(CLI::App& app, ImportRequest& request) {
-    app.add_option("file", request.file,
-                   "mesh of Gmsh (MSH 2.2, 4.1), Neper (.msh, .tess) or Abaqus (.inp), or picture of labels (PNG, or integers as "
-                   "text); - for stdin")
-        ->type_name("FILE|-")
-        ->required();
-    detail::add_value(
-        app, "--format",
+void add_import(OptionSet set, ImportRequest& request) {
+    add_text(set, "file", request.file,
+             "mesh of Gmsh (MSH 2.2, 4.1), Neper (.msh, .tess) or Abaqus (.inp), or picture of labels (PNG, or integers as "
+             "text); - for stdin")
+        .type_name("FILE|-")
+        .required();
+    add_value(
+        set, "--format",
         [&request](const std::string& text) {
             static const std::vector<std::pair<std::string, MeshFormat>> formats{{"gmsh", MeshFormat::gmsh},
                                                                                  {"neper", MeshFormat::neper},
@@ -352,8 +341,8 @@ void add_import(CLI::App& app, ImportRequest& request) {
             request.format = chosen(formats, text, "--format", "gmsh, neper, abaqus or labels");
         },
         "format of the file; default: told by its content", "gmsh|neper|abaqus|labels", "");
-    detail::add_value(
-        app, "--grain",
+    add_value(
+        set, "--grain",
         [&request](const std::string& text) {
             static const std::vector<std::pair<std::string, GrainChoice>> choices{
                 {"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}};
@@ -363,30 +352,30 @@ void add_import(CLI::App& app, ImportRequest& request) {
         "picture), or what is connected of a physical group; "
         "default: entity, or element where there is one entity only",
         "element|entity|physical", "");
-    detail::add_value(
-        app, "--phase-key", [&request](const std::string& text) { request.phase_key = text; },
+    add_value(
+        set, "--phase-key", [&request](const std::string& text) { request.phase_key = text; },
         "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset) and phase; default: "
         "names of physical groups and elsets",
         "FILE", "");
-    detail::add_value(
-        app, "--pixel-size",
+    add_value(
+        set, "--pixel-size",
         [&request](const std::string& text) {
             request.labels.pixel_size = parse_quantity(text, quantity::pixel_size, "--pixel-size");
         },
         "side of a pixel of a picture, as 0.1mm", "LENGTH", "");
-    add_quantity(app, "--element-size", request.labels.element_size, quantity::element_size,
+    add_quantity(set, "--element-size", request.labels.element_size, quantity::element_size,
                  "side of the triangles into which grains of a picture or of a tessellation are divided; default: a third of the "
                  "mean diameter of "
                  "grains, at least 2 pixels");
-    add_integer<int>(app, "--smallest-piece", request.labels.smallest_piece,
+    add_integer<int>(set, "--smallest-piece", request.labels.smallest_piece,
                      "pieces of fewer pixels of a picture join the neighbour with the longest common border", 1);
-    app.add_flag("--jagged", request.labels.jagged, "grain boundaries along the sides of pixels instead of smooth ones");
-    add_quantity(app, "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m");
-    detail::add_value(
-        app, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
+    add_flag(set, "--jagged", request.labels.jagged, "grain boundaries along the sides of pixels instead of smooth ones");
+    add_quantity(set, "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m");
+    add_value(
+        set, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
         "point of the file that becomes the origin, as 40mm,80mm; default: the middle of the extent", "X,Y", "");
-    detail::add_value(
-        app, "--shape",
+    add_value(
+        set, "--shape",
         [&request](const std::string& text) {
             static const std::vector<std::pair<std::string, std::string>> shapes{
                 {"rectangle", "rectangle"}, {"disc", "disc"},           {"ring", "ring"},
@@ -403,29 +392,30 @@ void add_import(CLI::App& app, ImportRequest& request) {
 std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     MeshOptions options;
     CommonOptions common;
-    CLI::App app("Makes specimens of triangular grains of near-equal size without a preferred direction, or of polygons");
-    add_common_options(app, "graincrack-mesh", common, examples, {triangulation_library()});
-    add_dry_run(app, common, "print the expected counts and file size without making a specimen");
-    app.require_subcommand(1);
+    CommandLine line("graincrack-mesh",
+                     "Makes specimens of triangular grains of near-equal size without a preferred direction, or of polygons",
+                     common, examples, {triangulation_library()});
+    add_dry_run(line.options(), common, "print the expected counts and file size without making a specimen");
     KindOptions kind_options;
     CutOptions cuts;
+    std::vector<OptionSet> sets;
     for (const Kind& kind : kinds) {
-        CLI::App* sub = app.add_subcommand(kind.name, kind.help);
-        kind.add_options(*sub, kind_options);
-        add_cuts(*sub, cuts);
-        add_tessellation(*sub, options.request);
-        add_grain_options(*sub, options.request);
-        add_fabric_options(*sub, options);
+        OptionSet set = sets.emplace_back(line.options().add_subcommand(kind.name, kind.help));
+        kind.add_options(set, kind_options);
+        add_cuts(set, cuts);
+        add_tessellation(set, options.request);
+        add_grain_options(set, options.request);
+        add_fabric_options(set, options);
     }
     ImportRequest imported;
-    CLI::App* import_command = app.add_subcommand("import", "a mesh of Gmsh, Neper or Abaqus, or a picture of labels");
-    add_import(*import_command, imported);
-    add_fabric_options(*import_command, options);
-    if (!parse_command_line(app, argc, argv)) return std::nullopt;
-    for (const Kind& kind : kinds) {
-        if (app.get_subcommand(kind.name)->parsed()) kind.make(kind_options, options.request);
+    OptionSet import_set = line.options().add_subcommand("import", "a mesh of Gmsh, Neper or Abaqus, or a picture of labels");
+    add_import(import_set, imported);
+    add_fabric_options(import_set, options);
+    if (!line.parse(argc, argv)) return std::nullopt;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        if (sets[i].is_called()) kinds[i].make(kind_options, options.request);
     }
-    if (import_command->parsed()) {
+    if (import_set.is_called()) {
         check(options.request.phases);
         check(options.request.strength);
         options.imported = imported;
@@ -434,7 +424,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     }
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;
-    options.configuration = effective_configuration(app);
+    options.configuration = line.effective_configuration();
     if (options.output.empty() && !options.dry_run) {
         throw UsageError("-o: missing; give the specimen file to write, or - for stdout");
     }

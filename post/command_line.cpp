@@ -9,7 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <map>
+#include <list>
 
 #include "post/chart/font.hpp"
 #include "post/chart/picture.hpp"
@@ -72,39 +72,37 @@ std::vector<Command> commands() {
     // clang-format on
 }
 
-/// A command of the application, with the files that the command line gives it.
+/// A command of the program, with the files that the command line gives it.
 struct Registered {
+    OptionSet options;
     std::string name;  ///< "strength", "plot curve"
     std::optional<FileArguments> arguments;
     std::vector<std::string> files;
     std::string files_from;
     Action action;
 };
-using Registry = std::map<const CLI::App*, Registered>;
+using Registry = std::list<Registered>;  // their files stay where the options write them
 
 /// Adds a command, or a command and those it holds. \param prefix of its name: "plot " for those of `plot`
-void add(CLI::App& parent, const Command& command, const std::string& prefix, Registry& registry) {
-    CLI::App* app = parent.add_subcommand(command.name, command.help);
+void add(OptionSet parent, const Command& command, const std::string& prefix, Registry& registry) {
+    const std::string name = prefix + command.name;
+    std::string lines;
+    for (const std::string& example : command.examples) lines += fmt::format("  graincrack-post {} {}\n", name, example);
+    const OptionSet set = parent.add_subcommand(command.name, command.help, lines);
     if (!command.subcommands.empty()) {
-        app->require_subcommand(1);
-        for (const Command& sub : command.subcommands) add(*app, sub, prefix + command.name + " ", registry);
+        for (const Command& sub : command.subcommands) add(set, sub, name + " ", registry);
         return;
     }
-    Registered& own = registry[app];
-    own.name = prefix + command.name;
-    own.arguments = command.files;
-    std::string lines;
-    for (const std::string& example : command.examples) lines += fmt::format("  graincrack-post {} {}\n", own.name, example);
-    app->footer("Examples:\n" + lines);
+    Registered& own = registry.emplace_back(Registered{set, name, command.files, {}, {}, {}});
     if (command.files) {
-        app->add_option(command.files->name, own.files, std::string(command.files->help) + " (- is stdin)")
-            ->type_name("FILE")
-            ->configurable(false);
-        app->add_option("--files-from", own.files_from, "file with a list of files, one per line (- is stdin)")
-            ->type_name("FILE")
-            ->configurable(false);
+        add_files(set, command.files->name, own.files, std::string(command.files->help) + " (- is stdin)")
+            .type_name("FILE")
+            .only_on_command_line();
+        add_text(set, "--files-from", own.files_from, "file with a list of files, one per line (- is stdin)")
+            .type_name("FILE")
+            .only_on_command_line();
     }
-    own.action = command.add_options(*app);
+    own.action = command.add_options(set);
 }
 
 /// Names of files, one a line.
@@ -148,17 +146,14 @@ std::vector<std::string> files_of(const Registered& command) {
 void run_command_line(int argc, const char* const* argv, std::ostream& out) {
     gsl_set_error_handler_off();  // what fails says so by its value or status; the handler would end the process
     CommonOptions common;
-    CLI::App app("Evaluates runs: tables, VTK files, pictures and reports");
-    add_common_options(
-        app, "graincrack-post", common, examples,
+    CommandLine line(
+        "graincrack-post", "Evaluates runs: tables, VTK files, pictures and reports", common, examples,
         {vtk_library_version(), cairo_library_version(), pango_library_version(), std::string("GSL ") + GSL_VERSION});
-    app.require_subcommand(1);
     Registry registry;
-    for (const Command& command : commands()) add(app, command, "", registry);
-    if (!parse_command_line(app, argc, argv)) return;
-    const CLI::App* called = &app;
-    while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
-    const Registered& command = registry.at(called);
+    for (const Command& command : commands()) add(line.options(), command, "", registry);
+    if (!line.parse(argc, argv)) return;
+    const Registered& command =
+        *std::find_if(registry.begin(), registry.end(), [](const Registered& each) { return each.options.is_called(); });
     command.action({command.name, files_of(command), out, common.verbosity});
     out.flush();
     if (!out) throw OutputError("stdout: could not be written whole");

@@ -26,7 +26,7 @@ auto read_by(const ContactParameter& row) {
 
 bool is_fracture_energy(const ContactParameter& row) { return row.value == &ContactParameters::fracture_energy; }
 
-void add_parameters(CLI::App& command, ContactOptions& o) {
+void add_parameters(OptionSet command, ContactOptions& o) {
     for (const ContactParameter& row : all_contact_parameters()) {
         const std::string usual = row.is_needed() ? "the material's" : fmt::format("the material's, else {}", row.usual);
         if (is_fracture_energy(row)) {
@@ -95,10 +95,10 @@ void check_energies(const ContactParameters& p, LawVariant law) {
 
 }  // namespace
 
-void add_contact_options(CLI::App& command, ContactOptions& o) {
-    command.add_option("--material", o.material, "material: a name of share/materials or a TOML file")
-        ->required()
-        ->type_name("NAME");
+void add_contact_options(OptionSet command, ContactOptions& o) {
+    add_text(command, "--material", o.material, "material: a name of share/materials or a TOML file")
+        .required()
+        .type_name("NAME");
     std::vector<std::string> laws;
     for (const LawDescription& law : all_contact_laws()) laws.emplace_back(law.name);
     add_choice(

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 #include "solver/setup/request.hpp"
 
 namespace graincrack {
@@ -19,7 +19,7 @@ struct ContactOptions {
     std::optional<FractureEnergyChoice> fracture_energy;  ///< --fracture-energy
 };
 
-void add_contact_options(CLI::App& command, ContactOptions& options);
+void add_contact_options(OptionSet command, ContactOptions& options);
 
 /// Reads the material and sets material, contact, plane, law and coupling of a request whose test is known.
 /// \throws InputError; UsageError for a parameter that the law does not use or that does not fit it

@@ -25,7 +25,6 @@ const char* const examples =
     "  graincrack-solve triaxial specimen.h5 --material augig-granite --confining-pressure 4MPa --rate 5mm/s -o triaxial.h5";
 
 const char* const program_examples =
-    "Examples:\n"
     "  graincrack-solve program specimen.h5 --material augig-granite --program unload-reload -o cycles.h5\n"
     "  graincrack-solve program bar.h5 --material augig-granite --plane stress --program pulse -o pulse.h5";
 
@@ -55,8 +54,8 @@ void read_rate(const std::string& text, LoadingRequest& loading) {
     loading.platen_speed = parse_quantity(text, quantity::platen_speed, "--rate");
 }
 
-void add_rate_options(CLI::App& command, LoadingRequest& loading, RawOptions& raw) {
-    detail::add_value(
+void add_rate_options(OptionSet command, LoadingRequest& loading, RawOptions& raw) {
+    add_value(
         command, "--rate", [&loading](const std::string& text) { read_rate(text, loading); },
         "speed of each platen; auto: as fast as quasi-static equilibrium allows; blocks: loading and equilibration alternate",
         "auto|blocks|SPEED", "auto");
@@ -95,7 +94,7 @@ void complete_rate(LoadingRequest& loading, const RawOptions& raw) {
     if (loading.rate == RateKind::blocks) loading.platen_speed = raw.block_speed.value_or(loading.platen_speed);
 }
 
-void add_method_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
+void add_method_options(OptionSet command, SimulationRequest& request, RawOptions& raw) {
     add_choice<DampingForm>(command, "--damping-form", request.damping_form,
                             {{"combined", DampingForm::combined}, {"local", DampingForm::local}},
                             "combined: half opposes the motion, half follows the rate of the force, so that steady sliding is "
@@ -110,8 +109,8 @@ void add_method_options(CLI::App& command, SimulationRequest& request, RawOption
     add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
                  "time step over the stable time step of undamped motion; with damping it must be below 1/sqrt(1 + damping)",
                  "0.7");
-    command.add_flag("--save-state", request.save_state,
-                     "store the final state in the run file, so that a program can start from it");
+    add_flag(command, "--save-state", request.save_state,
+             "store the final state in the run file, so that a program can start from it");
     add_integer(command, "--frames", request.frames,
                 "number of frames to store, evenly spaced (at most twice as many), besides those at the peak and the end; 0: the "
                 "end only",
@@ -123,24 +122,24 @@ void add_method_options(CLI::App& command, SimulationRequest& request, RawOption
         "vector instructions to use; auto: the widest that the processor has");
 }
 
-void add_checkpoint_options(CLI::App& command, SimulationRequest& request, RawOptions& raw) {
+void add_checkpoint_options(OptionSet command, SimulationRequest& request, RawOptions& raw) {
     static constexpr Quantity walltime{"walltime", Dimension::time, 0, 1e7, "wall time of a run", true};
     add_quantity(command, "--walltime", raw.walltime, walltime,
                  "stop after this wall-clock time as on SIGTERM: write RUN.checkpoint and end with exit code 143");
     add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
                  "wall-clock interval between checkpoints (RUN.checkpoint, removed when the run is complete)");
-    command.add_flag("--discard-checkpoint", request.discard_checkpoint,
-                     "start again although RUN.checkpoint exists, and remove it; without this option such a start is refused");
+    add_flag(command, "--discard-checkpoint", request.discard_checkpoint,
+             "start again although RUN.checkpoint exists, and remove it; without this option such a start is refused");
 }
 
-void add_sensitivity_flag(CLI::App& command, SimulationRequest& request) {
-    command.add_flag(
-        "--sensitivity", request.sensitivity,
+void add_sensitivity_flag(OptionSet command, SimulationRequest& request) {
+    add_flag(
+        command, "--sensitivity", request.sensitivity,
         "repeat the test with half the loading rate, half the time step, half the damping, a quarter of the mass scaling and "
         "twice the elements along an edge; print the changes of the results and store them in the run file");
 }
 
-void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& raw, TestKind test) {
+void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& raw, TestKind test) {
     LoadingRequest& loading = request.loading;
     if (test == TestKind::bend) {
         add_quantity(command, "--span", loading.span, quantity::span,
@@ -153,7 +152,7 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     if (test == TestKind::triaxial) {
         add_quantity(command, "--confining-pressure", raw.confining_pressure, quantity::confining_pressure,
                      "confining pressure on the lateral edges")
-            ->required();
+            .required();
     }
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  test == TestKind::bend ? "friction angle between rock and rollers; default: 0, since they roll"
@@ -166,51 +165,47 @@ void add_run_options(CLI::App& command, SimulationRequest& request, RawOptions& 
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0,
                     "damping force as a fraction of the unbalanced force", "0.8");
     add_checkpoint_options(command, request, raw);
-    command.add_option("--restart", request.restart, "checkpoint of this test, to resume it")->type_name("FILE");
+    add_text(command, "--restart", request.restart, "checkpoint of this test, to resume it").type_name("FILE");
     add_sensitivity_flag(command, request);
     add_method_options(command, request, raw);
 }
 
-CLI::App* add_test(CLI::App& app, SolveOptions& options, RawOptions& raw, CommonOptions& common, TestKind test,
+OptionSet add_test(OptionSet tool, SolveOptions& options, RawOptions& raw, CommonOptions& common, TestKind test,
                    const std::string& help) {
-    CLI::App* command = app.add_subcommand(std::string(name_of(test)), help);
-    command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
-    add_contact_options(*command, raw.contact);
-    add_run_options(*command, options.request, raw, test);
-    command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
-    command->add_flag("--print-program", options.print_program,
-                      "print the test as a loading program for `graincrack-solve program`, and run nothing");
-    add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
+    OptionSet command = tool.add_subcommand(std::string(name_of(test)), help);
+    add_text(command, "specimen", options.specimen, "specimen file, - for stdin").required().type_name("FILE");
+    add_contact_options(command, raw.contact);
+    add_run_options(command, options.request, raw, test);
+    add_text(command, "-o,--output", options.output, "run file, - for stdout").type_name("FILE");
+    add_flag(command, "--print-program", options.print_program,
+             "print the test as a loading program for `graincrack-solve program`, and run nothing");
+    add_dry_run(command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
 }
 
-CLI::App* add_program(CLI::App& app, SolveOptions& options, RawOptions& raw, CommonOptions& common) {
-    CLI::App* command =
-        app.add_subcommand("program", "a loading program from a file: stages, boundary conditions, gravity, probes");
-    command->footer(program_examples);
-    command->add_option("specimen", options.specimen, "specimen file, - for stdin")->required()->type_name("FILE");
-    command
-        ->add_option(
-            "--program", raw.program,
-            "loading program: a TOML file, or the name of one of share/programs such as joint-shear; see share/doc/programs.md")
-        ->required()
-        ->type_name("FILE|NAME");
-    add_contact_options(*command, raw.contact);
-    add_quantity(*command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
+OptionSet add_program(OptionSet tool, SolveOptions& options, RawOptions& raw, CommonOptions& common) {
+    OptionSet command = tool.add_subcommand(
+        "program", "a loading program from a file: stages, boundary conditions, gravity, probes", program_examples);
+    add_text(command, "specimen", options.specimen, "specimen file, - for stdin").required().type_name("FILE");
+    add_text(command, "--program", raw.program,
+             "loading program: a TOML file, or the name of one of share/programs such as joint-shear; see share/doc/programs.md")
+        .required()
+        .type_name("FILE|NAME");
+    add_contact_options(command, raw.contact);
+    add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  "friction angle between rock and platens; default: the material's");
     add_quantity_or(
-        *command, "--damping", raw.damping, quantity::damping, "none", 0,
+        command, "--damping", raw.damping, quantity::damping, "none", 0,
         "damping force as a fraction of the unbalanced force, instead of the value in the program; one of the two is required");
-    add_method_options(*command, options.request, raw);
-    add_checkpoint_options(*command, options.request, raw);
-    add_sensitivity_flag(*command, options.request);
-    command
-        ->add_option("--restart", options.request.restart,
-                     "run made with --save-state from which to start, instead of the program's start_from; or a checkpoint of "
-                     "this program, to resume it")
-        ->type_name("FILE");
-    command->add_option("-o,--output", options.output, "run file, - for stdout")->type_name("FILE");
-    add_dry_run(*command, common, "print counts, time step, steps, memory and file size, and run nothing");
+    add_method_options(command, options.request, raw);
+    add_checkpoint_options(command, options.request, raw);
+    add_sensitivity_flag(command, options.request);
+    add_text(command, "--restart", options.request.restart,
+             "run made with --save-state from which to start, instead of the program's start_from; or a checkpoint of "
+             "this program, to resume it")
+        .type_name("FILE");
+    add_text(command, "-o,--output", options.output, "run file, - for stdout").type_name("FILE");
+    add_dry_run(command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
 }
 
@@ -285,25 +280,27 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     SolveOptions options;
     RawOptions raw;
     CommonOptions common;
-    CLI::App app("Runs laboratory tests on assemblages of grains by the discrete element method with cohesive contacts");
-    add_common_options(app, "graincrack-solve", common, examples);
-    app.require_subcommand(1);
-    const auto add = [&](TestKind test, const std::string& help) { return add_test(app, options, raw, common, test, help); };
-    const std::vector<std::pair<CLI::App*, TestKind>> tests{
+    CommandLine line("graincrack-solve",
+                     "Runs laboratory tests on assemblages of grains by the discrete element method with cohesive contacts",
+                     common, examples);
+    const auto add = [&](TestKind test, const std::string& help) {
+        return add_test(line.options(), options, raw, common, test, help);
+    };
+    const std::vector<std::pair<OptionSet, TestKind>> tests{
         {add(TestKind::uniaxial, "compression between platens"), TestKind::uniaxial},
         {add(TestKind::triaxial, "compression between platens under confining pressure"), TestKind::triaxial},
         {add(TestKind::brazilian, "compression of a disc between platens"), TestKind::brazilian},
         {add(TestKind::tension, "direct tension between bonded platens"), TestKind::tension},
         {add(TestKind::bend, "bending of a beam or a half-disc on three rollers"), TestKind::bend},
     };
-    CLI::App* program = add_program(app, options, raw, common);
-    if (!parse_command_line(app, argc, argv)) return std::nullopt;
+    OptionSet program = add_program(line.options(), options, raw, common);
+    if (!line.parse(argc, argv)) return std::nullopt;
     for (const auto& [command, test] : tests) {
-        if (command->parsed()) options.request.loading.test = test;
+        if (command.is_called()) options.request.loading.test = test;
     }
     options.dry_run = common.dry_run;
     options.verbosity = common.verbosity;
-    options.configuration = effective_configuration(app);
+    options.configuration = line.effective_configuration();
     if (options.output.empty() && !options.dry_run && !options.print_program) {
         throw UsageError("--output: missing; name the run file with -o FILE, or - for stdout");
     }
@@ -325,7 +322,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     if (options.request.sensitivity && !options.request.restart.empty()) {
         throw UsageError("--sensitivity: repeats the test from its start, --restart does not begin there; leave out one of them");
     }
-    if (program->parsed()) complete_program(options.request, raw);
+    if (program.is_called()) complete_program(options.request, raw);
     complete_mass_scaling(options.request, raw);
     require_other_output(options);
     return options;

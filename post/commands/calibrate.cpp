@@ -10,7 +10,7 @@
 #include "post/options/common_options.hpp"
 #include "post/plot/heat_map.hpp"
 #include "share/base/error.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -72,12 +72,12 @@ Command calibrate_command() {
         "calibrate", "the next runs of a calibration, or the calibrated material; starts no runs itself",
         {"results/my-rock", "results/my-rock --material augig-granite --set zooms=2"},
         FileArguments{"folder", "folder with strength.tsv and moduli.tsv of the finished runs"},
-        [](CLI::App& app, CalibrateOptions& options) {
-            app.add_option("--material", options.material,
-                           "material with [targets], [parameters] and [study], or with [laboratory] alone: a name of "
-                           "share/materials or a TOML file; default: FOLDER/material.toml")
-                ->type_name("FILE");
-            add_names(app, "--set", options.settings, "KEY=VALUE", "new value of a key of [study]; may be given again");
+        [](OptionSet set, CalibrateOptions& options) {
+            add_text(set, "--material", options.material,
+                     "material with [targets], [parameters] and [study], or with [laboratory] alone: a name of "
+                     "share/materials or a TOML file; default: FOLDER/material.toml")
+                .type_name("FILE");
+            add_texts(set, "--set", options.settings, "KEY=VALUE", "new value of a key of [study]; may be given again");
         },
         &write_decision);
 }

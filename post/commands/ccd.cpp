@@ -3,7 +3,7 @@
 #include "post/ccd/design_options.hpp"
 #include "post/ccd/tables.hpp"
 #include "post/options/common_options.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -19,30 +19,30 @@ using DesignTableOptions = WithFormat<ccd::DesignOptions>;
 using FitTableOptions = WithFormat<ccd::FitOptions>;
 using SolutionTableOptions = WithFormat<ccd::SolveOptions>;
 
-void add_design_options(CLI::App& app, DesignTableOptions& options) {
-    add_names(app, "--factor", options.ccd.factors, "NAME=LOW:HIGH",
+void add_design_options(OptionSet set, DesignTableOptions& options) {
+    add_texts(set, "--factor", options.ccd.factors, "NAME=LOW:HIGH",
               "factor with its values at the levels -1 and +1; its unit is part of its name");
-    add_choice<ccd::Star>(app, "--star", options.ccd.star,
+    add_choice<ccd::Star>(set, "--star", options.ccd.star,
                           {{"rotatable", ccd::Star::rotatable}, {"face-centred", ccd::Star::face_centred}},
                           "position of the star points: at (2^k)^(1/4), or on the faces");
-    add_integer<std::size_t>(app, "--centre-runs", options.ccd.centre_runs, "runs at the centre", 0, 1000);
-    add_format(app, options.format);
+    add_integer<std::size_t>(set, "--centre-runs", options.ccd.centre_runs, "runs at the centre", 0, 1000);
+    add_format(set, options.format);
 }
 
-void add_fit_options(CLI::App& app, FitTableOptions& options) {
+void add_fit_options(OptionSet set, FitTableOptions& options) {
     using ccd::FitTable;
-    add_model(app, options.ccd.model);
-    add_names(app, "--response", options.ccd.responses, "NAME", "column to fit; may be given again");
-    add_choice<FitTable>(app, "--table", options.ccd.table,
+    add_model(set, options.ccd.model);
+    add_texts(set, "--response", options.ccd.responses, "NAME", "column to fit; may be given again");
+    add_choice<FitTable>(set, "--table", options.ccd.table,
                          {{"terms", FitTable::terms}, {"anova", FitTable::anova}, {"summary", FitTable::summary}},
                          "what to print");
-    add_format(app, options.format);
+    add_format(set, options.format);
 }
 
-void add_solve_options(CLI::App& app, SolutionTableOptions& options) {
-    add_model(app, options.ccd.model);
-    add_goals(app, options.ccd.goals);
-    add_format(app, options.format);
+void add_solve_options(OptionSet set, SolutionTableOptions& options) {
+    add_model(set, options.ccd.model);
+    add_goals(set, options.ccd.goals);
+    add_format(set, options.format);
 }
 
 Command design_command() {

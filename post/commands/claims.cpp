@@ -5,7 +5,7 @@
 #include "post/claims/claims_table.hpp"
 #include "post/options/common_options.hpp"
 #include "share/base/error.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -38,11 +38,11 @@ Command claims_command() {
         "claims", "compare the claims of a paper with tables of results: verdicts with intervals",
         {"claims.tsv properties.tsv modes.tsv --study verification", "claims.tsv properties.tsv --set BTS=8.8 --format markdown"},
         FileArguments{"files", "the file of claims, then the tables of results that it names"},
-        [](CLI::App& app, ClaimsCommandOptions& options) {
-            app.add_option("--study", options.study, "name of the study, in the first column");
-            add_names(app, "--set", options.settings, "NAME=VALUE",
+        [](OptionSet set, ClaimsCommandOptions& options) {
+            add_text(set, "--study", options.study, "name of the study, in the first column");
+            add_texts(set, "--set", options.settings, "NAME=VALUE",
                       "text that replaces {NAME} in the claims; may be given again");
-            add_choice<Format>(app, "--format", options.format,
+            add_choice<Format>(set, "--format", options.format,
                                {{"table", Format::aligned},
                                 {"tsv", Format::tsv},
                                 {"jsonl", Format::jsonl},

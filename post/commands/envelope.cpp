@@ -178,9 +178,9 @@ Command envelope_command() {
     return make_command<Options>(
         "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, with 95 % intervals",
         {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}, several_runs,
-        [](CLI::App& app, Options& options) {
-            add_format(app, options.format);
-            add_envelope_options(app, options.envelope);
+        [](OptionSet set, Options& options) {
+            add_format(set, options.format);
+            add_envelope_options(set, options.envelope);
         },
         [](const Options& options, const Call& call) {
             write_envelope_table(call.out, call.files, format_for(options.format, call.out), options.envelope,

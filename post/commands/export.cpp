@@ -14,7 +14,7 @@
 #include "share/base/printable.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/output_file.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -25,10 +25,10 @@ struct ExportOptions {
     std::optional<MeshFormat> format;
 };
 
-void add_export_options(CLI::App& app, ExportOptions& options) {
-    add_output(app, options.mesh, "mesh: .msh (Gmsh), .vtu (VTK) or .inp (Abaqus); - is stdout");
+void add_export_options(OptionSet set, ExportOptions& options) {
+    add_output(set, options.mesh, "mesh: .msh (Gmsh), .vtu (VTK) or .inp (Abaqus); - is stdout");
     add_choice<std::optional<MeshFormat>>(
-        app, "--format", options.format, {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}, {"abaqus", MeshFormat::abaqus}},
+        set, "--format", options.format, {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}, {"abaqus", MeshFormat::abaqus}},
         "MSH 2.2 of Gmsh, an XML file of VTK, or an input file of Abaqus; default: by the ending of --output");
 }
 

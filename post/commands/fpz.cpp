@@ -9,7 +9,7 @@
 #include "post/fit/paper_rock.hpp"
 #include "post/options/common_options.hpp"
 #include "share/base/units.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 #include "share/rock/incomplete_material.hpp"
 
 namespace graincrack {
@@ -184,11 +184,11 @@ Command fpz_command() {
     return make_command<FpzOptions>(
         "fpz", "fracture process zone of a rock, each quantity with its equation; laboratory values are sufficient",
         {"--material augig-granite", "--material augig-granite --edge 2mm --edge 4mm --format jsonl"}, std::nullopt,
-        [](CLI::App& app, FpzOptions& options) {
-            app.add_option("--material", options.material, "material: a name of share/materials or a TOML file")->required();
-            add_names(app, "--edge", options.edges, "LENGTH",
+        [](OptionSet set, FpzOptions& options) {
+            add_text(set, "--material", options.material, "material: a name of share/materials or a TOML file").required();
+            add_texts(set, "--edge", options.edges, "LENGTH",
                       "mean edge of the grains; may be given again; default: the grain size of the laboratory");
-            add_format(app, options.format);
+            add_format(set, options.format);
         },
         [](const FpzOptions& options, const Call& call) {
             std::vector<std::string> notes;

@@ -6,7 +6,7 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/probe_file.hpp"
 #include "share/file/schema.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -54,14 +54,14 @@ struct HistoryOptions {
     TableFormat format = TableFormat::tsv;
 };
 
-void add_history_options(CLI::App& app, HistoryOptions& options) {
-    app.add_flag("--follow", options.follow, "print the rows of a running test as they appear, until it ends");
-    auto* probe =
-        app.add_option("--probe", options.probe, "print the history of this probe or boundary of a loading program instead")
-            ->type_name("NAME");
-    auto* stages = app.add_flag("--stages", options.stages, "print the stages of a loading program instead, and how each ended");
-    stages->excludes(probe);
-    add_format(app, options.format);
+void add_history_options(OptionSet set, HistoryOptions& options) {
+    add_flag(set, "--follow", options.follow, "print the rows of a running test as they appear, until it ends");
+    Option probe =
+        add_text(set, "--probe", options.probe, "print the history of this probe or boundary of a loading program instead")
+            .type_name("NAME");
+    Option stages = add_flag(set, "--stages", options.stages, "print the stages of a loading program instead, and how each ended");
+    stages.excludes(probe);
+    add_format(set, options.format);
 }
 
 void show_history(const HistoryOptions& options, const Call& call) {

@@ -16,7 +16,7 @@
 #include "share/file/provenance.hpp"
 #include "share/file/run_file.hpp"
 #include "share/file/schema.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 #include "share/rock/contact_parameters.hpp"
 
 namespace graincrack {
@@ -178,9 +178,9 @@ struct InfoOptions {
     bool digest = false;
 };
 
-void add_info_options(CLI::App& app, InfoOptions& options) {
-    app.add_flag("--check", options.check, "read every dataset and validate the specimen");
-    app.add_flag("--digest", options.digest, "print the digest of the file alone: SHA-256 over the content except /provenance");
+void add_info_options(OptionSet set, InfoOptions& options) {
+    add_flag(set, "--check", options.check, "read every dataset and validate the specimen");
+    add_flag(set, "--digest", options.digest, "print the digest of the file alone: SHA-256 over the content except /provenance");
 }
 
 void show_info(const InfoOptions& options, const Call& call) {

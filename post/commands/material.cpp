@@ -10,7 +10,7 @@
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
 #include "share/file/output_file.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 #include "share/rock/incomplete_material.hpp"
 #include "share/rock/material_edit.hpp"
 
@@ -45,9 +45,9 @@ Command init_command() {
     return make_command<Options>(
         "init", "write a commented template of a material file: every key with its unit and default",
         {"my-rock", "carrara-marble --set 'laboratory.young_modulus=49 GPa' --set laboratory.poisson_ratio=0.19"}, std::nullopt,
-        [](CLI::App& app, Options& options) {
-            app.add_option("name", options.name, "name of the material; NAME.toml is written, in this folder")->required();
-            add_names(app, "--set", options.settings, "KEY=VALUE",
+        [](OptionSet set, Options& options) {
+            add_text(set, "name", options.name, "name of the material; NAME.toml is written, in this folder").required();
+            add_texts(set, "--set", options.settings, "KEY=VALUE",
                       "value to enter, with the key and its table, such as laboratory.cohesion; may be given again");
         },
         [](const Options& options, const Call& call) {
@@ -97,11 +97,11 @@ Command value_command() {
     return make_command<Options>(
         "value", "print one value of a material as a bare number, for scripts",
         {"contact.cohesion augig-granite", "rock.young_modulus augig-granite --unit GPa"}, std::nullopt,
-        [](CLI::App& app, Options& options) {
-            app.add_option("key", options.key, "table and key, such as contact.cohesion")->required();
-            app.add_option("material", options.material, "material: a name of share/materials or a TOML file")->required();
-            app.add_option("--unit", options.unit,
-                           "unit of the number; default: MPa, deg, mm or MPa.m^0.5, and SI for other quantities");
+        [](OptionSet set, Options& options) {
+            add_text(set, "key", options.key, "table and key, such as contact.cohesion").required();
+            add_text(set, "material", options.material, "material: a name of share/materials or a TOML file").required();
+            add_text(set, "--unit", options.unit,
+                     "unit of the number; default: MPa, deg, mm or MPa.m^0.5, and SI for other quantities");
         },
         [](const Options& options, const Call& call) { write_value(call, options.key, options.material, options.unit); });
 }
@@ -116,11 +116,11 @@ Command with_command() {
         {"augig-granite --set 'contact.cohesion=70 MPa'",
          "augig-granite --set name='Augig granite, stiff' --set 'rock.young_modulus=30 GPa' --set rock.poisson_ratio=0.2"},
         std::nullopt,
-        [](CLI::App& app, Options& options) {
-            app.add_option("material", options.material, "material: a name of share/materials or a TOML file")->required();
-            add_names(app, "--set", options.settings, "KEY=VALUE",
-                      "new value of a key with its table, such as contact.cohesion, or of name; may be given again");
-            app.get_option("--set")->required();
+        [](OptionSet set, Options& options) {
+            add_text(set, "material", options.material, "material: a name of share/materials or a TOML file").required();
+            add_texts(set, "--set", options.settings, "KEY=VALUE",
+                      "new value of a key with its table, such as contact.cohesion, or of name; may be given again")
+                .required();
         },
         [](const Options& options, const Call& call) {
             call.out << material_with(options.material, settings_of(options.settings));

@@ -6,7 +6,7 @@
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
 #include "post/options/common_options.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -18,12 +18,12 @@ struct StrengthOptions {
     bool extrapolate = false;
 };
 
-void add_strength_options(CLI::App& app, StrengthOptions& options) {
-    add_format(app, options.format);
-    app.add_flag("--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS")
-        ->excludes(app.add_flag("--extrapolate", options.extrapolate,
-                                "extrapolate to slow loading from the same tests at two rates (--rate-tolerance or "
-                                "--rate-share), with the error; changes above 5 % are refused"));
+void add_strength_options(OptionSet set, StrengthOptions& options) {
+    add_format(set, options.format);
+    add_flag(set, "--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS")
+        .excludes(add_flag(set, "--extrapolate", options.extrapolate,
+                           "extrapolate to slow loading from the same tests at two rates (--rate-tolerance or "
+                           "--rate-share), with the error; changes above 5 % are refused"));
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ Command moduli_command() {
         "Young's modulus and Poisson's ratio (chord up to half the peak), predicted values, Voigt and Reuss bounds, crack "
         "thresholds; one row per run",
         {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs,
-        [](CLI::App& app, std::optional<TableFormat>& format) { add_format(app, format); },
+        [](OptionSet set, std::optional<TableFormat>& format) { add_format(set, format); },
         [](const std::optional<TableFormat>& format, const Call& call) {
             write_moduli_table(call.out, call.files, format_for(format, call.out));
         });
@@ -58,7 +58,7 @@ Command toughness_command() {
         "fracture toughness K_IC from direct tension of rectangles with a central notch, and from bending of notched beams and "
         "half-discs; one row per run",
         {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs,
-        [](CLI::App& app, TableFormat& format) { add_format(app, format); },
+        [](OptionSet set, TableFormat& format) { add_format(set, format); },
         [](const TableFormat& format, const Call& call) {
             write_toughness_table(call.out, call.files, format, call.diagnostics());
         });

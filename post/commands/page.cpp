@@ -1,7 +1,7 @@
 #include "post/commands/page.hpp"
 
 #include "post/report/page.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -11,8 +11,8 @@ Command page_command() {
         "page", "one page from texts, tables and pictures, in the order of the files",
         {"properties.tsv modes.tsv", "properties.tsv cracks.png --format html"},
         FileArguments{"files", "texts (.md), tables (.tsv) and pictures (.png, .svg)"},
-        [](CLI::App& app, Form& form) {
-            add_choice<Form>(app, "--format", form, {{"markdown", Form::markdown}, {"html", Form::html}},
+        [](OptionSet set, Form& form) {
+            add_choice<Form>(set, "--format", form, {{"markdown", Form::markdown}, {"html", Form::html}},
                              "form of the page; pictures are links to files in its folder");
         },
         [](const Form& form, const Call& call) {

@@ -3,7 +3,7 @@
 #include "post/fit/fit_options.hpp"
 #include "post/options/common_options.hpp"
 #include "post/report/properties.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -17,11 +17,10 @@ Command properties_command() {
         "properties", "elastic constants, strengths, cohesion and friction angle of a set of tests, compared with the laboratory",
         {"uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite", "brazilian.h5 --material augig-granite --format jsonl"},
         several_runs,
-        [](CLI::App& app, Options& options) {
-            add_laboratory_material(app, options.material);
-            app.get_option("--material")->required();
-            add_strain_limit_runs(app, options.strain_limit_runs);
-            add_format(app, options.format);
+        [](OptionSet set, Options& options) {
+            add_laboratory_material(set, options.material).required();
+            add_strain_limit_runs(set, options.strain_limit_runs);
+            add_format(set, options.format);
         },
         [](const Options& options, const Call& call) {
             const Material material = read_incomplete_material_of(call, options.material).material;

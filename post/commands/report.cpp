@@ -17,11 +17,11 @@ Command report_command() {
     return make_command<Options>(
         "report", "report of one test or of a set of tests as a self-contained HTML page",
         {"uniaxial.h5 -o page.html", "uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite -o page.html"}, several_runs,
-        [](CLI::App& app, Options& options) {
-            add_laboratory_material(app, options.material);
-            add_strain_limit_runs(app, options.report.strain_limit_runs);
-            add_crack_label(app, options.report.label);
-            add_output(app, options.page, "page: .html");
+        [](OptionSet set, Options& options) {
+            add_laboratory_material(set, options.material);
+            add_strain_limit_runs(set, options.report.strain_limit_runs);
+            add_crack_label(set, options.report.label);
+            add_output(set, options.page, "page: .html");
         },
         [](const Options& options, const Call& call) {
             require_ending(options.page, ".html");

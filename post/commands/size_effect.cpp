@@ -14,9 +14,9 @@ Command size_effect_command() {
     return make_command<Options>(
         "size-effect", "power law of strength against mean edge, one fit for each test and confining pressure",
         {"brazilian-coarse.h5 brazilian.h5", "brazilian-coarse.h5 brazilian.h5 --capped accept --format jsonl"}, several_runs,
-        [](CLI::App& app, Options& options) {
-            add_format(app, options.format);
-            add_strain_limit_runs(app, options.strain_limit_runs);
+        [](OptionSet set, Options& options) {
+            add_format(set, options.format);
+            add_strain_limit_runs(set, options.strain_limit_runs);
         },
         [](const Options& options, const Call& call) {
             write_size_effect_table(call.out, read_runs(call.files), options.format, options.strain_limit_runs,

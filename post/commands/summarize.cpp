@@ -3,7 +3,7 @@
 #include "post/fit/fit_options.hpp"
 #include "post/options/common_options.hpp"
 #include "post/summary/summarize.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -15,20 +15,20 @@ Command summarize_command() {
          "strength.tsv --sql \"SELECT test, mean_and_half(energy_balance_error, '.1e') FROM strength GROUP BY test\" --pivot "
          "--format markdown"},
         FileArguments{"tables", "tables as FILE, named by the stem of the file, or NAME=FILE; those of one name are combined"},
-        [](CLI::App& app, SummaryOptions& options) {
-            app.add_option("--sql", options.sql,
-                           "a SELECT as SQLite has it, or a file *.sql with one. Further aggregates: mean, deviation (n-1), low, "
-                           "high, half_interval (95 %, Student's t), slope(x, y), intercept, exponent, cohesion(s3, s1), "
-                           "friction_angle, mean_and_half(x, '.1f'), entries; text('{:.1f} of {}', x, y) formats numbers. "
-                           "Default: all of the first table")
-                ->type_name("QUERY|FILE.sql");
-            add_names(app, "--set", options.settings, "NAME=VALUE", "value of :NAME in the query; may be given again");
-            app.add_flag("--pivot", options.pivot,
-                         "the last two columns of the query are a name and a value: make a column for each name");
-            app.add_option("--label", options.label, "add this column to each table: the name of the row's file without its end")
-                ->type_name("COLUMN");
+        [](OptionSet set, SummaryOptions& options) {
+            add_text(set, "--sql", options.sql,
+                     "a SELECT as SQLite has it, or a file *.sql with one. Further aggregates: mean, deviation (n-1), low, "
+                     "high, half_interval (95 %, Student's t), slope(x, y), intercept, exponent, cohesion(s3, s1), "
+                     "friction_angle, mean_and_half(x, '.1f'), entries; text('{:.1f} of {}', x, y) formats numbers. "
+                     "Default: all of the first table")
+                .type_name("QUERY|FILE.sql");
+            add_texts(set, "--set", options.settings, "NAME=VALUE", "value of :NAME in the query; may be given again");
+            add_flag(set, "--pivot", options.pivot,
+                     "the last two columns of the query are a name and a value: make a column for each name");
+            add_text(set, "--label", options.label, "add this column to each table: the name of the row's file without its end")
+                .type_name("COLUMN");
             add_choice<TableFormat>(
-                app, "--format", options.format,
+                set, "--format", options.format,
                 {{"table", TableFormat::aligned},
                  {"tsv", TableFormat::tsv},
                  {"jsonl", TableFormat::jsonl},

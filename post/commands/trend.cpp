@@ -15,9 +15,9 @@ Command trend_command() {
         {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --power",
          "strength.tsv --x contact_cohesion_MPa --y peak_compressive_stress_MPa --group confining_pressure_MPa"},
         trend_tables,
-        [](CLI::App& app, Options& options) {
-            add_trend(app, options.trend);
-            add_format(app, options.format);
+        [](OptionSet set, Options& options) {
+            add_trend(set, options.trend);
+            add_format(set, options.format);
         },
         [](const Options& options, const Call& call) {
             write_trend_table(call.out, call.files, options.trend, options.format, call.diagnostics());

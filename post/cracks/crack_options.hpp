@@ -11,10 +11,10 @@
 namespace graincrack {
 
 /// --crack-event failed|half-damaged|broken, --crack-mode traction|sign: what counts as a micro-crack, and which are tensile.
-void add_crack_label(CLI::App& app, CrackLabelChoice& label);
+void add_crack_label(OptionSet set, CrackLabelChoice& label);
 /// --class PAIR, which may be given again: what a picture of cracks is limited to.
-void add_classes(CLI::App& app, std::vector<std::string>& classes);
+void add_classes(OptionSet set, std::vector<std::string>& classes);
 /// --event-distance, --event-time: the window of an acoustic event.
-void add_events(CLI::App& app, EventOptions& options);
+void add_events(OptionSet set, EventOptions& options);
 
 }  // namespace graincrack

@@ -1,19 +1,19 @@
 #include "post/fit/fit_options.hpp"
 
 #include "post/options/common_options.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
-void add_strain_limit_runs(CLI::App& app, StrainLimitRuns& strain_limit_runs) {
+void add_strain_limit_runs(OptionSet set, StrainLimitRuns& strain_limit_runs) {
     add_choice<StrainLimitRuns>(
-        app, "--capped", strain_limit_runs, {{"refuse", StrainLimitRuns::refuse}, {"accept", StrainLimitRuns::accept}},
+        set, "--capped", strain_limit_runs, {{"refuse", StrainLimitRuns::refuse}, {"accept", StrainLimitRuns::accept}},
         "runs stopped at the strain limit: refuse them, or accept their largest stress as a strength and say so");
 }
 
-void add_envelope_options(CLI::App& app, EnvelopeOptions& options) {
-    add_strain_limit_runs(app, options.strain_limit_runs);
-    add_choice<StrengthKind>(app, "--strength", options.strength,
+void add_envelope_options(OptionSet set, EnvelopeOptions& options) {
+    add_strain_limit_runs(set, options.strain_limit_runs);
+    add_choice<StrengthKind>(set, "--strength", options.strength,
                              {{name_of(StrengthKind::first_peak), StrengthKind::first_peak},
                               {name_of(StrengthKind::largest), StrengthKind::largest},
                               {name_of(StrengthKind::residual), StrengthKind::residual}},
@@ -21,11 +21,11 @@ void add_envelope_options(CLI::App& app, EnvelopeOptions& options) {
                              "strength are left out");
 }
 
-void add_trend(CLI::App& app, TrendOptions& options) {
-    app.add_option("--x", options.x, "column of the abscissa, one number per row")->required();
-    app.add_option("--y", options.y, "column of the ordinate, one number per row")->required();
-    app.add_flag("--power", options.power, "fit y = a x^b in logarithms instead of y = a + b x");
-    add_names(app, "--group", options.groups, "COLUMN", "one fit for each value of this column; may be given again");
+void add_trend(OptionSet set, TrendOptions& options) {
+    add_text(set, "--x", options.x, "column of the abscissa, one number per row").required();
+    add_text(set, "--y", options.y, "column of the ordinate, one number per row").required();
+    add_flag(set, "--power", options.power, "fit y = a x^b in logarithms instead of y = a + b x");
+    add_texts(set, "--group", options.groups, "COLUMN", "one fit for each value of this column; may be given again");
 }
 
 }  // namespace graincrack

@@ -10,10 +10,7 @@
 #include <vector>
 
 #include "share/base/progress.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): a name of CLI11
-class App;
-}
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -47,19 +44,19 @@ struct Command {
     std::string help;                    ///< one line
     std::vector<std::string> examples;   ///< arguments of two calls that run
     std::optional<FileArguments> files;  ///< empty: the command takes no files
-    /// Adds the options to the application of the command, behind its files. They live as long as the action that is returned.
-    std::function<Action(CLI::App&)> add_options;
+    /// Adds the options to those of the command, behind its files. They live as long as the action that is returned.
+    std::function<Action(OptionSet)> add_options;
     std::vector<Command> subcommands;  ///< of a command that only holds others, and has neither examples, files nor options
 };
 
 /// A command that keeps its options in an `Options` of its own: `add` declares them, `run` uses them.
 template <class Options>
 Command make_command(std::string name, std::string help, std::vector<std::string> examples, std::optional<FileArguments> files,
-                     const std::function<void(CLI::App&, Options&)>& add,
+                     const std::function<void(OptionSet, Options&)>& add,
                      const std::function<void(const Options&, const Call&)>& run) {
-    const auto prepare = [add, run](CLI::App& app) -> Action {
+    const auto prepare = [add, run](OptionSet set) -> Action {
         const auto options = std::make_shared<Options>();
-        add(app, *options);
+        add(set, *options);
         return [options, run](const Call& call) { run(*options, call); };
     };
     return {std::move(name), std::move(help), std::move(examples), files, prepare, {}};

@@ -4,19 +4,19 @@
 
 #include <iostream>
 
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
-void add_format(CLI::App& app, TableFormat& format) {
-    add_choice<TableFormat>(app, "--format", format,
+void add_format(OptionSet set, TableFormat& format) {
+    add_choice<TableFormat>(set, "--format", format,
                             {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
                             "form of the table: aligned columns, tab-separated values with one header line, or JSON lines");
 }
 
-void add_format(CLI::App& app, std::optional<TableFormat>& format) {
+void add_format(OptionSet set, std::optional<TableFormat>& format) {
     add_choice<std::optional<TableFormat>>(
-        app, "--format", format, {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
+        set, "--format", format, {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
         "form of the table: terminal table (few columns, with units), tab-separated values with one header line, or JSON lines; "
         "default: table on a terminal, tsv elsewhere");
 }
@@ -26,21 +26,12 @@ TableFormat format_for(const std::optional<TableFormat>& format, const std::ostr
     return format.value_or(is_terminal ? TableFormat::aligned : TableFormat::tsv);
 }
 
-void add_output(CLI::App& app, std::string& output, const std::string& help) {
-    app.add_option("-o,--output", output, help)->required();
+void add_output(OptionSet set, std::string& output, const std::string& help) {
+    add_text(set, "-o,--output", output, help).required();
 }
 
-void add_names(CLI::App& app, const std::string& option, std::vector<std::string>& target, const std::string& type,
-               const std::string& help) {
-    app.add_option(option, target, help)
-        ->type_name(type)
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->default_str("");  // no "[]", which --config would read as a value
-}
-
-void add_laboratory_material(CLI::App& app, std::string& material) {
-    app.add_option("--material", material, "material with the laboratory values to compare with");
+Option add_laboratory_material(OptionSet set, std::string& material) {
+    return add_text(set, "--material", material, "material with the laboratory values to compare with");
 }
 
 Material read_material_of(const Call& call, const std::string& name_or_file) {

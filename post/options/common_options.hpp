@@ -13,17 +13,14 @@
 namespace graincrack {
 
 /// --format table|tsv|jsonl
-void add_format(CLI::App& app, TableFormat& format);
+void add_format(OptionSet set, TableFormat& format);
 /// The same, left empty unless it is given: aligned on a terminal, TSV elsewhere (`format_for`).
-void add_format(CLI::App& app, std::optional<TableFormat>& format);
+void add_format(OptionSet set, std::optional<TableFormat>& format);
 TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out);
 /// -o, --output, which is required. \param help what is written
-void add_output(CLI::App& app, std::string& output, const std::string& help);
-/// An option that may be given again. \param type of its value, as help shows it
-void add_names(CLI::App& app, const std::string& option, std::vector<std::string>& target, const std::string& type,
-               const std::string& help);
+void add_output(OptionSet set, std::string& output, const std::string& help);
 /// --material of a command that shows laboratory values of a rock beside results.
-void add_laboratory_material(CLI::App& app, std::string& material);
+Option add_laboratory_material(OptionSet set, std::string& material);
 /// The material of an option; notes on its values go to the diagnostics of the call. \throws InputError as `read_material`
 Material read_material_of(const Call& call, const std::string& name_or_file);
 /// The same of a material that may lack keys.

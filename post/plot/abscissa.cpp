@@ -6,8 +6,8 @@
 
 namespace graincrack {
 
-void add_abscissa(CLI::App& app, Abscissa& abscissa) {
-    add_choice<Abscissa>(app, "--x", abscissa, {{"time", Abscissa::time}, {"strain", Abscissa::strain}},
+void add_abscissa(OptionSet set, Abscissa& abscissa) {
+    add_choice<Abscissa>(set, "--x", abscissa, {{"time", Abscissa::time}, {"strain", Abscissa::strain}},
                          "level axis: time, which spreads what happens at the peak, or axial strain");
 }
 

@@ -5,13 +5,13 @@
 
 #include "post/chart/axis.hpp"
 #include "post/run/load_curve.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
 /// Time spreads what happens at a peak: the platens slow down there, and the strain hardly changes while a specimen breaks.
 enum class Abscissa { time, strain };
-void add_abscissa(CLI::App& app, Abscissa& abscissa);
+void add_abscissa(OptionSet set, Abscissa& abscissa);
 
 /// An axis with the values of a run's history on it.
 struct Course {

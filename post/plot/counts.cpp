@@ -118,10 +118,10 @@ Command counts_plot() {
     return make_plot<Options>(
         "counts", "micro-cracks over the loading by mode and class of contacts (pair of minerals)",
         {"uniaxial.h5 -o counts.png", "brazilian.h5 --crack-event broken -o counts.svg"}, one_run,
-        [](CLI::App& app, Options& options) {
-            add_chart(app, options);
-            add_abscissa(app, options.abscissa);
-            add_crack_label(app, options.label);
+        [](OptionSet set, Options& options) {
+            add_chart(set, options);
+            add_abscissa(set, options.abscissa);
+            add_crack_label(set, options.label);
         },
         [](const Options& options, const Call& call) {
             const RunReader run(call.file());

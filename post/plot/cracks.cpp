@@ -17,7 +17,7 @@
 #include "post/run/test_label.hpp"
 #include "share/file/notch.hpp"
 #include "share/file/platen_faces.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -265,16 +265,15 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const 
     return panels(scene, frames);
 }
 
-void add_map_options(CLI::App& app, MapPlotOptions& options) {
+void add_map_options(OptionSet set, MapPlotOptions& options) {
     constexpr Quantity frame_time{"time", Dimension::time, 0, std::numeric_limits<double>::infinity(), "simulated time"};
     constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
-    add_picture(app, options);
-    app.add_option("--frame", options.map.frame,
-                   "frame: first, before, peak, after (80 % of the peak on that side), last or a number from 0; for cracks "
-                   "several with commas stand side by side, once where they mean the same")
-        ->capture_default_str();
-    add_quantity(app, "--time", options.map.time, frame_time, "frame nearest to a simulated time");
-    add_quantity(app, "--magnify", options.map.magnification, magnification, "draw displacements so many times as large", "1");
+    add_picture(set, options);
+    add_text(set, "--frame", options.map.frame,
+             "frame: first, before, peak, after (80 % of the peak on that side), last or a number from 0; for cracks "
+             "several with commas stand side by side, once where they mean the same");
+    add_quantity(set, "--time", options.map.time, frame_time, "frame nearest to a simulated time");
+    add_quantity(set, "--magnify", options.map.magnification, magnification, "draw displacements so many times as large", "1");
 }
 
 Command cracks_plot() {
@@ -282,10 +281,10 @@ Command cracks_plot() {
         "cracks", "crack map: tensile red, shear black",
         {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --magnify 10 --crack-event broken -o cracks.svg"},
         one_run,
-        [](CLI::App& app, MapPlotOptions& options) {
-            add_map_options(app, options);
-            add_crack_label(app, options.map.label);
-            add_classes(app, options.map.classes);
+        [](OptionSet set, MapPlotOptions& options) {
+            add_map_options(set, options);
+            add_crack_label(set, options.map.label);
+            add_classes(set, options.map.classes);
         },
         [](const MapPlotOptions& options, const Call& call) {
             return draw_cracks(RunReader(call.file()), options.map, options.style);

@@ -29,7 +29,7 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const 
 struct MapPlotOptions : PlotOptions {
     CrackMapOptions map;
 };
-void add_map_options(CLI::App& app, MapPlotOptions& options);
+void add_map_options(OptionSet set, MapPlotOptions& options);
 
 Command cracks_plot();
 

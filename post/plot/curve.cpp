@@ -225,12 +225,12 @@ Command curve_plot() {
         "curve", "stress against axial and lateral strain, several runs on one plot",
         {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --laboratory measured.tsv --width 84mm -o curve.pdf"},
         several_runs,
-        [](CLI::App& app, Options& options) {
-            add_chart(app, options);
-            add_labels(app, options);
-            add_names(app, "--laboratory", options.laboratory, "FILE",
+        [](OptionSet set, Options& options) {
+            add_chart(set, options);
+            add_labels(set, options);
+            add_texts(set, "--laboratory", options.laboratory, "FILE",
                       "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
-            add_crack_label(app, options.label);
+            add_crack_label(set, options.label);
         },
         [](const Options& options, const Call& call) {
             std::vector<LaboratoryCurve> laboratory;

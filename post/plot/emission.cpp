@@ -58,9 +58,9 @@ Command emission_plot() {
     return make_plot<Options>(
         "emission", "acoustic emission: number of events by magnitude, b-value",
         {"uniaxial.h5 -o emission.png", "uniaxial.h5 --event-distance 4mm -o emission.svg"}, one_run,
-        [](CLI::App& app, Options& options) {
-            add_chart(app, options);
-            add_events(app, options.events);
+        [](OptionSet set, Options& options) {
+            add_chart(set, options);
+            add_events(set, options.events);
         },
         [](const Options& options, const Call& call) {
             const RunReader run(call.file());

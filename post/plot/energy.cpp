@@ -79,9 +79,9 @@ Command energy_plot() {
     return make_plot<Options>(
         "energy", "the energy balance over a test", {"uniaxial.h5 -o energy.png", "brazilian.h5 --x strain -o energy.svg"},
         one_run,
-        [](CLI::App& app, Options& options) {
-            add_chart(app, options);
-            add_abscissa(app, options.abscissa);
+        [](OptionSet set, Options& options) {
+            add_chart(set, options);
+            add_abscissa(set, options.abscissa);
         },
         [](const Options& options, const Call& call) {
             return draw_energy(read_run_data(call.file()), options.abscissa, options.style);

@@ -195,10 +195,10 @@ Command envelope_plot() {
         "envelope", "Mohr circles, Mohr-Coulomb and Hoek-Brown envelopes",
         {"uniaxial.h5 triaxial.h5 -o envelope.png", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept -o envelope.svg"},
         several_runs,
-        [](CLI::App& app, Options& options) {
-            add_chart(app, options);
-            add_envelope_options(app, options.envelope);
-            add_names(app, "--laboratory", options.laboratory, "FILE",
+        [](OptionSet set, Options& options) {
+            add_chart(set, options);
+            add_envelope_options(set, options.envelope);
+            add_texts(set, "--laboratory", options.laboratory, "FILE",
                       "table of measured strengths: confining_pressure_MPa, strength_MPa");
         },
         [](const Options& options, const Call& call) {

@@ -14,7 +14,7 @@
 #include "post/plot/make_plot.hpp"
 #include "share/base/error.hpp"
 #include "share/file/run_file.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 #include "solver/law/contact_law.hpp"
 
 namespace graincrack {
@@ -245,16 +245,16 @@ struct LawOptions : PlotOptions {
     LawPlotOptions law;
 };
 
-void add_options(CLI::App& app, LawOptions& options) {
+void add_options(OptionSet set, LawOptions& options) {
     constexpr Quantity normal_stress{"normal_stress", Dimension::stress, 0, 1e12, "compression across a contact"};
-    app.add_option("--material", options.material, "material: a name of share/materials or a TOML file");
-    add_names(app, "--contact-law", options.law.laws, "NAME", "law to draw; may be given again; all unless given");
-    add_choice(app, "--coupling", options.law.coupling, {"full", "none"}, "whether failure in one mode takes the other");
-    add_choice<PlaneCondition>(app, "--plane", options.plane,
+    add_text(set, "--material", options.material, "material: a name of share/materials or a TOML file");
+    add_texts(set, "--contact-law", options.law.laws, "NAME", "law to draw; may be given again; all unless given");
+    add_choice(set, "--coupling", options.law.coupling, {"full", "none"}, "whether failure in one mode takes the other");
+    add_choice<PlaneCondition>(set, "--plane", options.plane,
                                {{"strain", PlaneCondition::strain}, {"stress", PlaneCondition::stress}}, "plane condition");
-    add_fracture_energy(app, options.fracture_energy, "fracture energy of the contacts: mixed (Eq 32), mode-i or a value");
-    add_quantity(app, "--normal-stress", options.law.normal_stress, normal_stress, "compression for the curve of shear", "20MPa");
-    add_picture(app, options);
+    add_fracture_energy(set, options.fracture_energy, "fracture energy of the contacts: mixed (Eq 32), mode-i or a value");
+    add_quantity(set, "--normal-stress", options.law.normal_stress, normal_stress, "compression for the curve of shear", "20MPa");
+    add_picture(set, options);
 }
 
 Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {

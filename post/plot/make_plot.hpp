@@ -22,13 +22,13 @@ struct PlotOptions {
     std::vector<std::string> labels;  ///< "RUN=TEXT", of --label
 };
 /// -o, --width, --dpi, --title
-void add_picture(CLI::App& app, PlotOptions& options);
+void add_picture(OptionSet set, PlotOptions& options);
 /// The same for a picture with axes, with --x-limits and --y-limits.
-void add_chart(CLI::App& app, PlotOptions& options);
+void add_chart(OptionSet set, PlotOptions& options);
 /// --y-limits alone, for a picture whose other axis has no numbers.
-void add_y_limits(CLI::App& app, PlotOptions& options);
+void add_y_limits(OptionSet set, PlotOptions& options);
 /// --label RUN=TEXT, for a picture with runs in its legend.
-void add_labels(CLI::App& app, PlotOptions& options);
+void add_labels(OptionSet set, PlotOptions& options);
 
 /// The style on a page that fits the size of the picture, with the labels of its files. \throws UsageError for another label
 PictureStyle style_of(const PlotOptions& options, const std::vector<std::string>& files);
@@ -36,7 +36,7 @@ PictureStyle style_of(const PlotOptions& options, const std::vector<std::string>
 /// A picture with options; `add` declares them, those of every picture by `add_picture` or `add_chart` among them.
 template <class Options>
 Command make_plot(std::string name, std::string help, std::vector<std::string> examples, std::optional<FileArguments> files,
-                  const std::function<void(CLI::App&, Options&)>& add,
+                  const std::function<void(OptionSet, Options&)>& add,
                   const std::function<Drawing(const Options&, const Call&)>& draw) {
     return make_command<Options>(std::move(name), std::move(help), std::move(examples), files, add,
                                  [draw](const Options& options, const Call& call) {

@@ -139,10 +139,10 @@ Command rosette_plot() {
     return make_plot<Options>(
         "rosette", "directions of the cracks by mode, over those of the facets",
         {"uniaxial.h5 -o rosette.png", "brazilian.h5 --crack-event broken -o rosette.svg"}, one_run,
-        [](CLI::App& app, Options& options) {
-            add_picture(app, options);
-            add_crack_label(app, options.label);
-            add_classes(app, options.classes);
+        [](OptionSet set, Options& options) {
+            add_picture(set, options);
+            add_crack_label(set, options.label);
+            add_classes(set, options.classes);
         },
         [](const Options& options, const Call& call) {
             const RunReader run(call.file());

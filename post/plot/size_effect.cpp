@@ -88,9 +88,9 @@ Command size_effect_plot() {
         "size-effect", "strength against mean edge with the power law",
         {"brazilian-coarse.h5 brazilian.h5 -o size.png", "brazilian-coarse.h5 brazilian.h5 --capped accept -o size.svg"},
         several_runs,
-        [](CLI::App& app, Options& options) {
-            add_chart(app, options);
-            add_strain_limit_runs(app, options.strain_limit_runs);
+        [](OptionSet set, Options& options) {
+            add_chart(set, options);
+            add_strain_limit_runs(set, options.strain_limit_runs);
         },
         [](const Options& options, const Call& call) {
             return draw_size_effect(collect_sizes(read_runs(call.files), options.strain_limit_runs), options.style);

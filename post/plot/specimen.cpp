@@ -15,7 +15,7 @@
 #include "share/base/units.hpp"
 #include "share/file/end_faces.hpp"
 #include "share/file/h5_file.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -94,9 +94,9 @@ Command specimen_plot() {
     return make_plot<Options>(
         "specimen", "the grains of a specimen", {"disc.h5 -o disc.png", "uniaxial.h5 -o specimen.svg"},
         FileArguments{"file", "specimen or run"},
-        [](CLI::App& app, Options& options) {
-            add_picture(app, options);
-            add_choice<SpecimenColour>(app, "--colour", options.colour,
+        [](OptionSet set, Options& options) {
+            add_picture(set, options);
+            add_choice<SpecimenColour>(set, "--colour", options.colour,
                                        {{"phase", SpecimenColour::phase}, {"strength", SpecimenColour::strength}},
                                        "grains by their phase (mineral), or contacts by the factor on their strengths");
         },

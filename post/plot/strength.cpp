@@ -49,9 +49,10 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const SizedStrengt
         chart.line(std::vector<double>{x - half, x + half}, std::vector<double>(2, value), stroke);
     };
     // The interval of few runs may reach below zero, which a logarithmic axis cannot show.
-    if (mean.low)
-        chart.box(x - half_width, x + half_width, std::max(*mean.low * in_megapascals, lowest), *mean.high * in_megapascals,
-                  interval);
+    if (mean.low) {
+        const double low = std::max(*mean.low * in_megapascals, lowest);
+        chart.box(x - half_width, x + half_width, low, *mean.high * in_megapascals, interval);
+    }
     if (row.runs.size() > 1) level(mean.value * in_megapascals, half_width, mean_stroke);
     if (const auto value = laboratory_of(row.group, material)) level(*value, 1.3 * half_width, laboratory_stroke);
     // Runs side by side in their order, symmetric about the tick.
@@ -120,10 +121,10 @@ Command strength_plot() {
         "strength", "strengths by test with means and intervals, beside the laboratory's",
         {"uniaxial.h5 brazilian.h5 -o strength.png", "uniaxial.h5 brazilian.h5 --material augig-granite -o strength.svg"},
         several_runs,
-        [](CLI::App& app, Options& options) {
-            add_picture(app, options);
-            add_y_limits(app, options);
-            add_laboratory_material(app, options.material);
+        [](OptionSet set, Options& options) {
+            add_picture(set, options);
+            add_y_limits(set, options);
+            add_laboratory_material(set, options.material);
         },
         [](const Options& options, const Call& call) {
             std::optional<Material> material;

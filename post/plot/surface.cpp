@@ -203,10 +203,10 @@ Command surface_plot() {
         {"table7.csv --target C_MPa=21 --target phi_deg=53 -o surface.png",
          "table7.csv --target C_MPa=21 --target phi_deg=53 --model backward -o surface.svg"},
         design_table,
-        [](CLI::App& app, Options& options) {
-            add_model(app, options.problem.model);
-            add_goals(app, options.problem.goals);
-            add_chart(app, options);
+        [](OptionSet set, Options& options) {
+            add_model(set, options.problem.model);
+            add_goals(set, options.problem.goals);
+            add_chart(set, options);
         },
         [](const Options& options, const Call& call) {
             return draw_surface(ccd::solve_problem(call.file(), options.problem), options.style);

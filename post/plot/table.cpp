@@ -8,7 +8,7 @@
 #include "post/options/common_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/table/table_file.hpp"
-#include "share/options/command_line.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -91,13 +91,12 @@ Command table_plot() {
         {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --points -o table.png",
          "strength.tsv --x strain_at_peak --y tensile_cracks --y shear_cracks --points -o table.svg"},
         FileArguments{"tables", "tables"},
-        [](CLI::App& app, Options& options) {
-            app.add_option("--x", options.columns.x, "column along x")->required();
-            add_names(app, "--y", options.columns.y, "NAME", "column along y; may be given again");
-            app.get_option("--y")->required();
-            app.add_flag("--points", options.columns.points, "points instead of lines");
-            add_chart(app, options);
-            add_labels(app, options);
+        [](OptionSet set, Options& options) {
+            add_text(set, "--x", options.columns.x, "column along x").required();
+            add_texts(set, "--y", options.columns.y, "NAME", "column along y; may be given again").required();
+            add_flag(set, "--points", options.columns.points, "points instead of lines");
+            add_chart(set, options);
+            add_labels(set, options);
         },
         [](const Options& options, const Call& call) { return draw_tables(call.files, options.columns, options.style); });
 }

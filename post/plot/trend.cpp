@@ -122,9 +122,9 @@ Command trend_plot() {
         {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --power -o trend.png",
          "strength.tsv --x contact_cohesion_MPa --y peak_compressive_stress_MPa --group test -o trend.svg"},
         trend_tables,
-        [](CLI::App& app, Options& options) {
-            add_trend(app, options.trend);
-            add_chart(app, options);
+        [](OptionSet set, Options& options) {
+            add_trend(set, options.trend);
+            add_chart(set, options);
         },
         [](const Options& options, const Call& call) {
             return draw_trend(collect_trends(call.files, options.trend, call.diagnostics()), options.trend, options.style);

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <set>
+#include <sstream>
 
+#include "share/base/error.hpp"
 #include "share/base/processors.hpp"
-#include "share/base/units.hpp"
 #include "share/file/provenance.hpp"
 #include "share/options/completion.hpp"
 #include "share/options/configuration_file.hpp"
@@ -105,60 +108,12 @@ public:
     }
 };
 
-std::string type_name(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::one: return "NUMBER";
-        case Dimension::length: return "LENGTH";
-        case Dimension::area: return "AREA";
-        case Dimension::angle: return "ANGLE";
-        case Dimension::time: return "TIME";
-        case Dimension::speed: return "SPEED";
-        case Dimension::stress: return "STRESS";
-        case Dimension::force: return "FORCE";
-        case Dimension::energy: return "ENERGY";
-        case Dimension::stiffness: return "STIFFNESS";
-        case Dimension::toughness: return "TOUGHNESS";
-        case Dimension::fracture_energy: return "ENERGY/AREA";
-        case Dimension::density: return "DENSITY";
-        case Dimension::acceleration: return "ACCELERATION";
-        case Dimension::frequency: return "FREQUENCY";
-    }
-    return "VALUE";
-}
-
-/// "mean edge [above 0 m and at most 1 km; m, mm, cm, um, km]"
-std::string help_of(const std::string& help, const Quantity& quantity) {
-    std::vector<std::string_view> symbols;
-    for (const Unit& unit : units_of(quantity.dimension)) {
-        if (unit.symbol != "1") symbols.push_back(unit.symbol);
-    }
-    return fmt::format("{} [{}; {}]", help, bounds_text(quantity), fmt::join(symbols, ", "));
-}
-
 // --- notes -----------------------------------------------------------------------------------------------------------
-
-/// What bare numbers were taken for, as the options are read.
-std::vector<std::string>& bare_numbers() {
-    static std::vector<std::string> notes;
-    return notes;
-}
-
-void note_bare_number(const std::string& text, const Quantity& quantity, const std::string& where) {
-    const std::string note = bare_number_note(text, quantity, where);
-    const bool is_known = std::find(bare_numbers().begin(), bare_numbers().end(), note) != bare_numbers().end();
-    if (!note.empty() && !is_known) bare_numbers().push_back(note);
-}
-
-double read_quantity(const std::string& text, const Quantity& quantity, const std::string& where) {
-    const double value = parse_quantity(text, quantity, where);
-    note_bare_number(text, quantity, where);
-    return value;
-}
 
 /// What the user may have meant otherwise, and with --verbose the options that hold; nothing with --quiet.
 void print_notes(const CLI::App& app) {
     if (app.count("--quiet") > 0) return;
-    for (const auto& notes : {bare_numbers(), misspelt_variables()}) {
+    for (const auto& notes : {bare_number_notes(), misspelt_variables()}) {
         for (const std::string& note : notes) std::cerr << app.get_name() << ": note: " << note << '\n';
     }
     if (app.count("--verbose") > 0) std::cerr << effective_configuration(app);
@@ -355,84 +310,10 @@ std::string message_of(const Call& call, const CLI::ParseError& error) {
 
 }  // namespace
 
-namespace detail {
-
-std::string long_name(const std::string& option) {
-    const auto dashes = option.find("--");
-    if (dashes == std::string::npos) return option.substr(0, option.find(','));
-    return option.substr(dashes, option.find(',', dashes) - dashes);
-}
-
-CLI::Option* add_value(CLI::App& app, const std::string& option, const std::function<void(const std::string&)>& read,
-                       const std::string& help, const std::string& type_name, const std::string& default_text) {
-    CLI::callback_t callback = [read](const CLI::results_t& results) {
-        read(results.front());
-        return true;
-    };
-    if (!default_text.empty()) read(default_text);
-    CLI::Option* added = app.add_option(option, std::move(callback), help);
-    added->type_name(type_name);
-    added->default_str(default_text);
-    if (auto* file = configuration_file(app); file != nullptr) file->remember(added, read);
-    return added;
-}
-
-}  // namespace detail
-
-CLI::Option* add_quantity(CLI::App& app, const std::string& option, double& target, const Quantity& quantity,
-                          const std::string& help, const std::string& default_text) {
-    const std::string where = detail::long_name(option);
-    return detail::add_value(
-        app, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
-        help_of(help, quantity), type_name(quantity.dimension), default_text);
-}
-
-CLI::Option* add_quantity(CLI::App& app, const std::string& option, std::optional<double>& target, const Quantity& quantity,
-                          const std::string& help) {
-    const std::string where = detail::long_name(option);
-    return detail::add_value(
-        app, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
-        help_of(help, quantity), type_name(quantity.dimension), "");
-}
-
-CLI::Option* add_quantity_or(CLI::App& app, const std::string& option, double& target, const Quantity& quantity,
-                             const std::string& word, double word_value, const std::string& help,
-                             const std::string& default_text) {
-    const std::string where = detail::long_name(option);
-    return detail::add_value(
-        app, option,
-        [&target, quantity, where, word, word_value](const std::string& text) {
-            target = parse_quantity_or(text, word, word_value, quantity, where);
-        },
-        help_of(help, quantity), type_name(quantity.dimension) + "|" + word, default_text);
-}
-
-CLI::Option* add_fracture_energy(CLI::App& app, std::optional<FractureEnergyChoice>& target, const std::string& help) {
-    return detail::add_value(
-        app, "--fracture-energy",
-        [&target](const std::string& text) { target = parse_fracture_energy(text, "--fracture-energy"); },
-        help_of(help, contact_parameter(&ContactParameters::fracture_energy).quantity), "mixed|mode-i|ENERGY/AREA", "");
-}
-
-CLI::Option* add_choice(CLI::App& app, const std::string& option, std::string& target, const std::vector<std::string>& choices,
-                        const std::string& help) {
-    std::vector<std::pair<std::string, std::string>> pairs;
-    pairs.reserve(choices.size());
-    for (const std::string& choice : choices) pairs.emplace_back(choice, choice);
-    return add_choice<std::string>(app, option, target, pairs, help);
-}
-
-CLI::Option* add_threads(CLI::App& app, int& threads) {
-    threads = available_processors();
-    return add_integer<int>(app, "--threads", threads, "threads; default: the processors this process may use", 1, 4096);
-}
-
-CLI::Option* add_dry_run(CLI::App& app, CommonOptions& options, const std::string& help) {
-    return app.add_flag("--dry-run", options.dry_run, help);
-}
-
-void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& options, const std::string& examples,
-                        const std::vector<std::string>& libraries) {
+CommandLine::CommandLine(const std::string& tool, const std::string& description, CommonOptions& common,
+                         const std::string& examples, const std::vector<std::string>& libraries)
+    : app_(std::make_unique<CLI::App>(description)) {
+    CLI::App& app = *app_;
     app.name(tool);
     app.option_defaults()->always_capture_default();
     app.formatter(std::make_shared<HelpFormatter>());
@@ -464,16 +345,19 @@ void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& o
     app.config_formatter(std::make_shared<ConfigurationFile>(app));
     app.allow_config_extras(CLI::config_extras_mode::error);
     app.set_config("--config", "", "TOML file with options by their names")->type_name("FILE")->configurable(false);
-    app.add_flag("--print-config", options.print_config, "print the effective options as TOML for --config and exit")
+    app.add_flag("--print-config", common.print_config, "print the effective options as TOML for --config and exit")
         ->configurable(false);
-    const auto say = [&options](Verbosity verbosity) { return [&options, verbosity] { options.verbosity = verbosity; }; };
+    const auto say = [&common](Verbosity verbosity) { return [&common, verbosity] { common.verbosity = verbosity; }; };
     CLI::Option* quiet = app.add_flag_callback("-q,--quiet", say(Verbosity::quiet), "print errors only");
     CLI::Option* verbose =
         app.add_flag_callback("-v,--verbose", say(Verbosity::verbose), "print more: the effective options, as TOML");
     quiet->excludes(verbose);
 }
 
-bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
+CommandLine::~CommandLine() = default;
+
+bool CommandLine::parse(int argc, const char* const* argv) {
+    CLI::App& app = *app_;
     Call call{app, {argv + std::min(argc, 1), argv + argc}};
     const auto ends = std::find(call.arguments.begin(), call.arguments.end(), "--");
     const bool print_config = std::find(call.arguments.begin(), ends, "--print-config") != ends;
@@ -492,7 +376,7 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
             }
         }
     });
-    bare_numbers().clear();
+    bare_number_notes().clear();
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {
@@ -513,8 +397,19 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
         return true;
     }
     for (CLI::Option* option : required) option->required();
-    std::cout << effective_configuration(app);
+    std::cout << effective_configuration();
     return false;
+}
+
+std::string CommandLine::effective_configuration() const { return graincrack::effective_configuration(*app_); }
+
+Option add_threads(OptionSet set, int& threads) {
+    threads = available_processors();
+    return add_integer<int>(set, "--threads", threads, "threads; default: the processors this process may use", 1, 4096);
+}
+
+Option add_dry_run(OptionSet set, CommonOptions& common, const std::string& help) {
+    return add_flag(set, "--dry-run", common.dry_run, help);
 }
 
 }  // namespace graincrack

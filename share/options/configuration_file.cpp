@@ -12,7 +12,6 @@
 
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
-#include "share/options/command_line.hpp"
 #include "share/options/option_names.hpp"
 
 namespace graincrack {

@@ -39,4 +39,7 @@ private:
 /// The configuration file of an application; nullptr if it has none.
 ConfigurationFile* configuration_file(const CLI::App& app);
 
+/// The effective options as TOML, as `CommandLine` has them.
+std::string effective_configuration(const CLI::App& app);
+
 }  // namespace graincrack

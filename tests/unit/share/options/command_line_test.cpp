@@ -11,7 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "share/base/error.hpp"
 #include "share/base/processors.hpp"
+#include "share/options/option_set.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 namespace {
@@ -22,8 +25,12 @@ enum class Plane { strain, stress };
 
 /// An example of a tool with two subcommands.
 struct Tool {
-    CLI::App app{"A tool for tests"};
     CommonOptions common;
+    CommandLine line{"graincrack-try",
+                     "A tool for tests",
+                     common,
+                     "  graincrack-try uniaxial a.h5 -o b.h5\n  graincrack-try triaxial a.h5 -o b.h5",
+                     {"CGAL 5.5.1"}};
     int threads = 0;
     struct Options {
         std::vector<std::string> files;
@@ -42,32 +49,31 @@ struct Tool {
         std::string output;
     } options;
 
-    explicit Tool(bool needs_output = true) {
-        add_common_options(app, "graincrack-try", common,
-                           "  graincrack-try uniaxial a.h5 -o b.h5\n  graincrack-try triaxial a.h5 -o b.h5", {"CGAL 5.5.1"});
-        add_threads(app, threads);
-        app.require_subcommand(1);
-        for (const char* name : {"uniaxial", "triaxial"}) {
-            CLI::App* sub = app.add_subcommand(name, "a test");
-            sub->add_option("files", options.files, "specimen");
-            CLI::Option* edge = add_quantity(*sub, "--edge", options.edge, quantity::mean_edge, "mean edge", "5.13mm");
-            add_quantity(*sub, "--spread", options.spread, quantity::edge_spread, "spread");
-            add_integer<int>(*sub, "--grains", options.grains, "grains", 1)->excludes(edge);
-            add_quantity_or(*sub, "--damping", options.damping, quantity::damping, "none", 0, "local damping", "0.8");
-            add_fracture_energy(*sub, options.fracture_energy, "fracture energy of a contact");
-            add_choice<Plane>(*sub, "--plane", options.plane, {{"strain", Plane::strain}, {"stress", Plane::stress}}, "plane");
-            add_choice(*sub, "--contact-law", options.law, {"literal", "scaled", "continuous"}, "law");
-            add_integer<std::uint64_t>(*sub, "--seed", options.seed, "seed", 0);
-            add_integer<int>(*sub, "--frames", options.frames, "frames", 1, 1000);
-            sub->add_flag("--deep", options.deep, "a flag");
-            add_dry_run(*sub, common, "print counts and stop");
-            CLI::Option* output = sub->add_option("-o,--output", options.output, "run file");
-            if (needs_output) output->required();
-        }
-        add_quantity(*app.get_subcommand("uniaxial"), "--max-strain", options.max_strain, quantity::max_strain, "end", "0.015");
-        add_quantity(*app.get_subcommand("triaxial"), "--max-strain", options.max_strain, quantity::max_strain, "end", "5%");
-        add_quantity(*app.get_subcommand("triaxial"), "--confining-pressure", options.pressure, quantity::confining_pressure,
+    Tool() {
+        add_threads(line.options(), threads);
+        add_test("uniaxial", "0.015");
+        const OptionSet triaxial = add_test("triaxial", "5%");
+        add_quantity(triaxial, "--confining-pressure", options.pressure, quantity::confining_pressure,
                      "pressure on the lateral edges", "4MPa");
+    }
+
+    OptionSet add_test(const char* name, const char* max_strain) {
+        OptionSet sub = line.options().add_subcommand(name, "a test");
+        add_files(sub, "files", options.files, "specimen");
+        const Option edge = add_quantity(sub, "--edge", options.edge, quantity::mean_edge, "mean edge", "5.13mm");
+        add_quantity(sub, "--spread", options.spread, quantity::edge_spread, "spread");
+        add_integer<int>(sub, "--grains", options.grains, "grains", 1).excludes(edge);
+        add_quantity_or(sub, "--damping", options.damping, quantity::damping, "none", 0, "local damping", "0.8");
+        add_fracture_energy(sub, options.fracture_energy, "fracture energy of a contact");
+        add_choice<Plane>(sub, "--plane", options.plane, {{"strain", Plane::strain}, {"stress", Plane::stress}}, "plane");
+        add_choice(sub, "--contact-law", options.law, {"literal", "scaled", "continuous"}, "law");
+        add_integer<std::uint64_t>(sub, "--seed", options.seed, "seed", 0);
+        add_integer<int>(sub, "--frames", options.frames, "frames", 1, 1000);
+        add_flag(sub, "--deep", options.deep, "a flag");
+        add_dry_run(sub, common, "print counts and stop");
+        add_text(sub, "-o,--output", options.output, "run file").required();
+        add_quantity(sub, "--max-strain", options.max_strain, quantity::max_strain, "end", max_strain);
+        return sub;
     }
 
     bool parse(std::vector<std::string> arguments) {
@@ -76,11 +82,11 @@ struct Tool {
         argv.reserve(arguments.size() + 1);
         for (const std::string& argument : arguments) argv.push_back(argument.c_str());
         argv.push_back(nullptr);
-        return parse_command_line(app, static_cast<int>(arguments.size()), argv.data());
+        return line.parse(static_cast<int>(arguments.size()), argv.data());
     }
 };
 
-class CommandLine : public testing::Test {
+class CommandLines : public testing::Test {
 protected:
     void SetUp() override {
         folder = fs::temp_directory_path() / ("graincrack-command-line-" + std::to_string(getpid()));
@@ -124,7 +130,7 @@ protected:
     std::vector<std::string> variables;
 };
 
-TEST_F(CommandLine, OptionsOfAllKinds) {
+TEST_F(CommandLines, OptionsOfAllKinds) {
     Tool tool;
     ASSERT_TRUE(tool.parse({"uniaxial",
                             "a.h5",
@@ -168,7 +174,7 @@ TEST_F(CommandLine, OptionsOfAllKinds) {
     EXPECT_EQ(tool.threads, 3);
 }
 
-TEST_F(CommandLine, Defaults) {
+TEST_F(CommandLines, Defaults) {
     Tool tool;
     ASSERT_TRUE(tool.parse({"triaxial", "-", "a.h5", "-o", "b.h5"}));
     EXPECT_EQ(tool.options.files, (std::vector<std::string>{"-", "a.h5"}));
@@ -182,7 +188,7 @@ TEST_F(CommandLine, Defaults) {
     EXPECT_EQ(tool.threads, available_processors());
 }
 
-TEST_F(CommandLine, SubcommandsShareATargetAndKeepTheirOwnDefaults) {
+TEST_F(CommandLines, SubcommandsShareATargetAndKeepTheirOwnDefaults) {
     Tool uniaxial;
     ASSERT_TRUE(uniaxial.parse({"uniaxial", "a.h5", "-o", "b.h5"}));
     EXPECT_EQ(uniaxial.options.max_strain, 0.015);
@@ -195,7 +201,7 @@ TEST_F(CommandLine, SubcommandsShareATargetAndKeepTheirOwnDefaults) {
     EXPECT_EQ(given.options.max_strain, 0.01);
 }
 
-TEST_F(CommandLine, NotesSayWhatABareNumberWasTakenForAndWhichVariableDoesNothing) {
+TEST_F(CommandLines, NotesSayWhatABareNumberWasTakenForAndWhichVariableDoesNothing) {
     const auto notes = [](const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"uniaxial", "a.h5", "-o", "b.h5"};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -217,7 +223,7 @@ TEST_F(CommandLine, NotesSayWhatABareNumberWasTakenForAndWhichVariableDoesNothin
     EXPECT_NE(notes({"--verbose"}).find("max-strain"), std::string::npos);
 }
 
-TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
+TEST_F(CommandLines, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint({}), "no subcommand given; one of uniaxial, triaxial fits");
     EXPECT_EQ(complaint({"uniaxal", "a.h5"}),
               "unknown subcommand \"uniaxal\" (did you mean uniaxial?); one of uniaxial, triaxial fits");
@@ -257,7 +263,7 @@ TEST_F(CommandLine, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/"}), "--config: / cannot be read; a TOML file is needed");
 }
 
-TEST_F(CommandLine, ValuesTooManyOrNone) {
+TEST_F(CommandLines, ValuesTooManyOrNone) {
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "-o", "c"}), "--output: given more than once; give it once");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "--config", "a.toml", "--config", "b.toml"}),
               "--config: given more than once; give it once");
@@ -268,7 +274,7 @@ TEST_F(CommandLine, ValuesTooManyOrNone) {
               "--output: given more than once; give it once");
 }
 
-TEST_F(CommandLine, FlagsTakeTrueAndFalseOnly) {
+TEST_F(CommandLines, FlagsTakeTrueAndFalseOnly) {
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep=perhaps"}),
               "--deep: \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep", "--quiet=no-idea"}),
@@ -278,11 +284,9 @@ TEST_F(CommandLine, FlagsTakeTrueAndFalseOnly) {
               "--deep (from GRAINCRACK_DEEP): \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
 }
 
-TEST_F(CommandLine, WhatIsMissingIsSaidInTheOrderOfTheCall) {
+TEST_F(CommandLines, WhatIsMissingIsSaidInTheOrderOfTheCall) {
     Tool nested;
-    CLI::App* group = nested.app.add_subcommand("group", "holds others");
-    group->require_subcommand(1);
-    group->add_subcommand("member", "one of them");
+    nested.line.options().add_subcommand("group", "holds others").add_subcommand("member", "one of them");
     try {
         nested.parse({"group"});
         FAIL() << "nothing wrong";
@@ -294,19 +298,21 @@ TEST_F(CommandLine, WhatIsMissingIsSaidInTheOrderOfTheCall) {
               "--outptu: unknown option (did you mean --output?); see graincrack-try uniaxial --help");
 }
 
-TEST_F(CommandLine, AnOptionThatNeedsAnother) {
+TEST_F(CommandLines, AnOptionThatNeedsAnother) {
     Tool tool;
-    CLI::App* uniaxial = tool.app.get_subcommand("uniaxial");
-    uniaxial->get_option("--seed")->needs(uniaxial->get_option("--spread"));
+    std::string first;
+    std::string second;
+    const OptionSet pair = tool.line.options().add_subcommand("pair", "two options");
+    add_text(pair, "--first", first, "one").needs(add_text(pair, "--second", second, "the other"));
     try {
-        tool.parse({"uniaxial", "a.h5", "-o", "b", "--seed", "2"});
+        tool.parse({"pair", "--first", "2"});
         FAIL() << "nothing wrong";
     } catch (const UsageError& error) {
-        EXPECT_STREQ(error.what(), "--seed: not alone; give --spread as well");
+        EXPECT_STREQ(error.what(), "--first: not alone; give --second as well");
     }
 }
 
-TEST_F(CommandLine, FlagsWinOverEnvironmentOverFile) {
+TEST_F(CommandLines, FlagsWinOverEnvironmentOverFile) {
     const std::string file = write("edge = '1mm'\nframes = 11\ndamping = 0.1\n");
     set("GRAINCRACK_EDGE", "2mm");
     set("GRAINCRACK_FRAMES", "12");
@@ -332,7 +338,7 @@ TEST_F(CommandLine, FlagsWinOverEnvironmentOverFile) {
               "one in %, fits");
 }
 
-TEST_F(CommandLine, KeysAtTheTopBelongToWhatRunsAndSectionsToTheirSubcommand) {
+TEST_F(CommandLines, KeysAtTheTopBelongToWhatRunsAndSectionsToTheirSubcommand) {
     const std::string file = write(
         "quiet = true\nthreads = 2\nedge = 0.001\nfiles = ['x.h5', 'y.h5']\noutput = 'z.h5'\ndeep = true\n[triaxial]\n"
         "edge = '2 mm'\nconfining-pressure = '8 MPa'\n[uniaxial]\nplane = 'stress'\n");
@@ -353,7 +359,7 @@ TEST_F(CommandLine, KeysAtTheTopBelongToWhatRunsAndSectionsToTheirSubcommand) {
     EXPECT_EQ(uniaxial.options.files, std::vector<std::string>{"a.h5"});
 }
 
-TEST_F(CommandLine, AKeyGivesWayToAFlagThatExcludesIt) {
+TEST_F(CommandLines, AKeyGivesWayToAFlagThatExcludesIt) {
     const std::string file = write("edge = '4mm'\n");
     Tool tool;
     ASSERT_TRUE(tool.parse({"uniaxial", "a.h5", "-o", "b", "--config", file, "--grains", "1122"}));
@@ -363,7 +369,7 @@ TEST_F(CommandLine, AKeyGivesWayToAFlagThatExcludesIt) {
               "--edge (from FILE, line 1) and --grains (from FILE, line 2): only one of them can be given; leave one out");
 }
 
-TEST_F(CommandLine, ComplaintsAboutAFile) {
+TEST_F(CommandLines, ComplaintsAboutAFile) {
     const std::string unknown = complaint_about_file("\negde = 4\n");
     EXPECT_EQ(unknown.substr(0, unknown.find(" known to")), "FILE: line 2: unknown key egde (did you mean edge?);");
     EXPECT_EQ(complaint_about_file("confining-pressure = 4\n"),
@@ -382,12 +388,12 @@ TEST_F(CommandLine, ComplaintsAboutAFile) {
     EXPECT_NE(complaint_about_file("edge = \n").find("--config: FILE: line 1: not TOML"), std::string::npos);
 }
 
-TEST_F(CommandLine, TheEffectiveConfigurationLoadsAgain) {
+TEST_F(CommandLines, TheEffectiveConfigurationLoadsAgain) {
     Tool first;
     ASSERT_TRUE(first.parse({"triaxial", "a \"b\".h5", "c\\d.h5", "--edge", "4.7mm", "--spread", "0.07", "--fracture-energy",
                              "mixed", "--seed", "18446744073709551615", "--deep", "-o", "ü.h5", "--quiet", "--threads", "2",
                              "--confining-pressure", "8e6"}));
-    const std::string text = effective_configuration(first.app);
+    const std::string text = first.line.effective_configuration();
     EXPECT_NE(text.find("\n[triaxial]\n"), std::string::npos) << text;
     EXPECT_NE(text.find("# grains ="), std::string::npos) << text;
 
@@ -405,10 +411,10 @@ TEST_F(CommandLine, TheEffectiveConfigurationLoadsAgain) {
     EXPECT_EQ(second.options.law, first.options.law);
     EXPECT_EQ(second.common.verbosity, first.common.verbosity);
     EXPECT_EQ(second.threads, first.threads);
-    EXPECT_EQ(effective_configuration(second.app), text);
+    EXPECT_EQ(second.line.effective_configuration(), text);
 }
 
-TEST_F(CommandLine, PrintConfigNeedsNothingElseAndLoadsAgain) {
+TEST_F(CommandLines, PrintConfigNeedsNothingElseAndLoadsAgain) {
     testing::internal::CaptureStdout();
     Tool tool;
     EXPECT_FALSE(tool.parse({"triaxial", "--print-config", "--frames", "9"}));
@@ -423,7 +429,7 @@ TEST_F(CommandLine, PrintConfigNeedsNothingElseAndLoadsAgain) {
     EXPECT_EQ(testing::internal::GetCapturedStdout(), text);
 }
 
-TEST_F(CommandLine, HelpShowsUnitsDefaultsAndExamples) {
+TEST_F(CommandLines, HelpShowsUnitsDefaultsAndExamples) {
     testing::internal::CaptureStdout();
     EXPECT_FALSE(Tool().parse({"triaxial", "--help"}));
     const std::string help = testing::internal::GetCapturedStdout();
@@ -440,7 +446,7 @@ TEST_F(CommandLine, HelpShowsUnitsDefaultsAndExamples) {
     EXPECT_NE(testing::internal::GetCapturedStdout().find("triaxial"), std::string::npos);
 }
 
-TEST_F(CommandLine, VersionShowsLibraries) {
+TEST_F(CommandLines, VersionShowsLibraries) {
     testing::internal::CaptureStdout();
     EXPECT_FALSE(Tool().parse({"--version"}));
     const std::string version = testing::internal::GetCapturedStdout();
@@ -449,7 +455,7 @@ TEST_F(CommandLine, VersionShowsLibraries) {
     EXPECT_NE(version.find("\nCGAL 5.5.1\nCLI11 2"), std::string::npos);
 }
 
-TEST_F(CommandLine, AvailableProcessors) {
+TEST_F(CommandLines, AvailableProcessors) {
     cpu_set_t before;
     ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
     EXPECT_GE(available_processors(), 1);

@@ -1,0 +1,241 @@
+#include "share/options/option_set.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+#include "share/options/configuration_file.hpp"
+#include "share/rock/material.hpp"
+
+namespace graincrack {
+namespace {
+
+std::string type_name(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::one: return "NUMBER";
+        case Dimension::length: return "LENGTH";
+        case Dimension::area: return "AREA";
+        case Dimension::angle: return "ANGLE";
+        case Dimension::time: return "TIME";
+        case Dimension::speed: return "SPEED";
+        case Dimension::stress: return "STRESS";
+        case Dimension::force: return "FORCE";
+        case Dimension::energy: return "ENERGY";
+        case Dimension::stiffness: return "STIFFNESS";
+        case Dimension::toughness: return "TOUGHNESS";
+        case Dimension::fracture_energy: return "ENERGY/AREA";
+        case Dimension::density: return "DENSITY";
+        case Dimension::acceleration: return "ACCELERATION";
+        case Dimension::frequency: return "FREQUENCY";
+    }
+    return "VALUE";
+}
+
+/// "mean edge [above 0 m and at most 1 km; m, mm, cm, um, km]"
+std::string help_of(const std::string& help, const Quantity& quantity) {
+    std::vector<std::string_view> symbols;
+    for (const Unit& unit : units_of(quantity.dimension)) {
+        if (unit.symbol != "1") symbols.push_back(unit.symbol);
+    }
+    return fmt::format("{} [{}; {}]", help, bounds_text(quantity), fmt::join(symbols, ", "));
+}
+
+void note_bare_number(const std::string& text, const Quantity& quantity, const std::string& where) {
+    const std::string note = bare_number_note(text, quantity, where);
+    const bool is_known = std::find(bare_number_notes().begin(), bare_number_notes().end(), note) != bare_number_notes().end();
+    if (!note.empty() && !is_known) bare_number_notes().push_back(note);
+}
+
+double read_quantity(const std::string& text, const Quantity& quantity, const std::string& where) {
+    const double value = parse_quantity(text, quantity, where);
+    note_bare_number(text, quantity, where);
+    return value;
+}
+
+/// "--edge" of "-e,--edge"; the name of a positional argument unchanged.
+std::string long_name(const std::string& option) {
+    const auto dashes = option.find("--");
+    if (dashes == std::string::npos) return option.substr(0, option.find(','));
+    return option.substr(dashes, option.find(',', dashes) - dashes);
+}
+
+/// A whole number within bounds. \throws UsageError naming `where`
+template <class T>
+T parse_integer(const std::string& text, const std::string& where, T lower, T upper) {
+    T value{};
+    const char* const end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    if (result.ec != std::errc{} || result.ptr != end || value < lower || value > upper) {
+        const bool open = upper == std::numeric_limits<T>::max();
+        throw UsageError(
+            where + ": \"" + text + "\" does not fit; it must be a whole number " +
+            (open ? "of at least " + std::to_string(lower) : "from " + std::to_string(lower) + " to " + std::to_string(upper)));
+    }
+    return value;
+}
+
+/// A whole number. \param target a number or an optional one
+template <class T, class Target>
+Option add_number(OptionSet set, const std::string& option, Target& target, const std::string& help, T lower, T upper,
+                  const std::string& default_text) {
+    const auto read = [&target, where = long_name(option), lower, upper](const std::string& text) {
+        target = parse_integer<T>(text, where, lower, upper);
+    };
+    return add_value(set, option, read, help, "N", default_text);
+}
+
+}  // namespace
+
+Option Option::required() {
+    option_->required();
+    return *this;
+}
+
+Option Option::type_name(const std::string& name) {
+    option_->type_name(name);
+    return *this;
+}
+
+Option Option::only_on_command_line() {
+    option_->configurable(false);
+    return *this;
+}
+
+Option Option::excludes(Option other) {
+    option_->excludes(other.option_);
+    return *this;
+}
+
+Option Option::needs(Option other) {
+    option_->needs(other.option_);
+    return *this;
+}
+
+OptionSet OptionSet::add_subcommand(const std::string& name, const std::string& help, const std::string& examples) {
+    app_->require_subcommand(1);
+    CLI::App* added = app_->add_subcommand(name, help);
+    if (!examples.empty()) added->footer("Examples:\n" + examples);
+    return OptionSet(added);
+}
+
+bool OptionSet::is_called() const { return app_->parsed(); }
+
+Option add_text(OptionSet set, const std::string& option, std::string& target, const std::string& help) {
+    return Option(set.app().add_option(option, target, help));
+}
+
+Option add_texts(OptionSet set, const std::string& option, std::vector<std::string>& target, const std::string& type,
+                 const std::string& help) {
+    return Option(set.app()
+                      .add_option(option, target, help)
+                      ->type_name(type)
+                      ->expected(1)
+                      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                      ->default_str(""));  // no "[]", which --config would read as a value
+}
+
+Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help) {
+    return Option(set.app().add_option(name, target, help));
+}
+
+Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help) {
+    return Option(set.app().add_flag(option, target, help));
+}
+
+Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
+                 const std::string& help, const std::string& type_name, const std::string& default_text) {
+    CLI::callback_t callback = [read](const CLI::results_t& results) {
+        read(results.front());
+        return true;
+    };
+    if (!default_text.empty()) read(default_text);
+    CLI::Option* added = set.app().add_option(option, std::move(callback), help);
+    added->type_name(type_name);
+    added->default_str(default_text);
+    if (auto* file = configuration_file(set.app()); file != nullptr) file->remember(added, read);
+    return Option(added);
+}
+
+Option add_quantity(OptionSet set, const std::string& option, double& target, const Quantity& quantity, const std::string& help,
+                    const std::string& default_text) {
+    const std::string where = long_name(option);
+    return add_value(
+        set, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
+        help_of(help, quantity), type_name(quantity.dimension), default_text);
+}
+
+Option add_quantity(OptionSet set, const std::string& option, std::optional<double>& target, const Quantity& quantity,
+                    const std::string& help) {
+    const std::string where = long_name(option);
+    return add_value(
+        set, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
+        help_of(help, quantity), type_name(quantity.dimension), "");
+}
+
+Option add_quantity_or(OptionSet set, const std::string& option, double& target, const Quantity& quantity,
+                       const std::string& word, double word_value, const std::string& help, const std::string& default_text) {
+    const std::string where = long_name(option);
+    return add_value(
+        set, option,
+        [&target, quantity, where, word, word_value](const std::string& text) {
+            target = parse_quantity_or(text, word, word_value, quantity, where);
+        },
+        help_of(help, quantity), type_name(quantity.dimension) + "|" + word, default_text);
+}
+
+Option add_fracture_energy(OptionSet set, std::optional<FractureEnergyChoice>& target, const std::string& help) {
+    return add_value(
+        set, "--fracture-energy",
+        [&target](const std::string& text) { target = parse_fracture_energy(text, "--fracture-energy"); },
+        help_of(help, contact_parameter(&ContactParameters::fracture_energy).quantity), "mixed|mode-i|ENERGY/AREA", "");
+}
+
+template <class T>
+Option add_integer(OptionSet set, const std::string& option, T& target, const std::string& help, T lower, T upper) {
+    return add_number(set, option, target, help, lower, upper, std::to_string(target));
+}
+template <class T>
+Option add_integer(OptionSet set, const std::string& option, std::optional<T>& target, const std::string& help, T lower,
+                   T upper) {
+    return add_number(set, option, target, help, lower, upper, "");
+}
+template Option add_integer(OptionSet, const std::string&, int&, const std::string&, int, int);
+template Option add_integer(OptionSet, const std::string&, std::optional<int>&, const std::string&, int, int);
+template Option add_integer(OptionSet, const std::string&, std::int64_t&, const std::string&, std::int64_t, std::int64_t);
+template Option add_integer(OptionSet, const std::string&, std::optional<std::int64_t>&, const std::string&, std::int64_t,
+                            std::int64_t);
+template Option add_integer(OptionSet, const std::string&, std::uint64_t&, const std::string&, std::uint64_t, std::uint64_t);
+template Option add_integer(OptionSet, const std::string&, std::optional<std::uint64_t>&, const std::string&, std::uint64_t,
+                            std::uint64_t);
+
+Option add_keyword(OptionSet set, const std::string& option, const std::vector<std::string>& words,
+                   const std::function<void(std::size_t)>& choose, const std::string& help, const std::string& default_word) {
+    const std::string keywords = fmt::to_string(fmt::join(words, "|"));
+    const auto read = [words, choose, keywords, where = long_name(option)](const std::string& text) {
+        const auto found = std::find(words.begin(), words.end(), text);
+        if (found == words.end()) throw UsageError(where + ": unknown choice \"" + text + "\"; one of " + keywords + " fits");
+        choose(static_cast<std::size_t>(found - words.begin()));
+    };
+    return add_value(set, option, read, help, keywords, default_word);
+}
+
+Option add_choice(OptionSet set, const std::string& option, std::string& target, const std::vector<std::string>& choices,
+                  const std::string& help) {
+    const auto choose = [&target, choices](std::size_t i) { target = choices[i]; };
+    const bool is_choice = std::find(choices.begin(), choices.end(), target) != choices.end();
+    return add_keyword(set, option, choices, choose, help, is_choice ? target : "");
+}
+
+std::vector<std::string>& bare_number_notes() {
+    static std::vector<std::string> notes;
+    return notes;
+}
+
+}  // namespace graincrack

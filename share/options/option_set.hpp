@@ -1,0 +1,120 @@
+// The options of a program or of one of its subcommands, as they are declared: texts, flags, numbers, choices, and quantities
+// with units. The handles here stand for what share/options keeps; the library that reads command lines, CLI11, is known there
+// alone.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "share/base/quantities.hpp"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): a name of CLI11
+class App;
+class Option;
+}  // namespace CLI
+
+namespace graincrack {
+
+struct FractureEnergyChoice;
+
+/// An option that has been declared, and what else is asked of it: `add_text(set, …).type_name("FILE").required()`.
+class Option {
+public:
+    explicit Option(CLI::Option* option) : option_(option) {}
+
+    Option required();
+    /// How help names its value.
+    Option type_name(const std::string& name);
+    /// Leaves it out of configuration files and of the environment.
+    Option only_on_command_line();
+    /// Only one of the two may be given.
+    Option excludes(Option other);
+    /// Given alone, it is refused.
+    Option needs(Option other);
+
+private:
+    CLI::Option* option_;
+};
+
+/// A handle of the options of a program or subcommand; valid as long as the `CommandLine` it came from.
+class OptionSet {
+public:
+    explicit OptionSet(CLI::App* app) : app_(app) {}
+
+    /// Adds a subcommand, one of which must be called then. \param examples for its help; those of the program unless given
+    OptionSet add_subcommand(const std::string& name, const std::string& help, const std::string& examples = "");
+    /// Whether the subcommand was called.
+    [[nodiscard]] bool is_called() const;
+    /// For the sources of share/options.
+    [[nodiscard]] CLI::App& app() const { return *app_; }
+
+private:
+    CLI::App* app_;
+};
+
+/// Adds an option or positional argument; help shows the text of `target` as the default.
+Option add_text(OptionSet set, const std::string& option, std::string& target, const std::string& help);
+/// Adds an option that may be given again. \param type of its value, as help shows it
+Option add_texts(OptionSet set, const std::string& option, std::vector<std::string>& target, const std::string& type,
+                 const std::string& help);
+/// Adds a positional argument of any number of files.
+Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help);
+Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help);
+/// Adds an option with one value, read by `read`, whose exceptions pass through. If `default_text` is not empty, it is read at
+/// once and help shows it.
+Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
+                 const std::string& help, const std::string& type_name, const std::string& default_text = "");
+
+/// Adds an option for a quantity with a unit ("--edge 4mm"); its help names units and bounds. `target` is SI; if
+/// `default_text` is not empty, the target is set from it and help shows it.
+Option add_quantity(OptionSet set, const std::string& option, double& target, const Quantity& quantity, const std::string& help,
+                    const std::string& default_text = "");
+/// The same for an optional quantity; unset if the option is not given.
+Option add_quantity(OptionSet set, const std::string& option, std::optional<double>& target, const Quantity& quantity,
+                    const std::string& help);
+/// The same where a keyword stands for a value: "--damping 0.8|none".
+Option add_quantity_or(OptionSet set, const std::string& option, double& target, const Quantity& quantity,
+                       const std::string& word, double word_value, const std::string& help, const std::string& default_text = "");
+/// Adds --fracture-energy mixed|mode-i|VALUE.
+Option add_fracture_energy(OptionSet set, std::optional<FractureEnergyChoice>& target, const std::string& help);
+
+/// Adds an option for a whole number, `int`, `std::int64_t` or `std::uint64_t`; help shows the value of `target` as the default.
+template <class T>
+Option add_integer(OptionSet set, const std::string& option, T& target, const std::string& help, T lower,
+                   T upper = std::numeric_limits<T>::max());
+/// The same for an optional number; unset if the option is not given.
+template <class T>
+Option add_integer(OptionSet set, const std::string& option, std::optional<T>& target, const std::string& help, T lower,
+                   T upper = std::numeric_limits<T>::max());
+
+/// Adds an option that takes one of several keywords, whose index `choose` gets. \param default_word "" for none
+Option add_keyword(OptionSet set, const std::string& option, const std::vector<std::string>& words,
+                   const std::function<void(std::size_t)>& choose, const std::string& help, const std::string& default_word);
+/// Adds an option that takes one of several keywords; help shows the keyword of the value of `target` as the default.
+template <class T>
+Option add_choice(OptionSet set, const std::string& option, T& target, const std::vector<std::pair<std::string, T>>& choices,
+                  const std::string& help) {
+    std::vector<std::string> words;
+    std::vector<T> values;
+    std::string default_word;
+    for (const auto& [word, value] : choices) {
+        words.push_back(word);
+        values.push_back(value);
+        if (value == target) default_word = word;
+    }
+    return add_keyword(
+        set, option, words, [&target, values](std::size_t i) { target = values[i]; }, help, default_word);
+}
+/// The same with the keyword itself as the value.
+Option add_choice(OptionSet set, const std::string& option, std::string& target, const std::vector<std::string>& choices,
+                  const std::string& help);
+
+/// What bare numbers were taken for, as the options are read.
+std::vector<std::string>& bare_number_notes();
+
+}  // namespace graincrack
