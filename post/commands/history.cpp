@@ -56,10 +56,11 @@ struct HistoryOptions {
 
 void add_history_options(OptionSet set, HistoryOptions& options) {
     add_flag(set, "--follow", options.follow, "print the rows of a running test as they appear, until it ends");
-    Option probe =
+    const Option probe =
         add_text(set, "--probe", options.probe, "print the history of this probe or boundary of a loading program instead")
             .type_name("NAME");
-    Option stages = add_flag(set, "--stages", options.stages, "print the stages of a loading program instead, and how each ended");
+    Option stages =
+        add_flag(set, "--stages", options.stages, "print the stages of a loading program instead, and how each ended");
     stages.excludes(probe);
     add_format(set, options.format);
 }

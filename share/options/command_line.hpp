@@ -4,11 +4,11 @@
 // A program reads its command line like this:
 //
 //     CommonOptions common;
-//     CommandLine line("graincrack-solve", "Runs tests on specimens of grains", common, "  graincrack-solve uniaxial specimen.h5
-//     -o run.h5"); add_threads(line.options(), threads);  // for a tool that computes with several threads OptionSet uniaxial =
-//     line.options().add_subcommand("uniaxial", "compression between platens"); add_quantity(uniaxial, "--max-strain",
-//     max_strain, quantity::max_strain, "…", "0.015"); if (!line.parse(argc, argv)) return 0;  // --help, --version and
-//     --print-config are answered
+//     CommandLine line("graincrack-solve", "Runs tests", common, "  graincrack-solve uniaxial specimen.h5 -o run.h5");
+//     add_threads(line.options(), threads);  // for a tool that computes with several threads
+//     OptionSet uniaxial = line.options().add_subcommand("uniaxial", "compression between platens");
+//     add_quantity(uniaxial, "--max-strain", max_strain, quantity::max_strain, "…", "0.015");
+//     if (!line.parse(argc, argv)) return 0;  // --help, --version and --print-config are answered
 //
 // Options of the tool may stand behind a subcommand.
 // Subcommands may share targets: for options added by the functions here, environment and defaults of the subcommand that runs
