@@ -1,4 +1,4 @@
-// Polygonal crystals of a convex region, divided into elements.
+// Polygonal crystals of a region, divided into elements.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +44,8 @@ double equilateral_edge(const Region& region, double n_polygons);
 /// Makes the polygons of a region: cells of wanted areas, without short edges, divided into elements. What the removal of short
 /// edges does to areas is undone by small moves of the cells' points.
 ///
-/// \throws UsageError naming --tessellation if the region is not convex or has holes or flaws; Interrupted on a signal
+/// \param region whose prescribed edges fit (`fitted_edges`): they become sides of crystals
+/// \throws UsageError if walls leave no room; Interrupted on a signal
 PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, const std::function<void(double)>& progress = {});
 
 }  // namespace graincrack::mesher
