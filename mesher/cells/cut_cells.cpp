@@ -19,6 +19,7 @@ constexpr double reach_of_corners = 0.3;  ///< to a corner of a wall
 constexpr double reach_of_ends = 0.6;     ///< to the end of a wall
 constexpr double same_point = 1e-9;       ///< over the extent
 
+constexpr double credit_of_seed = 0.3;  ///< added to the share of a piece with the seed of its cell
 constexpr int no_wall = -1;
 constexpr int extension = -2;  ///< of a wall to the side of the cell in which it ends
 
@@ -60,7 +61,7 @@ public:
     }
 
     std::optional<CutCells> joined() {
-        find_main_pieces();
+        find_seeds();
         drop_outside();
         if (!join_pieces()) return std::nullopt;
         drop_kinks();
@@ -298,7 +299,9 @@ private:
             }
         }
         const std::vector<std::pair<double, int>> nodes = nodes_of(chain);
-        if (nodes.size() < 2) return false;
+        if (nodes.size() < 2) {
+            return false;
+        }
         const auto n = static_cast<double>(chain.sides.size());
         for (std::size_t i = 0; i + (chain.is_closed ? 0 : 1) < nodes.size(); ++i) {
             const auto [from, u] = nodes[i];
@@ -450,7 +453,9 @@ private:
             left.push_back(u);
             for (std::size_t i = path.size() - 2; i > 0; --i) right.push_back(path[i].first);
             for (std::size_t i = 1; i + 1 < path.size(); ++i) left.push_back(path[i].first);
-            if (!(area_of(corners(left)) > 0) || !(area_of(corners(right)) > 0)) return false;
+            if (!(area_of(corners(left)) > 0) || !(area_of(corners(right)) > 0)) {
+                return false;
+            }
             set_loop(index(cell), std::move(left));
             add_cell(std::move(right), origin_[index(cell)]);
             mark_path();
@@ -483,16 +488,18 @@ private:
         return sets;
     }
 
-    /// Of each cell the piece with its seed, or the largest where the seed lies in none.
-    void find_main_pieces() {
-        main_.assign(seeds_.size(), 0);
-        std::vector<double> largest(seeds_.size(), 0);
-        for (std::size_t cell = 0; cell < loops_.size(); ++cell) {
-            const std::size_t seed = origin_[cell];
-            const double size = is_inside(loops_[cell], seeds_[seed]) ? std::numeric_limits<double>::infinity() : area(cell);
-            if (size <= largest[seed]) continue;
-            largest[seed] = size;
-            main_[seed] = cell;
+    /// The pieces in which seeds lie, most of them pieces of their own cells.
+    void find_seeds() {
+        std::vector<std::vector<std::size_t>> pieces(seeds_.size());
+        for (std::size_t cell = 0; cell < loops_.size(); ++cell) pieces[origin_[cell]].push_back(cell);
+        for (std::size_t seed = 0; seed < seeds_.size(); ++seed) {
+            const auto holds = [&](std::size_t cell) { return is_inside(loops_[cell], seeds_[seed]); };
+            const auto own = std::find_if(pieces[seed].begin(), pieces[seed].end(), holds);
+            std::size_t cell = own == pieces[seed].end() ? 0 : *own;
+            if (own == pieces[seed].end()) {
+                while (cell + 1 < loops_.size() && !holds(cell)) ++cell;
+            }
+            piece_of_seed_.push_back(cell);
         }
     }
 
@@ -512,6 +519,37 @@ private:
         for (std::size_t cell = 0; cell < loops_.size(); ++cell) {
             if (is_outside[sets[cell]] != 0) set_loop(cell, {});
         }
+    }
+
+    /// Divides a piece between two of its corners, as nearly in halves as these allow.
+    bool halve(std::size_t piece) {
+        const Loop loop = loops_[piece];
+        const std::size_t n = loop.size();
+        double best = std::numeric_limits<double>::infinity();
+        Loop left;
+        Loop right;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t k = i + 2; k < n && k < i + n - 1; ++k) {
+                Loop a(loop.begin() + static_cast<std::ptrdiff_t>(i), loop.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+                Loop b(loop.begin() + static_cast<std::ptrdiff_t>(k), loop.end());
+                b.insert(b.end(), loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+                if (!is_sound(corners(a)) || !is_sound(corners(b))) continue;
+                const double difference = std::abs(area_of(corners(a)) - area_of(corners(b)));
+                if (difference >= best) continue;
+                best = difference;
+                left = std::move(a);
+                right = std::move(b);
+            }
+        }
+        if (left.empty()) return false;
+        set_loop(piece, std::move(left));
+        add_cell(std::move(right), origin_[piece]);
+        for (const std::size_t half : {piece, loops_.size() - 1}) {
+            share_.resize(loops_.size(), 0);
+            share_[half] = area(half) / wanted_[origin_[half]];
+        }
+        areas_.resize(loops_.size(), 0);
+        return true;
     }
 
     /// Joins a piece to a neighbour, the one with the longest common side of those with which it makes a sound polygon.
@@ -589,16 +627,27 @@ private:
             pieces_of[sets[cell]].push_back(cell);
         }
         for (std::size_t seed = 0; seed < seeds_.size(); ++seed) {
-            if (!loops_[main_[seed]].empty()) seeds_of[sets[main_[seed]]].push_back(seed);
+            const std::size_t piece = piece_of_seed_[seed];
+            if (loops_[piece].empty()) continue;
+            seeds_of[sets[piece]].push_back(seed);
+            if (origin_[piece] == seed) share_[piece] += credit_of_seed;
         }
         areas_.assign(loops_.size(), 0);
         for (auto& [set, pieces] : pieces_of) {
             const std::vector<std::size_t>& seeds = seeds_of[set];
-            if (seeds.empty() || pieces.size() < seeds.size()) return false;
+            if (seeds.empty()) return false;
+            while (pieces.size() < seeds.size()) {
+                const std::size_t largest = *std::max_element(
+                    pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return share_[a] < share_[b]; });
+                if (!halve(largest)) return false;
+                pieces.push_back(loops_.size() - 1);
+            }
             while (pieces.size() > seeds.size()) {
                 std::sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return share_[a] < share_[b]; });
                 const auto joined = std::find_if(pieces.begin(), pieces.end(), [&](std::size_t piece) { return join(piece); });
-                if (joined == pieces.end()) return false;
+                if (joined == pieces.end()) {
+                    return false;
+                }
                 pieces.erase(joined);
             }
             // The largest area goes to the largest cell.
@@ -657,7 +706,6 @@ private:
         for (std::size_t cell = 0; cell < loops_.size(); ++cell) {
             const Loop& loop = loops_[cell];
             if (loop.empty()) continue;
-            if (!is_sound(corners(loop))) return std::nullopt;
             made.areas.push_back(areas_[cell]);
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const int p = loop[i];
@@ -692,9 +740,9 @@ private:
     std::vector<Side> sides_;  ///< those of the walls, then those of the hull
     std::vector<Loop> loops_;  ///< of cells and pieces; empty ones are gone
     std::vector<std::size_t> origin_;
-    std::vector<std::size_t> main_;  ///< piece of each seed
-    std::vector<double> share_;      ///< of the wanted area of its cell that a piece has
-    std::vector<double> areas_;      ///< wanted of pieces that are left
+    std::vector<std::size_t> piece_of_seed_;
+    std::vector<double> share_;  ///< of the wanted area of its cell that a piece has
+    std::vector<double> areas_;  ///< wanted of pieces that are left
     std::vector<std::vector<int>> cells_of_point_;
     std::vector<char> is_fixed_;
     std::vector<char> is_on_wall_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -25,6 +26,7 @@ namespace {
 constexpr int most_rounds = 2;  ///< of removing short edges and restoring areas, which can make further ones
 
 constexpr int most_attempts = 12;  ///< at cells between walls
+constexpr double enough = 1e-6;    ///< error of areas that needs no further attempt
 
 /// Cells with the areas they are to have, and how many points are fixed.
 struct Crystals {
@@ -93,7 +95,9 @@ Crystals crystals_between_walls(const Region& region, const PolygonRequest& requ
     double inside = 0;
     double whole = moments(walls.hull.corners).area;
     for (std::size_t zone = 0; zone < zones.size(); ++zone) inside += zones.is_inside(zone) ? zones.area(zone) : 0;
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    Crystals best;
+    best.largest_error = std::numeric_limits<double>::infinity();
+    for (int attempt = 0; attempt < most_attempts && best.largest_error > enough; ++attempt) {
         RandomNumbers random(request.seed, static_cast<std::uint64_t>(attempt));
         std::vector<double> wanted = wanted_areas(request.n, inside, request.spread, request.distribution, random);
         std::vector<std::size_t> zone_of = zones_for(wanted, zones);
@@ -103,12 +107,21 @@ Crystals crystals_between_walls(const Region& region, const PolygonRequest& requ
         std::vector<double> scaled = wanted;
         for (double& area : scaled) area *= scale;
         const LaguerreCells made = laguerre_cells_in_zones(walls, zones, zone_of, scaled, random, progress);
+
         if (!(made.largest_error < 1)) continue;
         std::optional<CutCells> cut = cut_cells(made.cells, made.seeds, wanted, walls);
+
         if (!cut || cut->cells.size() != request.n) continue;
-        const double error = restore_areas(cut->cells, cut->n_fixed, cut->areas);
-        return {std::move(cut->cells), cut->n_fixed, std::move(cut->areas), error, walls.loading_arc};
+        const double error = restore_areas_in_steps(cut->cells, cut->n_fixed, cut->areas);
+
+        bool is_whole = true;
+        for (std::size_t cell = 0; cell < request.n; ++cell) is_whole = is_whole && is_sound(corners_of(cut->cells, cell));
+
+        if (is_whole && error < best.largest_error) {
+            best = {std::move(cut->cells), cut->n_fixed, std::move(cut->areas), error, walls.loading_arc};
+        }
     }
+    if (best.cells.size() == request.n) return best;
     throw UsageError("--grains: holes and flaws leave no room for polygons of this size; give smaller ones");
 }
 
