@@ -17,6 +17,9 @@ namespace {
 
 constexpr double on_one_line = 1e-9;  ///< sine of the angle below which two sides are one
 
+/// Points on a rim that flaws may move: whose polygon then has its middle in the disc's to 0.1 % of the diameter.
+constexpr double fewest_on_rim = 48;
+
 ConvexOutline box_around(const std::vector<Point>& points, double margin) {
     Box box{points.front(), points.front()};
     for (const Point p : points) {
@@ -55,7 +58,9 @@ Walls walls_of(const Region& region, double edge) {
     Walls walls;
     walls.is_convex = is_plain(plain);
     RandomNumbers random(0);  // of which equal distances need none
-    const int n = admissible_boundary_count(region, outline_count(region, edge), false);
+    double wanted = outline_count(region, edge);
+    if (is_round(region)) wanted = std::max(wanted, fewest_on_rim * perimeter(region) / perimeter(plain));
+    const int n = admissible_boundary_count(region, wanted, false);
     const Seeds seeds = fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random);
     walls.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;
     std::vector<char> is_end(seeds.points.size(), 0);
