@@ -90,6 +90,10 @@ void check_common(const SpecimenRequest& request) {
         throw UsageError("--loaded-diameter: there are " + std::to_string(region.loops.front().circle->diameters) +
                          " (--diameters), counted from 0");
     }
+    if (!(request.elongation.ratio >= 1 && request.elongation.ratio <= max_elongation)) {
+        throw UsageError("--elongation: " + format_number(request.elongation.ratio) + " is out of range; give 1 to " +
+                         format_number(max_elongation));
+    }
     check(request.phases);
     check(request.strength);
 }
@@ -101,10 +105,6 @@ void check_request(const SpecimenRequest& request) {
     }
     if (request.size_distribution) {
         throw UsageError("--size-distribution: is for polygons; give --tessellation voronoi or trigon");
-    }
-    if (!(request.elongation.ratio >= 1 && request.elongation.ratio <= max_elongation)) {
-        throw UsageError("--elongation: " + format_number(request.elongation.ratio) + " is out of range; give 1 to " +
-                         format_number(max_elongation));
     }
     if (request.elements_per_edge < 1 || request.elements_per_edge > max_elements_per_edge) {
         throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
@@ -186,8 +186,6 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
     };
     if (request.elements_per_edge != 1) refuse("--elements-per-edge", "polygons have elements of --element-size");
     if (request.grading) refuse("--grade", "polygons have the same sizes everywhere");
-    if (request.elongation.ratio != 1) refuse("--elongation", "polygons are not elongated");
-    if (request.elongation.angle != 0) refuse("--elongation-angle", "polygons are not elongated");
     MeshPlan plan;
     plan.region = request.region;
     plan.n_grains = request.grains
@@ -331,6 +329,7 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     polygons.distribution = request.size_distribution.value_or(SizeDistribution::normal);
     polygons.element_size = plan.element_size;
     polygons.bodies = can_break ? Bodies::triangles : Bodies::cells;
+    polygons.elongation = request.elongation;
     polygons.seed = request.seed;
     PolygonMesh made = polygon_mesh(region, polygons, progress);
     report.polygons = made.statistics;
@@ -345,6 +344,10 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     specimen.statistics = statistics_of(specimen);
     const double total = std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
     specimen.statistics.area_error = total / area(region) - 1;
+    if (request.elongation.ratio > 1) {
+        specimen.statistics.elongation = made.statistics.elongation.ratio;
+        specimen.statistics.elongation_angle = made.statistics.elongation.angle;
+    }
     give_fabric(specimen, crystal_of_grain, request);
     if (can_break) name_crystals(specimen, crystal_of_grain);
     return specimen;

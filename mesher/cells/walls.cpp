@@ -53,7 +53,7 @@ bool Walls::contains(Point p) const {
     return inside;
 }
 
-Walls walls_of(const Region& region, double edge) {
+Walls walls_of(const Region& region, double edge, const Stretch& stretch) {
     const Region plain{region.name, {region.loops.front()}, {}, region.part_names, region.flats};
     Walls walls;
     walls.is_convex = is_plain(plain);
@@ -108,6 +108,9 @@ Walls walls_of(const Region& region, double edge) {
         walls.sides.push_back({point(side.from), point(side.to), -1, side.kind});
     }
     if (walls.is_convex && !is_convex(walls.hull.corners)) walls.is_convex = false;
+    for (auto* points : {&walls.points, &walls.hull.corners}) {
+        for (Point& p : *points) p = stretch.equiaxed(p);
+    }
     if (!walls.is_convex) walls.hull = box_around(walls.points, edge);
     return walls;
 }

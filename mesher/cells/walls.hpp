@@ -7,6 +7,7 @@
 
 #include "mesher/cells/convex_outline.hpp"
 #include "mesher/plane/random_numbers.hpp"
+#include "mesher/plane/stretch.hpp"
 #include "mesher/seeds/seeds.hpp"
 
 namespace graincrack::mesher {
@@ -25,7 +26,8 @@ struct Walls {
 };
 
 /// \param edge distance of points on round sides, m
-Walls walls_of(const Region& region, double edge);
+/// \param stretch of elongated cells: walls are those of the plane in which they are equiaxed
+Walls walls_of(const Region& region, double edge, const Stretch& stretch = {});
 
 /// Parts of the hull that walls separate from one another.
 class Zones {

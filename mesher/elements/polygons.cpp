@@ -38,7 +38,8 @@ struct Crystals {
 };
 
 Crystals plain_crystals(const Region& region, const PolygonRequest& request, const std::function<void(double)>& progress) {
-    const ConvexOutline outline = convex_outline(region, equilateral_edge(region, static_cast<double>(request.n)));
+    ConvexOutline outline = convex_outline(region, equilateral_edge(region, static_cast<double>(request.n)));
+    for (Point& p : outline.corners) p = Stretch(request.elongation).equiaxed(p);
     RandomNumbers random(request.seed);
     std::vector<double> wanted =
         wanted_areas(request.n, moments(outline.corners).area, request.spread, request.distribution, random);
@@ -90,7 +91,7 @@ void fill_zones(std::vector<double>& areas, std::vector<std::size_t>& zone_of, c
 
 Crystals crystals_between_walls(const Region& region, const PolygonRequest& request,
                                 const std::function<void(double)>& progress) {
-    const Walls walls = walls_of(region, equilateral_edge(region, static_cast<double>(request.n)));
+    const Walls walls = walls_of(region, equilateral_edge(region, static_cast<double>(request.n)), Stretch(request.elongation));
     const Zones zones(walls);
     double inside = 0;
     double whole = moments(walls.hull.corners).area;
@@ -148,6 +149,10 @@ PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, co
     for (const double area : areas) statistics.mean_diameter += std::sqrt(4 * area / std::numbers::pi);
     statistics.mean_diameter /= static_cast<double>(areas.size());
     statistics.diameter_variation = diameter_variation(areas);
+    if (request.elongation.ratio > 1) {
+        for (Point& p : made.cells.points) p = Stretch(request.elongation).elongated(p);
+        statistics.elongation = elongation_of(made.cells);
+    }
     return {refined_mesh(made.cells, request.bodies, request.element_size), made.loading_arc, statistics};
 }
 
