@@ -299,9 +299,7 @@ private:
             }
         }
         const std::vector<std::pair<double, int>> nodes = nodes_of(chain);
-        if (nodes.size() < 2) {
-            return false;
-        }
+        if (nodes.size() < 2) return false;
         const auto n = static_cast<double>(chain.sides.size());
         for (std::size_t i = 0; i + (chain.is_closed ? 0 : 1) < nodes.size(); ++i) {
             const auto [from, u] = nodes[i];
@@ -388,7 +386,7 @@ private:
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
         for (const Edge& e : edges) {
             for (std::size_t k = 0; k < n; ++k) {
-                const auto touches = [&](int p) {
+                const auto meets_there = [&](int p) {
                     const auto found = place.find(p);
                     if (found == place.end()) return false;
                     const double t = found->second;
@@ -399,7 +397,7 @@ private:
                 const Point along = chain.points[k + 1] - a;
                 const double sp = cross(along, at(e[0]) - a);
                 const double sq = cross(along, at(e[1]) - a);
-                if ((sp > 0) == (sq > 0) || touches(e[0]) || touches(e[1])) continue;
+                if ((sp > 0) == (sq > 0) || meets_there(e[0]) || meets_there(e[1])) continue;
                 const double on_edge = sp / (sp - sq);
                 const Point foot = at(e[0]) + on_edge * (at(e[1]) - at(e[0]));
                 const double share = dot(foot - a, along) / squared_length(along);
@@ -453,9 +451,7 @@ private:
             left.push_back(u);
             for (std::size_t i = path.size() - 2; i > 0; --i) right.push_back(path[i].first);
             for (std::size_t i = 1; i + 1 < path.size(); ++i) left.push_back(path[i].first);
-            if (!(area_of(corners(left)) > 0) || !(area_of(corners(right)) > 0)) {
-                return false;
-            }
+            if (!(area_of(corners(left)) > 0) || !(area_of(corners(right)) > 0)) return false;
             set_loop(index(cell), std::move(left));
             add_cell(std::move(right), origin_[index(cell)]);
             mark_path();
@@ -645,9 +641,7 @@ private:
             while (pieces.size() > seeds.size()) {
                 std::sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return share_[a] < share_[b]; });
                 const auto joined = std::find_if(pieces.begin(), pieces.end(), [&](std::size_t piece) { return join(piece); });
-                if (joined == pieces.end()) {
-                    return false;
-                }
+                if (joined == pieces.end()) return false;
                 pieces.erase(joined);
             }
             // The largest area goes to the largest cell.
