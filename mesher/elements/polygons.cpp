@@ -35,6 +35,7 @@ struct Crystals {
     std::vector<double> areas;
     double largest_error = 0;
     double loading_arc = 0;
+    std::size_t n_short_edges = 0;  ///< that were removed
 };
 
 Crystals plain_crystals(const Region& region, const PolygonRequest& request, const std::function<void(double)>& progress) {
@@ -107,19 +108,21 @@ Crystals crystals_between_walls(const Region& region, const PolygonRequest& requ
         const double scale = whole / std::accumulate(wanted.begin(), wanted.end(), 0.0);
         std::vector<double> scaled = wanted;
         for (double& area : scaled) area *= scale;
-        const LaguerreCells made = laguerre_cells_in_zones(walls, zones, zone_of, scaled, random, progress);
+        LaguerreCells made = laguerre_cells_in_zones(walls, zones, zone_of, scaled, random, progress);
 
         if (!(made.largest_error < 1)) continue;
+        std::size_t n_removed = remove_short_edges(made.cells, walls.hull.size()).n_removed;
         std::optional<CutCells> cut = cut_cells(made.cells, made.seeds, wanted, walls);
 
         if (!cut || cut->cells.size() != request.n) continue;
+        n_removed += remove_short_edges(cut->cells, cut->n_fixed).n_removed;
         const double error = restore_areas_in_steps(cut->cells, cut->n_fixed, cut->areas);
 
         bool is_whole = true;
         for (std::size_t cell = 0; cell < request.n; ++cell) is_whole = is_whole && is_sound(corners_of(cut->cells, cell));
 
         if (is_whole && error < best.largest_error) {
-            best = {std::move(cut->cells), cut->n_fixed, std::move(cut->areas), error, walls.loading_arc};
+            best = {std::move(cut->cells), cut->n_fixed, std::move(cut->areas), error, walls.loading_arc, n_removed};
         }
     }
     if (best.cells.size() == request.n) return best;
@@ -137,6 +140,7 @@ PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, co
         is_plain(region) ? plain_crystals(region, request, progress) : crystals_between_walls(region, request, progress);
     PolygonStatistics statistics;
     statistics.largest_area_error = made.largest_error;
+    statistics.n_short_edges = made.n_short_edges;
     for (int round = 0; round < most_rounds; ++round) {
         const ShortEdges edges = remove_short_edges(made.cells, made.n_fixed);
         statistics.n_short_edges += edges.n_removed;

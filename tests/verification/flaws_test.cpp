@@ -45,7 +45,10 @@ Specimen flawed_crystals(const Region& region, double edge, double element_size,
     request.spread = 0.3;
     request.tessellation = tessellation;
     request.element_size = element_size;
-    return mesher::make_specimen(request);
+    Specimen specimen = mesher::make_specimen(request);
+    specimen.contact_flaw.clear();  // one law for all contacts, within crystals too
+    specimen.flaw_names.clear();
+    return specimen;
 }
 
 /// Its cracks are free faces, its contacts a hundred times as stiff as those of Augig granite.
