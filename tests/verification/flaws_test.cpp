@@ -48,6 +48,8 @@ Specimen flawed_crystals(const Region& region, double edge, double element_size,
     Specimen specimen = mesher::make_specimen(request);
     specimen.contact_flaw.clear();  // one law for all contacts, within crystals too
     specimen.flaw_names.clear();
+    std::replace(specimen.contact_kind.begin(), specimen.contact_kind.end(),
+                 static_cast<std::uint8_t>(ContactKind::within_crystal), static_cast<std::uint8_t>(ContactKind::grain_boundary));
     return specimen;
 }
 
