@@ -69,9 +69,10 @@ const Kind kinds[] = {
              set, "--notch", options.notch, quantity::notch,
              "length of a notch through the centre, across the load, whose grain boundaries are broken from the start; the "
              "width of the specimen makes it a joint");
-         add_quantity(set, "--notch-angle", options.angle, quantity::direction,
-                      "direction of the notch from x: a straight notch, which grain boundaries follow; default: across the load "
-                      "along whole grain boundaries as they lie");
+         add_quantity(
+             set, "--notch-angle", options.angle, quantity::direction,
+             "direction of the notch from x: a straight notch, which grain boundaries follow; default: across the load, of "
+             "triangles along whole grain boundaries as they lie, of polygons straight");
      },
      [](const KindOptions& options, SpecimenRequest& request) {
          request.region = rectangle(options.width, options.height);
@@ -249,8 +250,7 @@ void add_tessellation(OptionSet shape, SpecimenRequest& request) {
         shape, "--tessellation", request.tessellation,
         {{"delaunay", Tessellation::delaunay}, {"voronoi", Tessellation::voronoi}, {"trigon", Tessellation::trigon}},
         "grains: triangles (delaunay), polygons of elements that do not break (voronoi), or polygons whose triangles are grains, "
-        "so "
-        "that they break (trigon); polygons fill convex shapes without holes and flaws");
+        "so that they break (trigon)");
     add_quantity(shape, "--element-size", request.element_size, quantity::element_size,
                  "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon");
     add_value(

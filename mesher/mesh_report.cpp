@@ -94,6 +94,10 @@ std::vector<std::string> describe_polygons(const Specimen& specimen, const Speci
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
     if (!request.phases.fractions.empty()) lines.push_back(phase_line(specimen, request.phases));
     if (request.strength.modulus) lines.push_back(strength_line(specimen, request.strength));
+    if (s.elongation > 0) {
+        lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
+    }
+    if (report.n_flaws > 0) lines.push_back(flaw_line(specimen, report));
     return lines;
 }
 

@@ -90,6 +90,10 @@ void check_common(const SpecimenRequest& request) {
         throw UsageError("--loaded-diameter: there are " + std::to_string(region.loops.front().circle->diameters) +
                          " (--diameters), counted from 0");
     }
+    if (!(request.elongation.ratio >= 1 && request.elongation.ratio <= max_elongation)) {
+        throw UsageError("--elongation: " + format_number(request.elongation.ratio) + " is out of range; give 1 to " +
+                         format_number(max_elongation));
+    }
     check(request.phases);
     check(request.strength);
 }
@@ -101,10 +105,6 @@ void check_request(const SpecimenRequest& request) {
     }
     if (request.size_distribution) {
         throw UsageError("--size-distribution: is for polygons; give --tessellation voronoi or trigon");
-    }
-    if (!(request.elongation.ratio >= 1 && request.elongation.ratio <= max_elongation)) {
-        throw UsageError("--elongation: " + format_number(request.elongation.ratio) + " is out of range; give 1 to " +
-                         format_number(max_elongation));
     }
     if (request.elements_per_edge < 1 || request.elements_per_edge > max_elements_per_edge) {
         throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
@@ -137,9 +137,17 @@ void check_notch(double notch, double width, double edge) {
     }
 }
 
-/// Grains must have room between a round hole and the boundary or another.
-void check_walls(const Region& region, double edge) {
-    const auto curves = curves_of({region.name, region.loops, {}});
+/// Round boundaries must not be small for the grains, which must have room between a round hole and the boundary or another.
+void check_walls(const SpecimenRequest& request, const MeshPlan& plan) {
+    const double edge = plan.edge;
+    for (const Loop& loop : plan.region.loops) {
+        if (loop.circle && loop.circle->radius < smallest_radius * edge) {
+            throw UsageError("--" + std::string(request.edge ? "edge" : "grains") + ": grain edges of " + format_length(edge) +
+                             " are too large for a round boundary of radius " + format_length(loop.circle->radius) +
+                             "; give smaller grains");
+        }
+    }
+    const auto curves = curves_of({plan.region.name, plan.region.loops, {}});
     for (const Curve& hole : curves) {
         if (hole.kind != Curve::Kind::circular_hole) continue;
         for (const Curve& other : curves) {
@@ -150,6 +158,18 @@ void check_walls(const Region& region, double edge) {
                              format_length(edge) + "; move the hole, or give smaller grains");
         }
     }
+}
+
+/// Adds the joints of sets, and fits all prescribed edges to the grains.
+void add_edges(const SpecimenRequest& request, MeshPlan& plan) {
+    for (std::size_t i = 0; i < request.joint_sets.size(); ++i) {
+        const auto joints = joints_of(request.joint_sets[i], request.region, plan.equal_edge, request.seed, i);
+        plan.region.edges.insert(plan.region.edges.end(), joints.begin(), joints.end());
+    }
+    if (plan.region.edges.size() > max_edges) {
+        throw UsageError("--flaws: more than " + std::to_string(max_edges) + " flaws and joints; leave some out");
+    }
+    plan.region.edges = fitted_edges(plan.region, plan.equal_edge);
 }
 
 void check_number_of_phases(const SpecimenRequest& request, std::int64_t n_grains) {
@@ -166,10 +186,6 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
     };
     if (request.elements_per_edge != 1) refuse("--elements-per-edge", "polygons have elements of --element-size");
     if (request.grading) refuse("--grade", "polygons have the same sizes everywhere");
-    if (request.elongation.ratio != 1) refuse("--elongation", "polygons are not elongated");
-    if (request.elongation.angle != 0) refuse("--elongation-angle", "polygons are not elongated");
-    if (request.notch) refuse("--notch", "polygons have no notches");
-    if (!request.joint_sets.empty()) refuse("--joint-set", "polygons have no joints");
     MeshPlan plan;
     plan.region = request.region;
     plan.n_grains = request.grains
@@ -194,7 +210,10 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
                          " is needed");
     }
     check_number_of_phases(request, plan.n_grains);
-    (void)convex_outline(plan.region, plan.edge);
+    if (request.notch) plan.region.edges.push_back(central_slit(plan.region, *request.notch, 0, "--notch"));
+    add_edges(request, plan);
+    if (!is_plain(plan.region)) check_walls(request, plan);
+    if (is_plain(plan.region)) (void)convex_outline(plan.region, plan.edge);
     return plan;
 }
 
@@ -204,14 +223,7 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
     const Region& region = plan.region;
     plan.n_grains = n_grains;
     plan.equal_edge = edge_over_equilateral(request.spread) * equilateral_edge(region, static_cast<double>(n_grains));
-    for (std::size_t i = 0; i < request.joint_sets.size(); ++i) {
-        const auto joints = joints_of(request.joint_sets[i], region, plan.equal_edge, request.seed, i);
-        plan.region.edges.insert(plan.region.edges.end(), joints.begin(), joints.end());
-    }
-    if (plan.region.edges.size() > max_edges) {
-        throw UsageError("--flaws: more than " + std::to_string(max_edges) + " flaws and joints; leave some out");
-    }
-    plan.region.edges = fitted_edges(plan.region, plan.equal_edge);
+    add_edges(request, plan);
     plan.size =
         SizeField(plan.region, plan.equal_edge, request.grading, Stretch(request.elongation), first_scatter(request.spread));
     plan.edge = plan.equal_edge * plan.size.mean_edge();
@@ -224,14 +236,7 @@ MeshPlan plan_for(const SpecimenRequest& request, std::int64_t n_grains) {
                          " edges on the rim; give at most a quarter of that number");
     }
     if (request.notch) check_notch(*request.notch, bounds(region).width(), plan.edge);
-    for (const Loop& loop : region.loops) {
-        if (loop.circle && loop.circle->radius < smallest_radius * plan.edge) {
-            throw UsageError("--" + std::string(request.edge ? "edge" : "grains") + ": grain edges of " +
-                             format_length(plan.edge) + " are too large for a round boundary of radius " +
-                             format_length(loop.circle->radius) + "; give smaller grains");
-        }
-    }
-    check_walls(region, plan.edge);
+    check_walls(request, plan);
     const auto n_holes = static_cast<std::int64_t>(region.loops.size()) - 1;
     plan.n_inner = static_cast<std::size_t>(std::max<std::int64_t>(0, (n_grains + 2 - 2 * n_holes - plan.n_boundary) / 2));
     return plan;
@@ -303,6 +308,11 @@ void describe(Specimen& specimen, const Region& region) {
     specimen.part_names = region.part_names;
 }
 
+void count_flaws(const Region& region, MeshReport& report) {
+    report.n_flaws = region.edges.size();
+    for (const PrescribedEdge& e : region.edges) report.flaw_length += length(e.to - e.from);
+}
+
 void give_fabric(Specimen& specimen, const std::vector<int>& crystal_of_grain, const SpecimenRequest& request) {
     specimen.seed = request.seed;
     assign_phases(specimen, crystal_of_grain, request.phases);
@@ -311,7 +321,7 @@ void give_fabric(Specimen& specimen, const std::vector<int>& crystal_of_grain, c
 
 Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress,
                        MeshReport& report) {
-    const Region& region = request.region;
+    const Region& region = plan.region;
     const bool can_break = request.tessellation == Tessellation::trigon;
     PolygonRequest polygons;
     polygons.n = static_cast<std::size_t>(plan.n_grains);
@@ -319,10 +329,12 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     polygons.distribution = request.size_distribution.value_or(SizeDistribution::normal);
     polygons.element_size = plan.element_size;
     polygons.bodies = can_break ? Bodies::triangles : Bodies::cells;
+    polygons.elongation = request.elongation;
     polygons.seed = request.seed;
     PolygonMesh made = polygon_mesh(region, polygons, progress);
     report.polygons = made.statistics;
     report.sizes.spread = made.statistics.diameter_variation;
+    count_flaws(region, report);
     turn_to_load(region, made.mesh.points);
     std::vector<int> crystal_of_grain;
     Specimen specimen = separate_bodies(made.mesh, &crystal_of_grain);
@@ -332,6 +344,10 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     specimen.statistics = statistics_of(specimen);
     const double total = std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
     specimen.statistics.area_error = total / area(region) - 1;
+    if (request.elongation.ratio > 1) {
+        specimen.statistics.elongation = made.statistics.elongation.ratio;
+        specimen.statistics.elongation_angle = made.statistics.elongation.angle;
+    }
     give_fabric(specimen, crystal_of_grain, request);
     if (can_break) name_crystals(specimen, crystal_of_grain);
     return specimen;
@@ -391,8 +407,7 @@ Specimen make_specimen(const SpecimenRequest& request, const ProgressCallback& p
     }
     made.psi6_of_parts = attempt.psi6_of_parts;
     made.sizes = attempt.sizes;
-    made.n_flaws = plan.region.edges.size();
-    for (const PrescribedEdge& e : plan.region.edges) made.flaw_length += length(e.to - e.from);
+    count_flaws(plan.region, made);
     turn_to_load(region, attempt.cells.points);
     if (request.elongation.ratio > 1) {
         statistics.psi6 = attempt.psi6;

@@ -34,19 +34,4 @@ SizeStatistics size_statistics_of(const Region& region, const PlaneCells& cells,
     return result;
 }
 
-Elongation elongation_of(const PlaneCells& cells) {
-    double xx = 0;
-    double xy = 0;
-    double yy = 0;
-    for (const Edge& e : cells.edges) {
-        const Point d = cells.points[static_cast<std::size_t>(e[1])] - cells.points[static_cast<std::size_t>(e[0])];
-        xx += d.x * d.x;
-        xy += d.x * d.y;
-        yy += d.y * d.y;
-    }
-    const double mean = (xx + yy) / 2;
-    const double half_difference = std::hypot((xx - yy) / 2, xy);
-    return {std::sqrt((mean + half_difference) / (mean - half_difference)), 0.5 * std::atan2(2 * xy, xx - yy)};
-}
-
 }  // namespace graincrack::mesher

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesher/cells/plane_cells.hpp"
+#include "mesher/cells/polygon.hpp"
 #include "mesher/region/grading.hpp"
 #include "mesher/seeds/size_field.hpp"
 
@@ -25,10 +26,5 @@ struct SizeStatistics {
 /// \param edge of relative size 1, m
 SizeStatistics size_statistics_of(const Region& region, const PlaneCells& cells, const SizeField& size, double edge,
                                   const std::optional<Grading>& grading);
-
-/// Elongation of cells: the square root of the ratio of the principal values of Σ e⊗e over their edges e, and the direction of
-/// the larger, −90° to 90°. An affine map of cells without a preferred direction is found as it is. The square of the length as
-/// weight makes equal areas count equally, whatever their grain sizes.
-Elongation elongation_of(const PlaneCells& cells);
 
 }  // namespace graincrack::mesher

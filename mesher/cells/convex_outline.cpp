@@ -21,17 +21,18 @@ bool has_arcs(const Loop& loop) {
 
 }  // namespace
 
-ConvexOutline convex_outline(const Region& region, double edge) {
-    if (!is_plain(region)) {
-        throw UsageError(
-            "--tessellation: polygons fill convex shapes without holes, flaws and notches only; delaunay fits all shapes");
-    }
+double outline_count(const Region& region, double edge) {
     const Loop& loop = region.loops.front();
     double wanted = perimeter(region) / edge;
     if (loop.circle) wanted = std::max({wanted, 1.0 * fewest_on_circle, 4.0 * loop.circle->diameters});
     if (has_arcs(loop)) wanted = std::max(wanted, 1.0 * fewest_on_circle);
+    return wanted;
+}
+
+ConvexOutline convex_outline(const Region& region, double edge) {
     RandomNumbers random(0);  // of which equal distances need none
-    const Seeds seeds = fixed_seeds(region, admissible_boundary_count(region, wanted, false), edge, 0, random);
+    const Seeds seeds =
+        fixed_seeds(region, admissible_boundary_count(region, outline_count(region, edge), false), edge, 0, random);
 
     ConvexOutline outline;
     outline.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;

@@ -19,10 +19,13 @@ struct ConvexOutline {
     [[nodiscard]] Point corner(std::size_t i) const { return corners[i < size() ? i : i - size()]; }
 };
 
-/// The outline of a convex region without holes: straight sides whole, round ones by the fixed points of meshes at a distance of
+/// The outline of a plain region (`is_plain`): straight sides whole, round ones by the fixed points of meshes at a distance of
 /// about `edge`, so that a circle keeps its area and the facets at its poles their places.
-/// \throws UsageError naming --tessellation if the region is not convex, or has holes or flaws
+/// \throws UsageError naming --tessellation if round sides do not make a convex polygon
 ConvexOutline convex_outline(const Region& region, double edge);
+
+/// Number of points that polygons have on the loops of a region, about `edge` apart, more on small round ones.
+double outline_count(const Region& region, double edge);
 
 /// Area of a polygon, m², and its centroid.
 struct PolygonMoments {

@@ -15,15 +15,17 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr int growing_rounds = 12;    ///< of Lloyd in which weights grow to those of circles of the wanted areas
-constexpr int grown_rounds = 4;       ///< in which they have these weights
-constexpr double coarse_error = 0.5;  ///< of areas, from which seeds may move
+constexpr int growing_rounds = 12;              ///< of Lloyd in which weights grow to those of circles of the wanted areas
+constexpr int grown_rounds = 4;                 ///< in which they have these weights
+constexpr double coarse_error = 0.5;            ///< of areas, from which seeds may move
+constexpr double coarse_error_in_zones = 0.05;  ///< where cells are cut later
 constexpr int most_fillings = 5;
 constexpr double filling = 0.05;  ///< of the weight of a cell that was empty beyond that with which it is a point, over its area
 constexpr int most_weight_steps = 100;
 constexpr int most_weight_halvings = 40;
 constexpr double allowed_error = 1e-6;
-constexpr double kept_share = 0.2;  ///< of an area, or of the one aimed at if that is less, that a step leaves
+constexpr double distance_from_walls = 0.45;  ///< of seeds, over the root of the area
+constexpr double kept_share = 0.2;            ///< of an area, or of the one aimed at if that is less, that a step leaves
 
 /// Seeds at random inside of the outline.
 std::vector<Point> random_seeds(const ConvexOutline& outline, std::size_t n, RandomNumbers& random) {
@@ -68,10 +70,15 @@ public:
         for (int i = 0; i < most_fillings && fill_cells(areas); ++i) diagram_ = ClippedDiagram(outline_, seeds_, weights_);
     }
 
+    [[nodiscard]] const std::vector<Point>& seeds() const { return seeds_; }
+
     /// Moves seeds to the centroids of their cells, whatever that does to their areas; those of empty cells stay.
-    void spread() {
+    /// \param zones in which seeds stay, or null
+    void spread(const std::vector<double>& areas, const Zones* zones) {
         for (std::size_t k = 0; k < seeds_.size(); ++k) {
-            if (diagram_.areas()[k] > 0) seeds_[k] = diagram_.centroids()[k];
+            if (!(diagram_.areas()[k] > 0)) continue;
+            const Point goal = diagram_.centroids()[k];
+            seeds_[k] = zones == nullptr ? goal : zones->moved(seeds_[k], goal, distance_from_walls * std::sqrt(areas[k]));
         }
     }
 
@@ -171,26 +178,25 @@ std::vector<double> weights_of(const std::vector<double>& areas, double share) {
     return weights;
 }
 
-}  // namespace
-
-LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<double>& areas, RandomNumbers& random,
-                             const std::function<void(double)>& progress) {
+/// Cells of seeds that are spread. \param error of areas that is enough
+LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seeds, const std::vector<double>& areas, double error,
+                           const Zones* zones, const std::function<void(double)>& progress) {
     constexpr int rounds = growing_rounds + grown_rounds;
     int n_done = 0;
     const auto report = [&] {
         throw_if_interrupted();
         if (progress) progress(std::min(0.95, static_cast<double>(n_done++) / (2 * rounds + 20)));
     };
-    Solver solver(outline, random_seeds(outline, areas.size(), random));
+    Solver solver(outline, std::move(seeds));
     const auto spread = [&](double share) {
         report();
         solver.set_weights(weights_of(areas, share), areas);
-        solver.spread();
+        solver.spread(areas, zones);
     };
-    const auto solve = [&](double error) {
+    const auto solve = [&](double largest) {
         solver.set_weights(weights_of(areas, 1), areas);
         if (!solver.has_all_cells()) solver.set_weights(weights_of(areas, 0), areas);
-        for (int i = 0; i < most_weight_steps && solver.largest_error(areas) > error; ++i) {
+        for (int i = 0; i < most_weight_steps && solver.largest_error(areas) > largest; ++i) {
             report();
             if (!solver.improve(areas)) break;
         }
@@ -199,15 +205,29 @@ LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<dou
     for (int round = 0; round < grown_rounds; ++round) spread(1);
     solve(coarse_error);
     // Where cells were empty or far from their areas, seeds now have places.
-    solver.spread();
+    solver.spread(areas, zones);
     for (int round = 0; round < grown_rounds; ++round) spread(1);
-    solve(wanted_area_error);
-    LaguerreCells result;
-    result.largest_error = solver.largest_error(areas);
+    solve(error);
+    return {solver.diagram().cells(), solver.diagram().areas(), solver.largest_error(areas), solver.seeds()};
+}
+
+}  // namespace
+
+LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<double>& areas, RandomNumbers& random,
+                             const std::function<void(double)>& progress) {
+    LaguerreCells result =
+        solved_cells(outline, random_seeds(outline, areas.size(), random), areas, wanted_area_error, nullptr, progress);
     if (!(result.largest_error <= allowed_error)) throw Error(ExitCode::internal, "polygons did not reach their areas");
-    result.areas = solver.diagram().areas();
-    result.cells = solver.diagram().cells();
     return result;
+}
+
+LaguerreCells laguerre_cells_in_zones(const Walls& walls, const Zones& zones, const std::vector<std::size_t>& zone_of_cell,
+                                      const std::vector<double>& areas, RandomNumbers& random,
+                                      const std::function<void(double)>& progress) {
+    std::vector<Point> seeds;
+    seeds.reserve(areas.size());
+    for (const std::size_t zone : zone_of_cell) seeds.push_back(zones.random_point(zone, random));
+    return solved_cells(walls.hull, std::move(seeds), areas, coarse_error_in_zones, &zones, progress);
 }
 
 }  // namespace graincrack::mesher

@@ -6,6 +6,7 @@
 
 #include "mesher/cells/convex_outline.hpp"
 #include "mesher/cells/plane_cells.hpp"
+#include "mesher/cells/walls.hpp"
 #include "mesher/plane/random_numbers.hpp"
 
 namespace graincrack::mesher {
@@ -14,6 +15,7 @@ struct LaguerreCells {
     PlaneCells cells;           ///< convex; the corners of the outline are the first points
     std::vector<double> areas;  ///< of the cells, m²
     double largest_error = 0;   ///< of an area, over the wanted one
+    std::vector<Point> seeds;
 };
 
 /// Cells at random places with the wanted areas, to 1e-6 of each, and compact shapes.
@@ -27,5 +29,11 @@ struct LaguerreCells {
 /// \throws Error if the areas are not reached, which no areas above 0 make likely; Interrupted on a signal
 LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<double>& areas, RandomNumbers& random,
                              const std::function<void(double)>& progress = {});
+
+/// Cells of about the wanted areas whose seeds stay in their zones, away from walls: few cells lie across one.
+/// \param zone_of_cell [cells] \throws Interrupted on a signal
+LaguerreCells laguerre_cells_in_zones(const Walls& walls, const Zones& zones, const std::vector<std::size_t>& zone_of_cell,
+                                      const std::vector<double>& areas, RandomNumbers& random,
+                                      const std::function<void(double)>& progress = {});
 
 }  // namespace graincrack::mesher

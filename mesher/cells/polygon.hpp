@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/cells/plane_cells.hpp"
+#include "mesher/plane/stretch.hpp"
 
 namespace graincrack::mesher {
 
@@ -19,5 +20,10 @@ std::vector<Point> corners_of(const PlaneCells& cells, std::size_t cell);
 
 /// Areas of cells, m².
 std::vector<double> areas_of(const PlaneCells& cells);
+
+/// Elongation of cells: the square root of the ratio of the principal values of Σ e⊗e over their edges e, and the direction of
+/// the larger, −90° to 90°. An affine map of cells without a preferred direction is found as it is. The square of the length as
+/// weight makes equal areas count equally, whatever their grain sizes.
+Elongation elongation_of(const PlaneCells& cells);
 
 }  // namespace graincrack::mesher

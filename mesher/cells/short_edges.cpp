@@ -24,7 +24,10 @@ public:
             loops_.emplace_back(loop.begin(), loop.end());
             for (const int p : loop) cells_of_point_[index(p)].push_back(static_cast<int>(cell));
         }
-        for (const Side& side : cells.sides) is_outer_[index(side.from)] = 1;
+        for (const Side& side : cells.sides) {
+            is_outer_[index(side.from)] = is_outer_[index(side.to)] = 1;
+            along_.push_back(edge_between(side.from, side.to));
+        }
         areas_ = areas_of(cells);
     }
 
@@ -67,7 +70,7 @@ public:
         for (const int cell : cells_of_point_[index(edge.p)]) {
             if (has(cells_of_point_[index(edge.q)], cell) && !has(beside, cell)) return false;
         }
-        const auto target = place(edge.p, edge.q, beside.size() == 1);
+        const auto target = place(edge.p, edge.q, beside.size() == 1 || is_along_wall(edge.p, edge.q));
         if (!target) return false;
         const auto& [kept, position] = *target;
         const int gone = kept == edge.p ? edge.q : edge.p;
@@ -89,6 +92,9 @@ public:
         }
         cells_of_point_[index(gone)].clear();
         replaced_.push_back({gone, kept});
+        for (Edge& e : along_) {
+            if (e[0] == gone || e[1] == gone) e = edge_between(kept, e[0] == gone ? e[1] : e[0]);
+        }
         is_outer_[index(kept)] = static_cast<char>(is_outer_[index(kept)] | is_outer_[index(gone)]);
         return true;
     }
@@ -148,6 +154,10 @@ private:
         return beside;
     }
 
+    [[nodiscard]] bool is_along_wall(int p, int q) const {
+        return std::find(along_.begin(), along_.end(), edge_between(p, q)) != along_.end();
+    }
+
     [[nodiscard]] bool is_short(const Each& edge) const {
         double area = INFINITY;
         for (const int cell : cells_beside(edge.p, edge.q)) area = std::min(area, areas_[index(cell)]);
@@ -183,6 +193,7 @@ private:
     std::vector<std::vector<int>> loops_;
     std::vector<std::vector<int>> cells_of_point_;
     std::vector<char> is_outer_;
+    std::vector<Edge> along_;    ///< of the boundary and prescribed edges
     std::vector<double> areas_;  ///< before anything was merged
     std::vector<std::pair<int, int>> replaced_;
 };

@@ -1,4 +1,4 @@
-// Polygonal crystals of a convex region, divided into elements.
+// Polygonal crystals of a region, divided into elements.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 
 #include "mesher/cells/cell_areas.hpp"
 #include "mesher/elements/plane_mesh.hpp"
+#include "mesher/plane/stretch.hpp"
 #include "mesher/region/region.hpp"
 
 namespace graincrack::mesher {
@@ -19,6 +20,7 @@ struct PolygonRequest {
     SizeDistribution distribution = SizeDistribution::normal;
     double element_size = 0;  ///< side of the elements, m
     Bodies bodies = Bodies::cells;
+    Elongation elongation = {};
     std::uint64_t seed = 1;
 };
 
@@ -28,6 +30,7 @@ struct PolygonStatistics {
     double mean_diameter = 0;       ///< of circles of the areas of crystals, m
     double diameter_variation = 0;  ///< of these
     double largest_area_error = 0;  ///< over the wanted area
+    Elongation elongation = {};     ///< measured
     std::size_t n_short_edges = 0;  ///< that were removed
     std::size_t n_edges_left = 0;   ///< that are short, but could not be removed
 };
@@ -42,9 +45,11 @@ struct PolygonMesh {
 double equilateral_edge(const Region& region, double n_polygons);
 
 /// Makes the polygons of a region: cells of wanted areas, without short edges, divided into elements. What the removal of short
-/// edges does to areas is undone by small moves of the cells' points.
+/// edges does to areas is undone by small moves of the cells' points. Elongated cells are made in the plane in which they are
+/// equiaxed.
 ///
-/// \throws UsageError naming --tessellation if the region is not convex or has holes or flaws; Interrupted on a signal
+/// \param region whose prescribed edges fit (`fitted_edges`): they become sides of crystals
+/// \throws UsageError if walls leave no room; Interrupted on a signal
 PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, const std::function<void(double)>& progress = {});
 
 }  // namespace graincrack::mesher

@@ -45,13 +45,38 @@ std::vector<int> next_on_boundary(const RefinedMesh& refined) {
     return next;
 }
 
+/// Ends of the edges of triangles from each point.
+std::vector<std::vector<int>> neighbours_of_points(const RefinedMesh& refined) {
+    std::vector<std::vector<int>> neighbours(refined.points.size());
+    for (const Triangle& t : refined.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            neighbours[static_cast<std::size_t>(t[k])].push_back(t[(k + 1) % 3]);
+            neighbours[static_cast<std::size_t>(t[(k + 1) % 3])].push_back(t[k]);
+        }
+    }
+    return neighbours;
+}
+
+/// Sides in the pieces into which points that were added divide them.
 std::vector<Side> pieces_of(const std::vector<Side>& sides, const RefinedMesh& refined) {
     const std::vector<int> next = next_on_boundary(refined);
+    std::vector<std::vector<int>> neighbours;
+    if (!sides.empty() && sides.back().part < 0) neighbours = neighbours_of_points(refined);
+    const auto at = [&](int p) { return refined.points[static_cast<std::size_t>(p)]; };
+    const auto after = [&](int from, const Side& side) {
+        if (side.part >= 0) return next[static_cast<std::size_t>(from)];
+        const Point along = at(side.to) - at(from);
+        const auto cosine = [&](int q) { return dot(along, unit(at(q) - at(from))); };
+        const std::vector<int>& all = neighbours[static_cast<std::size_t>(from)];
+        return *std::max_element(all.begin(), all.end(), [&](int p, int q) { return cosine(p) < cosine(q); });
+    };
     std::vector<Side> pieces;
     for (const Side& side : sides) {
         for (int from = side.from; from != side.to;) {
-            const int to = next[static_cast<std::size_t>(from)];
-            if (to < 0) throw Error(ExitCode::internal, "the triangles do not follow the boundary");
+            const int to = after(from, side);
+            if (to < 0 || pieces.size() > refined.triangles.size() * 3) {
+                throw Error(ExitCode::internal, "the triangles do not follow the boundary");
+            }
             pieces.push_back({from, to, side.part, side.kind});
             from = to;
         }

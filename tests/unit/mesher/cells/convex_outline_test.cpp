@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "mesher/region/shapes.hpp"
-#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -38,21 +37,6 @@ TEST(ConvexOutline, OfFlatsAndHalvesHasArcs) {
     const ConvexOutline half = convex_outline(half_disc(0.08), 0.004);
     EXPECT_NEAR(moments(half.corners).area / area(half_disc(0.08)), 1, 1e-9);
     EXPECT_EQ(half.parts.front(), 0);
-}
-
-TEST(ConvexOutline, RefusesWhatIsNotConvex) {
-    Region slit = rectangle(4, 2);
-    slit.edges.push_back({{-1, 0}, {1, 0}});
-    Region hole = rectangle(4, 2);
-    add_hole(hole, {0, 0}, 0.3, "--hole");
-    for (const Region& region : {slit, hole, ring(2, 1), polygon({{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}, {"", "", "", ""})}) {
-        try {
-            (void)convex_outline(region, 0.1);
-            FAIL() << region.name;
-        } catch (const UsageError& error) {
-            EXPECT_EQ(std::string(error.what()).rfind("--tessellation: ", 0), 0U) << error.what();
-        }
-    }
 }
 
 }  // namespace

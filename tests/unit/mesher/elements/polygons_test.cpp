@@ -154,6 +154,50 @@ TEST(Polygons, CrystalsAreOfOnePhase) {
     EXPECT_EQ(phase_of_crystal.size(), 200U);
 }
 
+/// Length of contacts that are broken from the start, m.
+double broken_length(const Specimen& s) {
+    double sum = 0;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        if (s.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
+        const auto& p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const auto& q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        sum += std::hypot(q[0] - p[0], q[1] - p[1]);
+    }
+    return sum;
+}
+
+TEST(Polygons, FollowFlawsHolesAndOutlinesWithTheirSizes) {
+    Region slit = half_disc(0.08);
+    slit.edges = {slit_from_below(slit, 0.02, "slit")};
+    Region hole = rectangle(0.06, 0.08);
+    add_hole(hole, {0.004, 0.002}, 0.008, "--hole");
+    Region crossed = disc(0.08);
+    crossed.edges = {central_slit(crossed, 0.03, 0.3, "one"), central_slit(crossed, 0.04, 1.4, "another")};
+    Region joint = rectangle(0.04, 0.08);
+    joint.edges = {{{-0.05, -0.03}, {0.05, 0.03}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
+    const Region notched = polygon({{0, 0}, {0.08, 0}, {0.08, 0.06}, {0.045, 0.06}, {0.04, 0.03}, {0.035, 0.06}, {0, 0.06}}, {});
+    const std::vector<std::pair<Region, double>> cases{
+        {slit, 0.02}, {hole, 0}, {crossed, 0.07}, {joint, 0.04 * std::hypot(1, 0.6)}, {ring(0.08, 0.03), 0}, {notched, 0}};
+    for (auto [region, length] : cases) {
+        centre_region(region);
+        for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
+            for (const double ratio : {1.0, 2.0}) {
+                SpecimenRequest request = polygons(region, 250, tessellation);
+                request.elongation = {ratio, 0.5};
+                MeshReport report;
+                const Specimen s = make_specimen(request, {}, &report);
+                EXPECT_NO_THROW(validate(s, region.name)) << region.name;
+                EXPECT_EQ(report.polygons.n_crystals, 250U);
+                EXPECT_NEAR(broken_length(s), length, 1e-9) << region.name;
+                EXPECT_LE(report.polygons.largest_area_error, 1e-6) << region.name;
+                EXPECT_NEAR(report.polygons.diameter_variation, 0.3, region.name == "rectangle" ? 2e-3 : 1e-6);
+                EXPECT_NEAR(s.statistics.area_error, 0, 1e-3);
+                EXPECT_GT(s.statistics.min_angle, ratio > 1 ? 0.1 : 0.2);
+            }
+        }
+    }
+}
+
 TEST(Polygons, SameSeedSameSpecimen) {
     for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
         SpecimenRequest request = polygons(disc(0.08), 100, tessellation);
@@ -184,15 +228,12 @@ TEST(Polygons, RefuseWhatTheyDoNotHave) {
         EXPECT_EQ(message.find('\n'), std::string::npos);
     };
     EXPECT_EQ(refused([](auto&) {}), "");
-    names("--tessellation", [](auto& r) { r.region = ring(0.08, 0.03); });
-    names("--tessellation", [](auto& r) { add_hole(r.region, {0, 0}, 0.01, "--hole"); });
-    names("--tessellation", [](auto& r) { r.region.edges = {central_slit(r.region, 0.02, 0.5, "--notch")}; });
-    names("--notch", [](auto& r) { r.notch = 0.02; });
-    names("--joint-set", [](auto& r) { r.joint_sets.push_back({}); });
+    names("--notch", [](auto& r) { r.notch = 0.001; });
+    names("slit", [](auto& r) { r.region.edges = {{{0, -0.0795}, {0.02, -0.0795}, {}, "slit"}}; });  // beside the boundary
+    names("--grains", [](auto& r) { add_hole(r.region, {0, 0}, 0.003, "--hole"); });
     names("--elements-per-edge", [](auto& r) { r.elements_per_edge = 2; });
     names("--grade", [](auto& r) { r.grading = parse_grading("along=y,from=0.5,to=2", "--grade"); });
-    names("--elongation", [](auto& r) { r.elongation.ratio = 2; });
-    names("--elongation-angle", [](auto& r) { r.elongation.angle = 0.5; });
+    names("--elongation", [](auto& r) { r.elongation.ratio = 5; });
     names("--spread", [](auto& r) { r.spread = 0.61; });
     names("--grains", [](auto& r) { r.grains = 1; });
     names("--grains", [](auto& r) { r.grains = 2'000'000; });

@@ -1,0 +1,67 @@
+#include "mesher/cells/walls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+
+#include "mesher/region/shapes.hpp"
+#include "tests/unit/mesher/region/test_regions.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+double area_inside(const Zones& zones) {
+    double sum = 0;
+    for (std::size_t zone = 0; zone < zones.size(); ++zone) sum += zones.is_inside(zone) ? zones.area(zone) : 0;
+    return sum;
+}
+
+TEST(Walls, OfASlitHaveItsEndsAndTheOutlineAsHull) {
+    Region region = rectangle(4, 2);
+    region.edges = {slit_from_below(region, 1, "slit")};
+    const Walls walls = walls_of(region, 0.1);
+    EXPECT_TRUE(walls.is_convex);
+    EXPECT_EQ(walls.hull.size(), 4U);
+    ASSERT_EQ(walls.sides.size(), 6U);  // the bottom is divided where the slit begins
+    EXPECT_EQ(walls.sides.back().part, -1);
+    EXPECT_EQ(walls.at(walls.sides.back().to), (Point{0, 0}));
+    const Zones zones(walls);
+    EXPECT_EQ(zones.size(), 1U);  // which the slit does not divide
+    EXPECT_NEAR(zones.area(0), 8, 1e-12);
+}
+
+TEST(Walls, OfAnLWithHolesHaveABoxAround) {
+    const Walls walls = walls_of(l_with_holes(), 0.004);
+    EXPECT_FALSE(walls.is_convex);
+    EXPECT_FALSE(walls.contains({0.06, 0.06}));
+    EXPECT_FALSE(walls.contains({0.06, 0.02}));
+    EXPECT_TRUE(walls.contains({0.005, 0.005}));
+    const Zones zones(walls);
+    EXPECT_EQ(zones.size(), 4U);  // inside, outside and two holes
+    EXPECT_NEAR(area_inside(zones) / area_of_l, 1, 1e-9);
+}
+
+TEST(Walls, OfElongatedCellsHaveTheSameAreas) {
+    const Zones zones(walls_of(ring(0.08, 0.03), 0.004, Stretch({2, 0.5})));
+    EXPECT_NEAR(area_inside(zones) / area(ring(0.08, 0.03)), 1, 1e-9);
+}
+
+TEST(Walls, SeedsStayInTheirZones) {
+    Region region = rectangle(4, 2);
+    region.edges = {central_slit(region, 2, 1.5707963267948966, "joint")};  // divides it
+    const Walls walls = walls_of(region, 0.1);
+    const Zones zones(walls);
+    ASSERT_EQ(zones.size(), 2U);
+    RandomNumbers random(1);
+    for (std::size_t zone = 0; zone < 2; ++zone) {
+        const double side = zones.random_point(zone, random).x;
+        for (int i = 0; i < 100; ++i) EXPECT_GT(zones.random_point(zone, random).x * side, 0);
+    }
+    EXPECT_EQ(zones.moved({-1, 0}, {1, 0}, 0.3), (Point{-1, 0}));        // not across
+    EXPECT_NEAR(zones.moved({-1, 0}, {-0.1, 0.2}, 0.3).x, -0.3, 1e-12);  // away from the joint
+    EXPECT_EQ(zones.moved({-1, 0}, {-0.5, 0.2}, 0.3), (Point{-0.5, 0.2}));
+}
+
+}  // namespace
+}  // namespace graincrack::mesher
