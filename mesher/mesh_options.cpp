@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -40,6 +42,7 @@ struct KindOptions {
     std::optional<double> notch;
     std::optional<double> angle;  ///< of a notch or slit
     std::string file;
+    std::optional<double> grain_size;  ///< equal-area diameter
 };
 
 /// A kind of specimens: a subcommand with its options, and how they make the region of a request.
@@ -263,7 +266,10 @@ void add_tessellation(CLI::App& shape, SpecimenRequest& request) {
         "so "
         "that they break (trigon); polygons fill convex shapes without holes and flaws");
     add_quantity(shape, "--element-size", request.element_size, quantity::element_size,
-                 "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon");
+                 "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon")
+        ->excludes(
+            add_quantity(shape, "--elements-per-crystal", request.elements_per_crystal, quantity::elements_per_crystal,
+                         "mean number of elements of a polygon instead of --element-size, met to 5 % where corners allow"));
     detail::add_value(
         shape, "--size-distribution",
         [&request](const std::string& text) {
@@ -275,14 +281,18 @@ void add_tessellation(CLI::App& shape, SpecimenRequest& request) {
 }
 
 /// The grains that are made.
-void add_grain_options(CLI::App& shape, SpecimenRequest& request) {
+void add_grain_options(CLI::App& shape, KindOptions& kind, SpecimenRequest& request) {
     CLI::Option* edge = add_quantity(
         shape, "--edge", request.edge, quantity::mean_edge,
         "requested mean edge over all grain edges, rim included; of polygons the edge of the equilateral triangle of their "
         "mean area");
     CLI::Option* grains = add_integer<std::int64_t>(shape, "--grains", request.grains,
                                                     "exact number of grains, or of polygons, instead of --edge", 1);
-    edge->excludes(grains);
+    CLI::Option* grain_size = add_quantity(
+        shape, "--grain-size", kind.grain_size, quantity::grain_size,
+        "equal-area diameter d of grains or polygons instead of --edge: their number is the area of the specimen over pi d^2/4");
+    edge->excludes(grains)->excludes(grain_size);
+    grains->excludes(grain_size);
     add_quantity(shape, "--spread", request.spread, spread_of_grains,
                  "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
                  "about 0.1 are reached only as far as a mesh without a preferred direction allows; of polygons that of their "
@@ -325,8 +335,9 @@ void add_fabric_options(CLI::App& shape, MeshOptions& options) {
     add_integer<std::uint64_t>(shape, "--strength-seed", request.strength.seed,
                                "seed of the strength of grain boundaries; default: that of --seed", 0);
     detail::add_value(
-        shape, "--material", [&options](const std::string& text) { options.material = text; },
-        "material (name or TOML file) whose phases and scatter of strengths are taken unless given, and whose bounds of the "
+        shape, "--material", [&options](const std::string& text) { options.material = read_material(text); },
+        "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose bounds "
+        "of the "
         "grain "
         "size are printed",
         "NAME|FILE", "");
@@ -398,6 +409,31 @@ void add_import(CLI::App& app, ImportRequest& request) {
         "NAME", "");
 }
 
+/// What a material says of its grains becomes the default of options. The variation of sizes is that of edges of triangles or
+/// of diameters of polygons, and so holds only where the kind of grains is the material's.
+void take_grains(CLI::App& app, const GrainFabric& grains, const SpecimenRequest& request) {
+    const auto set = [&app](const char* option, const std::optional<double>& value, const char* unit) {
+        if (value) set_default(app, option, fmt::format("{}{}", *value, unit));
+    };
+    const CLI::Option* chosen_option = app.get_subcommands().front()->get_option_no_throw("--tessellation");
+    const bool is_chosen = chosen_option != nullptr && chosen_option->count() > 0;
+    const bool are_triangles = grains.tessellation.empty() || grains.tessellation == "delaunay";
+    if (!grains.tessellation.empty()) set_default(app, "--tessellation", grains.tessellation);
+    set("--grain-size", grains.grain_size, "m");
+    set("--elongation", grains.elongation, "");
+    set("--elongation-angle", grains.elongation_angle, "rad");
+    if (is_chosen && are_triangles != (request.tessellation == Tessellation::delaunay)) return;
+    set("--spread", grains.size_variation, "");
+    set("--elements-per-crystal", grains.elements_per_crystal, "");
+}
+
+/// As many grains as are of a size.
+std::int64_t grains_of_size(const Region& region, double size) {
+    constexpr double most = 1e18;  // which no mesh has
+    return static_cast<std::int64_t>(
+        std::min(most, std::max(1.0, std::round(area(region) / (std::numbers::pi / 4 * size * size)))));
+}
+
 }  // namespace
 
 std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
@@ -414,14 +450,17 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         kind.add_options(*sub, kind_options);
         add_cuts(*sub, cuts);
         add_tessellation(*sub, options.request);
-        add_grain_options(*sub, options.request);
+        add_grain_options(*sub, kind_options, options.request);
         add_fabric_options(*sub, options);
     }
     ImportRequest imported;
     CLI::App* import_command = app.add_subcommand("import", "a mesh of Gmsh, Neper or Abaqus, or a picture of labels");
     add_import(*import_command, imported);
     add_fabric_options(*import_command, options);
-    if (!parse_command_line(app, argc, argv)) return std::nullopt;
+    const auto complete = [&] {
+        if (options.material) take_grains(app, options.material->grains, options.request);
+    };
+    if (!parse_command_line(app, argc, argv, complete)) return std::nullopt;
     for (const Kind& kind : kinds) {
         if (app.get_subcommand(kind.name)->parsed()) kind.make(kind_options, options.request);
     }
@@ -431,6 +470,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         options.imported = imported;
     } else {
         options.moved = make_cuts(cuts, options.request);
+        if (kind_options.grain_size) options.request.grains = grains_of_size(options.request.region, *kind_options.grain_size);
     }
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;

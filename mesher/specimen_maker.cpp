@@ -38,6 +38,8 @@ constexpr int max_corrections = 4;
 constexpr double smallest_radius = 0.9;  ///< of a round boundary, over the edge: a polygon of five edges or so
 constexpr double thinnest_wall = 0.5;    ///< between round holes and the boundary, over the edge
 constexpr double edge_tolerance = 0.005;
+constexpr double element_count_tolerance = 0.05;  ///< of a requested number of elements a polygon
+constexpr int max_element_corrections = 3;
 constexpr double spread_tolerance = 0.02;   ///< of a spread that is made by sizes that scatter
 constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
 constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
@@ -76,7 +78,9 @@ bool are_polygons(const SpecimenRequest& request) { return request.tessellation 
 void check_common(const SpecimenRequest& request) {
     check(request.region);
     if (request.edge.has_value() == request.grains.has_value()) {
-        throw UsageError("give exactly one of --edge (mean edge) and --grains (number of grains)");
+        throw UsageError(
+            "give exactly one of --edge (mean edge), --grains (number of grains) and --grain-size, or a --material whose "
+            "[fabric] has a grain_size");
     }
     const double widest = are_polygons(request) ? max_spread_of_polygons : max_spread;
     if (!(request.spread >= 0 && request.spread <= widest)) {
@@ -96,6 +100,9 @@ void check_common(const SpecimenRequest& request) {
 
 void check_request(const SpecimenRequest& request) {
     const Region& region = request.region;
+    if (request.elements_per_crystal) {
+        throw UsageError("--elements-per-crystal: is for polygons; give --elements-per-edge, or --tessellation voronoi");
+    }
     if (request.element_size) {
         throw UsageError("--element-size: is for polygons; give --elements-per-edge, or --tessellation voronoi");
     }
@@ -186,6 +193,10 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
     }
     plan.edge = plan.equal_edge = equilateral_edge(plan.region, static_cast<double>(plan.n_grains));
     plan.element_size = request.element_size.value_or(element_over_edge * plan.edge);
+    if (request.elements_per_crystal) {
+        const double n_elements = *request.elements_per_crystal * static_cast<double>(plan.n_grains);
+        plan.element_size = std::sqrt(triangles_of_square * area(plan.region) / n_elements);
+    }
     const double n_elements = triangles_of_square * area(plan.region) / (plan.element_size * plan.element_size);
     if (!(n_elements <= max_elements_of_polygons)) {
         throw UsageError("--element-size: " + format_length(plan.element_size) + " would make more than " +
@@ -321,6 +332,14 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     polygons.bodies = can_break ? Bodies::triangles : Bodies::cells;
     polygons.seed = request.seed;
     PolygonMesh made = polygon_mesh(region, polygons, progress);
+    // Corners of polygons ask for elements of their own, so that their number is not that of the size alone.
+    for (int i = 0; request.elements_per_crystal && i < max_element_corrections; ++i) {
+        const double n_wanted = *request.elements_per_crystal * static_cast<double>(made.statistics.n_crystals);
+        const double ratio = static_cast<double>(made.mesh.triangles.size()) / n_wanted;
+        if (std::abs(ratio - 1) < element_count_tolerance) break;
+        polygons.element_size *= std::sqrt(ratio);
+        made = polygon_mesh(region, polygons, progress);
+    }
     report.polygons = made.statistics;
     report.sizes.spread = made.statistics.diameter_variation;
     turn_to_load(region, made.mesh.points);

@@ -473,7 +473,14 @@ void add_common_options(CLI::App& app, const std::string& tool, CommonOptions& o
     quiet->excludes(verbose);
 }
 
-bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
+void set_default(CLI::App& app, const std::string& option, const std::string& text) {
+    for (CLI::App* each : running(app)) {
+        CLI::Option* found = each->get_option_no_throw(option);
+        if (found != nullptr && found->count() == 0 && first_of(found->get_excludes(), true) == nullptr) found->default_str(text);
+    }
+}
+
+bool parse_command_line(CLI::App& app, int argc, const char* const* argv, const std::function<void()>& complete) {
     Call call{app, {argv + std::min(argc, 1), argv + argc}};
     const auto ends = std::find(call.arguments.begin(), call.arguments.end(), "--");
     const bool print_config = std::find(call.arguments.begin(), ends, "--print-config") != ends;
@@ -503,6 +510,7 @@ bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {
     } catch (const UsageError& error) {
         throw UsageError(with_origin_in(call, error.what()));
     }
+    if (complete) complete();
     if (const ConfigurationFile* file = configuration_file(app); file != nullptr) {
         for (CLI::App* each : running(app)) {
             for (const CLI::Option* option : each->get_options()) file->apply_default(option);

@@ -79,7 +79,11 @@ CLI::Option* add_dry_run(CLI::App& app, CommonOptions& options, const std::strin
 /// Parses; turns every error that CLI11 finds into one UsageError line (also for unknown configuration keys) that names the
 /// option and, if the value was not on the command line, its origin. Returns false if the call was answered already (--help,
 /// --version, --print-config, which needs no required options).
-bool parse_command_line(CLI::App& app, int argc, const char* const* argv);
+/// \param complete called once all options are read and before defaults are; it may call `set_default`
+bool parse_command_line(CLI::App& app, int argc, const char* const* argv, const std::function<void()>& complete = {});
+
+/// Gives an option of the subcommand that runs another default, unless it is given, or one that excludes it.
+void set_default(CLI::App& app, const std::string& option, const std::string& text);
 
 /// The effective options as TOML that --config loads again. Options without a value appear as comments.
 std::string effective_configuration(const CLI::App& app);
