@@ -412,19 +412,20 @@ void add_import(CLI::App& app, ImportRequest& request) {
 /// What a material says of its grains becomes the default of options. The variation of sizes is that of edges of triangles or
 /// of diameters of polygons, and so holds only where the kind of grains is the material's.
 void take_grains(CLI::App& app, const GrainFabric& grains, const SpecimenRequest& request) {
-    const auto set = [&app](const char* option, const std::optional<double>& value, const char* unit) {
-        if (value) set_default(app, option, fmt::format("{}{}", *value, unit));
+    const auto set = [&app](const char* option, const std::optional<double>& value, Dimension dimension) {
+        constexpr int digits = 15;  // that every number of a file keeps
+        if (value) set_default(app, option, format_quantity(*value, dimension, digits));
     };
     const CLI::Option* chosen_option = app.get_subcommands().front()->get_option_no_throw("--tessellation");
     const bool is_chosen = chosen_option != nullptr && chosen_option->count() > 0;
     const bool are_triangles = grains.tessellation.empty() || grains.tessellation == "delaunay";
     if (!grains.tessellation.empty()) set_default(app, "--tessellation", grains.tessellation);
-    set("--grain-size", grains.grain_size, "m");
-    set("--elongation", grains.elongation, "");
-    set("--elongation-angle", grains.elongation_angle, "rad");
+    set("--grain-size", grains.grain_size, Dimension::length);
+    set("--elongation", grains.elongation, Dimension::one);
+    set("--elongation-angle", grains.elongation_angle, Dimension::angle);
     if (is_chosen && are_triangles != (request.tessellation == Tessellation::delaunay)) return;
-    set("--spread", grains.size_variation, "");
-    set("--elements-per-crystal", grains.elements_per_crystal, "");
+    set("--spread", grains.size_variation, Dimension::one);
+    set("--elements-per-crystal", grains.elements_per_crystal, Dimension::one);
 }
 
 /// As many grains as are of a size.
