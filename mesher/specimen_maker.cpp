@@ -38,8 +38,9 @@ constexpr int max_corrections = 4;
 constexpr double smallest_radius = 0.9;  ///< of a round boundary, over the edge: a polygon of five edges or so
 constexpr double thinnest_wall = 0.5;    ///< between round holes and the boundary, over the edge
 constexpr double edge_tolerance = 0.005;
-constexpr double element_count_tolerance = 0.05;  ///< of a requested number of elements a polygon
-constexpr int max_element_corrections = 3;
+constexpr double element_count_tolerance = 0.02;  ///< of a requested number of elements a polygon
+constexpr int max_element_trials = 8;
+constexpr std::size_t polygons_of_trial = 500;
 constexpr double spread_tolerance = 0.02;   ///< of a spread that is made by sizes that scatter
 constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
 constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
@@ -320,6 +321,24 @@ void give_fabric(Specimen& specimen, const std::vector<int>& crystal_of_grain, c
     assign_strength_factors(specimen, crystal_of_grain, turn_to_load(request.region), request.strength);
 }
 
+/// The size of elements that gives a polygon as many of them as are wanted, tried on some polygons of these sizes: their corners
+/// ask for elements of their own, so that the number is not that of the size alone.
+double element_size_for(PolygonRequest polygons, Region region, double elements_per_crystal) {
+    if (polygons.n > polygons_of_trial) {
+        const double side = std::sqrt(area(region) * polygons_of_trial / static_cast<double>(polygons.n));
+        region = rectangle(side, side);
+        centre_region(region);
+        polygons.n = polygons_of_trial;
+    }
+    for (int i = 0; i < max_element_trials; ++i) {
+        const auto n_elements = static_cast<double>(polygon_mesh(region, polygons).mesh.triangles.size());
+        const double ratio = n_elements / (elements_per_crystal * static_cast<double>(polygons.n));
+        if (std::abs(ratio - 1) < element_count_tolerance) break;
+        polygons.element_size *= std::sqrt(ratio);
+    }
+    return polygons.element_size;
+}
+
 Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress,
                        MeshReport& report) {
     const Region& region = request.region;
@@ -331,15 +350,10 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     polygons.element_size = plan.element_size;
     polygons.bodies = can_break ? Bodies::triangles : Bodies::cells;
     polygons.seed = request.seed;
-    PolygonMesh made = polygon_mesh(region, polygons, progress);
-    // Corners of polygons ask for elements of their own, so that their number is not that of the size alone.
-    for (int i = 0; request.elements_per_crystal && i < max_element_corrections; ++i) {
-        const double n_wanted = *request.elements_per_crystal * static_cast<double>(made.statistics.n_crystals);
-        const double ratio = static_cast<double>(made.mesh.triangles.size()) / n_wanted;
-        if (std::abs(ratio - 1) < element_count_tolerance) break;
-        polygons.element_size *= std::sqrt(ratio);
-        made = polygon_mesh(region, polygons, progress);
+    if (request.elements_per_crystal) {
+        polygons.element_size = element_size_for(polygons, region, *request.elements_per_crystal);
     }
+    PolygonMesh made = polygon_mesh(region, polygons, progress);
     report.polygons = made.statistics;
     report.sizes.spread = made.statistics.diameter_variation;
     turn_to_load(region, made.mesh.points);

@@ -38,8 +38,8 @@ const char* const other_keys = R"toml(
 # grain_size = "4 mm"                     # mean equal-area diameter
 # size_variation = 0.3                    # coefficient of variation, of triangles at most 0.35; default: 0.1
 # elements_per_crystal = 8                # of polygons, on average
-# elongation = 1.5                        # long over short axis; default: 1
-# elongation_angle = "30 deg"             # of the long axis from x; default: 0
+# elongation = 1                          # long over short axis, 1 to 4
+# elongation_angle = "0 deg"              # of the long axis from x
 
 [laboratory]                              # measured values and targets of a calibration; not read by the solver
 # young_modulus = "25.8 GPa"
