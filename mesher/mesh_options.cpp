@@ -267,9 +267,9 @@ void add_tessellation(CLI::App& shape, SpecimenRequest& request) {
         "that they break (trigon); polygons fill convex shapes without holes and flaws");
     add_quantity(shape, "--element-size", request.element_size, quantity::element_size,
                  "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon")
-        ->excludes(
-            add_quantity(shape, "--elements-per-crystal", request.elements_per_crystal, quantity::elements_per_crystal,
-                         "mean number of elements of a polygon instead of --element-size, met to 5 % where corners allow"));
+        ->excludes(add_quantity(shape, "--elements-per-crystal", request.elements_per_crystal, quantity::elements_per_crystal,
+                                "mean number of elements of a polygon instead of --element-size; the corners of polygons ask for "
+                                "six to ten at least"));
     detail::add_value(
         shape, "--size-distribution",
         [&request](const std::string& text) {

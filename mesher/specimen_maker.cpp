@@ -350,9 +350,7 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     polygons.element_size = plan.element_size;
     polygons.bodies = can_break ? Bodies::triangles : Bodies::cells;
     polygons.seed = request.seed;
-    if (request.elements_per_crystal) {
-        polygons.element_size = element_size_for(polygons, region, *request.elements_per_crystal);
-    }
+    if (request.elements_per_crystal) polygons.element_size = element_size_for(polygons, region, *request.elements_per_crystal);
     PolygonMesh made = polygon_mesh(region, polygons, progress);
     report.polygons = made.statistics;
     report.sizes.spread = made.statistics.diameter_variation;
