@@ -288,9 +288,8 @@ void add_grain_options(CLI::App& shape, KindOptions& kind, SpecimenRequest& requ
         "mean area");
     CLI::Option* grains = add_integer<std::int64_t>(shape, "--grains", request.grains,
                                                     "exact number of grains, or of polygons, instead of --edge", 1);
-    CLI::Option* grain_size = add_quantity(
-        shape, "--grain-size", kind.grain_size, quantity::grain_size,
-        "equal-area diameter d of grains or polygons instead of --edge: their number is the area of the specimen over pi d^2/4");
+    CLI::Option* grain_size = add_quantity(shape, "--grain-size", kind.grain_size, quantity::grain_size,
+                                           "mean equal-area diameter of grains or polygons, instead of --edge");
     edge->excludes(grains)->excludes(grain_size);
     grains->excludes(grain_size);
     add_quantity(shape, "--spread", request.spread, spread_of_grains,
@@ -428,11 +427,14 @@ void take_grains(CLI::App& app, const GrainFabric& grains, const SpecimenRequest
     set("--elements-per-crystal", grains.elements_per_crystal, Dimension::one);
 }
 
-/// As many grains as are of a size.
-std::int64_t grains_of_size(const Region& region, double size) {
-    constexpr double most = 1e18;  // which no mesh has
-    return static_cast<std::int64_t>(
-        std::min(most, std::max(1.0, std::round(area(region) / (std::numbers::pi / 4 * size * size)))));
+/// As many grains as have this mean diameter. The mean area of polygons whose diameters vary by s is that of the mean diameter
+/// times 1 + s²; diameters of triangles hardly vary. \throws UsageError if no specimen has so few or so many
+std::int64_t grains_of_size(const SpecimenRequest& request, double diameter) {
+    const double spread = request.tessellation == Tessellation::delaunay ? 0 : request.spread;
+    const double n = std::round(area(request.region) / (std::numbers::pi / 4 * diameter * diameter * (1 + spread * spread)));
+    if (n >= 2 && n <= 7e8) return static_cast<std::int64_t>(n);
+    throw UsageError(fmt::format("--grain-size: {} would make {} grains; give a size of which the specimen has 2 to 7e8",
+                                 format_length(diameter), format_number(n, 3)));
 }
 
 }  // namespace
@@ -471,7 +473,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         options.imported = imported;
     } else {
         options.moved = make_cuts(cuts, options.request);
-        if (kind_options.grain_size) options.request.grains = grains_of_size(options.request.region, *kind_options.grain_size);
+        if (kind_options.grain_size) options.request.grains = grains_of_size(options.request, *kind_options.grain_size);
     }
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;

@@ -27,14 +27,15 @@ TEST(Fabric, AMaterialMakesItsOwnGrains) {
     const Shell shell;
     write_granite(shell);
     shell.must(rectangle + "granite.toml" + silent + "s.h5");
-    // 20 x 40 mm² over π (4 mm)²/4 are 63.66.
-    EXPECT_EQ(fact(shell, "s.h5", "crystals"), "64");
+    // 20 x 40 mm² over π (4 mm)²/4 are 63.66, and diameters that vary by 0.4 have 1 + 0.4² times the area of their mean.
+    EXPECT_EQ(fact(shell, "s.h5", "crystals"), "55");
     EXPECT_EQ(fact(shell, "s.h5", "asked_for"),
               "trigon, grain-size 4 mm, spread 0.4, elements-per-crystal 16 (material granite.toml)");
-    EXPECT_NEAR(std::stod(fact(shell, "s.h5", "elements_per_crystal")), 16, 0.05 * 16);  // what the mesher promises
-    EXPECT_NEAR(std::stod(fact(shell, "s.h5", "crystal_variation")), 0.4, 0.04);         // 64 sizes: three standard errors
+    EXPECT_NEAR(std::stod(fact(shell, "s.h5", "elements_per_crystal")), 16, 0.02 * 16);  // tolerance of the trials
+    EXPECT_NEAR(std::stod(fact(shell, "s.h5", "crystal_variation")), 0.4, 1e-3);  // sizes are drawn so that they vary as wanted
+    EXPECT_NEAR(std::stod(fact(shell, "s.h5", "crystal_diameter")), 4, 4 * 0.5 / 55);  // whole polygons
     // The options that the material stands for make the same.
-    shell.must(rectangle + "granite.toml --tessellation trigon --grains 64 --spread 0.4 --elements-per-crystal 16" + silent +
+    shell.must(rectangle + "granite.toml --tessellation trigon --grains 55 --spread 0.4 --elements-per-crystal 16" + silent +
                "same.h5");
     EXPECT_EQ(content_digest(shell, "same.h5"), content_digest(shell, "s.h5"));
     // So does its printed configuration, and a run tells of its specimen.
@@ -46,7 +47,7 @@ TEST(Fabric, AMaterialMakesItsOwnGrains) {
         "graincrack-post report run.h5 --material granite.toml -o report.html");
     EXPECT_EQ(fact(shell, "run.h5", "asked_for"), fact(shell, "s.h5", "asked_for"));
     EXPECT_NE(
-        content_of(shell.file("report.html")).find("elements-per-crystal 16 (material granite.toml) asked for; 64 crystals"),
+        content_of(shell.file("report.html")).find("elements-per-crystal 16 (material granite.toml) asked for; 55 crystals"),
         std::string::npos);
 }
 
