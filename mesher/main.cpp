@@ -76,8 +76,7 @@ int run(int argc, char** argv) {
     // Options and rock
     auto options = read_options(argc, argv);
     if (!options) return 0;
-    std::optional<Material> material;
-    if (!options->material.empty()) material = read_material(options->material);
+    const std::optional<Material>& material = options->material;
     const bool is_quiet = options->verbosity == Verbosity::quiet;
 
     // A mesh from elsewhere

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -40,6 +42,7 @@ struct KindOptions {
     std::optional<double> notch;
     std::optional<double> angle;  ///< of a notch or slit
     std::string file;
+    std::optional<double> grain_size;  ///< equal-area diameter
 };
 
 /// A kind of specimens: a subcommand with its options, and how they make the region of a request.
@@ -252,7 +255,10 @@ void add_tessellation(OptionSet shape, SpecimenRequest& request) {
         "grains: triangles (delaunay), polygons of elements that do not break (voronoi), or polygons whose triangles are grains, "
         "so that they break (trigon)");
     add_quantity(shape, "--element-size", request.element_size, quantity::element_size,
-                 "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon");
+                 "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon")
+        .excludes(add_quantity(shape, "--elements-per-crystal", request.elements_per_crystal, quantity::elements_per_crystal,
+                               "mean number of elements of a polygon instead of --element-size; the corners of polygons ask for "
+                               "six to ten at least"));
     add_value(
         shape, "--size-distribution",
         [&request](const std::string& text) {
@@ -264,14 +270,17 @@ void add_tessellation(OptionSet shape, SpecimenRequest& request) {
 }
 
 /// The grains that are made.
-void add_grain_options(OptionSet shape, SpecimenRequest& request) {
+void add_grain_options(OptionSet shape, KindOptions& kind, SpecimenRequest& request) {
     Option edge = add_quantity(
         shape, "--edge", request.edge, quantity::mean_edge,
         "requested mean edge over all grain edges, rim included; of polygons the edge of the equilateral triangle of their "
         "mean area");
     Option grains = add_integer<std::int64_t>(shape, "--grains", request.grains,
                                               "exact number of grains, or of polygons, instead of --edge", 1);
-    edge.excludes(grains);
+    Option grain_size = add_quantity(shape, "--grain-size", kind.grain_size, quantity::grain_size,
+                                     "mean equal-area diameter of grains or polygons, instead of --edge");
+    edge.excludes(grains).excludes(grain_size);
+    grains.excludes(grain_size);
     add_quantity(shape, "--spread", request.spread, spread_of_grains,
                  "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
                  "about 0.1 are reached only as far as a mesh without a preferred direction allows; of polygons that of their "
@@ -314,8 +323,9 @@ void add_fabric_options(OptionSet shape, MeshOptions& options) {
     add_integer<std::uint64_t>(shape, "--strength-seed", request.strength.seed,
                                "seed of the strength of grain boundaries; default: that of --seed", 0);
     add_value(
-        shape, "--material", [&options](const std::string& text) { options.material = text; },
-        "material (name or TOML file) whose phases and scatter of strengths are taken unless given, and whose bounds of the "
+        shape, "--material", [&options](const std::string& text) { options.material = read_material(text); },
+        "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose bounds "
+        "of the "
         "grain "
         "size are printed",
         "NAME|FILE", "");
@@ -387,6 +397,34 @@ void add_import(OptionSet set, ImportRequest& request) {
         "NAME", "");
 }
 
+/// What a material says of its grains becomes the default of options. The variation of sizes is that of edges of triangles or
+/// of diameters of polygons, and so holds only where the kind of grains is the material's.
+void take_grains(CommandLine& line, const GrainFabric& grains, const SpecimenRequest& request) {
+    const auto set = [&line](const char* option, const std::optional<double>& value, Dimension dimension) {
+        constexpr int digits = 15;  // that every number of a file keeps
+        if (value) line.set_default(option, format_quantity(*value, dimension, digits));
+    };
+    const bool is_chosen = line.is_given("--tessellation");
+    const bool are_triangles = grains.tessellation.empty() || grains.tessellation == "delaunay";
+    if (!grains.tessellation.empty()) line.set_default("--tessellation", grains.tessellation);
+    set("--grain-size", grains.grain_size, Dimension::length);
+    set("--elongation", grains.elongation, Dimension::one);
+    set("--elongation-angle", grains.elongation_angle, Dimension::angle);
+    if (is_chosen && are_triangles != (request.tessellation == Tessellation::delaunay)) return;
+    set("--spread", grains.size_variation, Dimension::one);
+    set("--elements-per-crystal", grains.elements_per_crystal, Dimension::one);
+}
+
+/// As many grains as have this mean diameter. The mean area of polygons whose diameters vary by s is that of the mean diameter
+/// times 1 + s²; diameters of triangles hardly vary. \throws UsageError if no specimen has so few or so many
+std::int64_t grains_of_size(const SpecimenRequest& request, double diameter) {
+    const double spread = request.tessellation == Tessellation::delaunay ? 0 : request.spread;
+    const double n = std::round(area(request.region) / (std::numbers::pi / 4 * diameter * diameter * (1 + spread * spread)));
+    if (n >= 2 && n <= 7e8) return static_cast<std::int64_t>(n);
+    throw UsageError(fmt::format("--grain-size: {} would make {} grains; give a size of which the specimen has 2 to 7e8",
+                                 format_length(diameter), format_number(n, 3)));
+}
+
 }  // namespace
 
 std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
@@ -404,14 +442,17 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         kind.add_options(set, kind_options);
         add_cuts(set, cuts);
         add_tessellation(set, options.request);
-        add_grain_options(set, options.request);
+        add_grain_options(set, kind_options, options.request);
         add_fabric_options(set, options);
     }
     ImportRequest imported;
     OptionSet import_set = line.options().add_subcommand("import", "a mesh of Gmsh, Neper or Abaqus, or a picture of labels");
     add_import(import_set, imported);
     add_fabric_options(import_set, options);
-    if (!line.parse(argc, argv)) return std::nullopt;
+    const auto complete = [&] {
+        if (options.material) take_grains(line, options.material->grains, options.request);
+    };
+    if (!line.parse(argc, argv, complete)) return std::nullopt;
     for (std::size_t i = 0; i < sets.size(); ++i) {
         if (sets[i].is_called()) kinds[i].make(kind_options, options.request);
     }
@@ -421,6 +462,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         options.imported = imported;
     } else {
         options.moved = make_cuts(cuts, options.request);
+        if (kind_options.grain_size) options.request.grains = grains_of_size(options.request, *kind_options.grain_size);
     }
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;

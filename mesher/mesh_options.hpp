@@ -7,6 +7,7 @@
 #include "mesher/import/mesh_file.hpp"
 #include "mesher/specimen_maker.hpp"
 #include "share/base/progress.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack::mesher {
 
@@ -14,7 +15,7 @@ namespace graincrack::mesher {
 struct MeshOptions {
     SpecimenRequest request;
     std::optional<ImportRequest> imported;  ///< a mesh from elsewhere, of which the request has the fabric and the seed
-    std::string material;                   ///< name or file for the checks of the grain size; empty for none
+    std::optional<Material> material;       ///< whose fabric is taken unless options say otherwise
     std::string output;                     ///< file or "-"
     Point moved;                            ///< translation of a polygon to the origin, m
     Verbosity verbosity = Verbosity::normal;

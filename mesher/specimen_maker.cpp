@@ -38,6 +38,9 @@ constexpr int max_corrections = 4;
 constexpr double smallest_radius = 0.9;  ///< of a round boundary, over the edge: a polygon of five edges or so
 constexpr double thinnest_wall = 0.5;    ///< between round holes and the boundary, over the edge
 constexpr double edge_tolerance = 0.005;
+constexpr double element_count_tolerance = 0.02;  ///< of a requested number of elements a polygon
+constexpr int max_element_trials = 8;
+constexpr std::size_t polygons_of_trial = 500;
 constexpr double spread_tolerance = 0.02;   ///< of a spread that is made by sizes that scatter
 constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
 constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
@@ -76,7 +79,9 @@ bool are_polygons(const SpecimenRequest& request) { return request.tessellation 
 void check_common(const SpecimenRequest& request) {
     check(request.region);
     if (request.edge.has_value() == request.grains.has_value()) {
-        throw UsageError("give exactly one of --edge (mean edge) and --grains (number of grains)");
+        throw UsageError(
+            "give exactly one of --edge (mean edge), --grains (number of grains) and --grain-size, or a --material whose "
+            "[fabric] has a grain_size");
     }
     const double widest = are_polygons(request) ? max_spread_of_polygons : max_spread;
     if (!(request.spread >= 0 && request.spread <= widest)) {
@@ -100,6 +105,9 @@ void check_common(const SpecimenRequest& request) {
 
 void check_request(const SpecimenRequest& request) {
     const Region& region = request.region;
+    if (request.elements_per_crystal) {
+        throw UsageError("--elements-per-crystal: is for polygons; give --elements-per-edge, or --tessellation voronoi");
+    }
     if (request.element_size) {
         throw UsageError("--element-size: is for polygons; give --elements-per-edge, or --tessellation voronoi");
     }
@@ -202,6 +210,10 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
     }
     plan.edge = plan.equal_edge = equilateral_edge(plan.region, static_cast<double>(plan.n_grains));
     plan.element_size = request.element_size.value_or(element_over_edge * plan.edge);
+    if (request.elements_per_crystal) {
+        const double n_elements = *request.elements_per_crystal * static_cast<double>(plan.n_grains);
+        plan.element_size = std::sqrt(triangles_of_square * area(plan.region) / n_elements);
+    }
     const double n_elements = triangles_of_square * area(plan.region) / (plan.element_size * plan.element_size);
     if (!(n_elements <= max_elements_of_polygons)) {
         throw UsageError("--element-size: " + format_length(plan.element_size) + " would make more than " +
@@ -319,6 +331,24 @@ void give_fabric(Specimen& specimen, const std::vector<int>& crystal_of_grain, c
     assign_strength_factors(specimen, crystal_of_grain, turn_to_load(request.region), request.strength);
 }
 
+/// The size of elements that gives a polygon as many of them as are wanted, tried on some polygons of these sizes: their corners
+/// ask for elements of their own, so that the number is not that of the size alone.
+double element_size_for(PolygonRequest polygons, Region region, double elements_per_crystal) {
+    if (polygons.n > polygons_of_trial) {
+        const double side = std::sqrt(area(region) * polygons_of_trial / static_cast<double>(polygons.n));
+        region = rectangle(side, side);
+        centre_region(region);
+        polygons.n = polygons_of_trial;
+    }
+    for (int i = 0; i < max_element_trials; ++i) {
+        const auto n_elements = static_cast<double>(polygon_mesh(region, polygons).mesh.triangles.size());
+        const double ratio = n_elements / (elements_per_crystal * static_cast<double>(polygons.n));
+        if (std::abs(ratio - 1) < element_count_tolerance) break;
+        polygons.element_size *= std::sqrt(ratio);
+    }
+    return polygons.element_size;
+}
+
 Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, const ProgressCallback& progress,
                        MeshReport& report) {
     const Region& region = plan.region;
@@ -331,6 +361,7 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     polygons.bodies = can_break ? Bodies::triangles : Bodies::cells;
     polygons.elongation = request.elongation;
     polygons.seed = request.seed;
+    if (request.elements_per_crystal) polygons.element_size = element_size_for(polygons, region, *request.elements_per_crystal);
     PolygonMesh made = polygon_mesh(region, polygons, progress);
     report.polygons = made.statistics;
     report.sizes.spread = made.statistics.diameter_variation;

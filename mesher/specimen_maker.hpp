@@ -12,6 +12,7 @@
 #include "mesher/region/joint_set.hpp"
 #include "mesher/region/shapes.hpp"
 #include "mesher/seeds/relaxation.hpp"
+#include "share/base/quantities.hpp"
 #include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
@@ -36,6 +37,7 @@ struct SpecimenRequest {
     double spread = 0.1;
     std::optional<SizeDistribution> size_distribution;  ///< of polygons; none: normal
     std::optional<double> element_size;                 ///< side of the elements of polygons, m; none: half their edge
+    std::optional<double> elements_per_crystal;         ///< mean number of elements of a polygon, in place of `element_size`
     std::optional<Grading> grading;  ///< over the region; the mean edge and the number of grains are as without
     Elongation elongation;           ///< of the grains; the spread is that of the grains before they are elongated
     std::optional<double> notch;     ///< length of a notch of whole grain boundaries across the middle of a rectangle, m
@@ -48,9 +50,9 @@ struct SpecimenRequest {
 /// Largest number of diameters along which a disc can be loaded.
 inline constexpr int max_diameters = 36;
 /// Largest spread that the mesher can reach.
-inline constexpr double max_spread = 0.35;
+inline constexpr double max_spread = quantity::largest_spread_of_triangles;
 /// Largest spread of polygons.
-inline constexpr double max_spread_of_polygons = 0.6;
+inline constexpr double max_spread_of_polygons = quantity::size_variation.upper;
 /// Side of the elements of polygons over their edge, unless given: seven to ten elements a polygon.
 inline constexpr double element_over_edge = 0.5;
 /// Largest elongation of grains.

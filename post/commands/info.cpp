@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "post/run/specimen_options.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/units.hpp"
 #include "share/file/file_checks.hpp"
@@ -69,6 +70,15 @@ void write_parts(std::ostream& out, const H5Input& file) {
     if (!used.empty()) line(out, "boundary_parts", used);
 }
 
+void write_crystals(std::ostream& out, const H5Input& file) {
+    const auto sizes = crystal_sizes(file);
+    if (!sizes) return;
+    line(out, "crystals", std::to_string(sizes->n));
+    line(out, "crystal_diameter", format_quantity(sizes->mean_diameter, Dimension::length));
+    line(out, "crystal_variation", format_number(sizes->variation, 4));
+    line(out, "elements_per_crystal", format_number(sizes->elements, 4));
+}
+
 void write_specimen_lines(std::ostream& out, const H5Input& file) {
     const char* group = schema::specimen_group;
     const auto length = [&](const char* name) {
@@ -91,7 +101,9 @@ void write_specimen_lines(std::ostream& out, const H5Input& file) {
         line(out, "elongation_angle", format_quantity(file.attribute<double>(group, "elongation_angle"), Dimension::angle));
     }
     line(out, "tessellation", file.attribute_or<std::string>(group, "tessellation", "unknown"));
+    if (const std::string asked = asked_grains(file); !asked.empty()) line(out, "asked_for", asked);
     write_integer(out, file, group, "seed");
+    write_crystals(out, file);
     write_counts(out, file);
     write_parts(out, file);
     write_phases(out, file);

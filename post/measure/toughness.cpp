@@ -4,18 +4,16 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <string_view>
 
 #include "post/measure/bending.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
+#include "post/run/specimen_options.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/units.hpp"
 #include "share/file/notch.hpp"
-#include "share/file/schema.hpp"
 
 namespace graincrack {
 
@@ -27,13 +25,8 @@ constexpr double central = 0.1;
 /// The notch that the mesher was asked for, m; empty if the run does not say, or not so that it can be read.
 std::optional<double> requested_notch(const RunReader& reader) {
     try {
-        std::istringstream lines(reader.file().attribute_or<std::string>(schema::provenance_group, "specimen_configuration", ""));
-        for (std::string line; std::getline(lines, line);) {
-            for (const std::string_view key : {"notch = \"", "slit = \""}) {
-                if (!line.starts_with(key)) continue;
-                const std::string value = line.substr(key.size(), line.find('"', key.size()) - key.size());
-                return parse_quantity(value, quantity::notch, "notch");
-            }
+        for (const char* key : {"notch", "slit"}) {
+            if (const auto value = specimen_option(reader.file(), key)) return parse_quantity(*value, quantity::notch, key);
         }
     } catch (const Error&) {
         return std::nullopt;

@@ -29,7 +29,9 @@
 #include "post/report/quality_checks.hpp"
 #include "post/report/test_report.hpp"
 #include "post/run/comparable.hpp"
+#include "post/run/crystals.hpp"
 #include "post/run/run_state.hpp"
+#include "post/run/specimen_options.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
@@ -46,6 +48,7 @@ struct Content {
     std::vector<TestReport> tests;
     std::vector<RunData> curves;  ///< the same runs, whose histories count the cracks of the label
     html::Figures mesh;           ///< of specimens
+    std::string grains;           ///< that were asked for and made
     std::string maps;             ///< figures of the first run of each series
     Minerals minerals;            ///< of these specimens and runs
     std::vector<SizedEnvelope> envelopes;
@@ -109,6 +112,19 @@ void add_envelopes(Content& content, StrainLimitRuns strain_limit_runs) {
     }
 }
 
+/// What grains of a specimen were asked for, and what came out.
+std::string grains_paragraph(const H5Input& file, const Specimen& specimen, const std::string& name) {
+    const std::string asked = asked_grains(file);
+    if (asked.empty()) return "";
+    const auto crystals = crystal_sizes(file);
+    const MeshStatistics& s = specimen.statistics;
+    return html::paragraph(fmt::format("Grains of {}: {} asked for; {}, mean diameter {} with a variation of {}{}.", name, asked,
+                                       grains_label(specimen),
+                                       format_quantity(crystals ? crystals->mean_diameter : s.mean_diameter, Dimension::length),
+                                       format_number(crystals ? crystals->variation : s.diameter_variation, 3),
+                                       crystals ? ", " + format_number(crystals->elements, 3) + " elements each" : ""));
+}
+
 /// Pictures of the first run of each kind, and of the first specimen of each shape and grain size: no map stands there twice.
 void add_maps(Content& content, const std::vector<std::string>& runs, const ReportOptions& options) {
     std::set<std::string> seen;
@@ -121,6 +137,7 @@ void add_maps(Content& content, const std::vector<std::string>& runs, const Repo
         if (seen.insert(kind).second) {
             content.mesh.add_map(kind + ", of " + t.data.name,
                                  draw_specimen(specimen, t.data.name, SpecimenColour::phase, html::figure_style()));
+            content.grains += grains_paragraph(run.file(), specimen, kind + ", of " + t.data.name);
             content.minerals.add_phases(kind, specimen, t.data.header, options.material);
         }
         content.maps += map_figures(run, t, name_of_row(row), options.label);
@@ -343,7 +360,7 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("envelope", "Envelope", envelope_section(content));
     body += html::section("maps", "Cracks, directions, energy, thresholds", content.maps);
-    body += html::section("mesh", "Specimens", content.mesh.str());
+    body += html::section("mesh", "Specimens", content.mesh.str() + content.grains);
     if (const std::string minerals = content.minerals.str(); !minerals.empty()) {
         body += html::section("minerals", "Minerals", minerals);
     }

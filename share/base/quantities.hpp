@@ -102,6 +102,8 @@ inline constexpr Quantity hole_radius{"radius", Dimension::length, 0, 1e4, "radi
 inline constexpr Quantity mesh_scale{"scale", Dimension::length, 1e-12, 1e6, "length of the unit of a mesh file"};
 inline constexpr Quantity pixel_size{"pixel_size", Dimension::length, 0, 1e4, "side of a pixel of a picture", true};
 inline constexpr Quantity element_size{"element_size", Dimension::length, 0, 1e4, "side of the elements of a grain", true};
+inline constexpr Quantity elements_per_crystal{"elements_per_crystal", Dimension::one, 1, 1e6,
+                                               "mean number of elements of a polygon"};
 inline constexpr Quantity coordinate{"coordinate", Dimension::length, -1e4, 1e4, "coordinate"};
 inline constexpr Quantity mean_edge{"edge", Dimension::length, 0, 1e3, "mean edge over all grain edges, rim included", true};
 inline constexpr Quantity relative_edge{"relative_edge", Dimension::one, 0.1, 10, "relative edge of graded grains"};
@@ -109,6 +111,8 @@ inline constexpr Quantity grading_distance{
     "grading_distance", Dimension::length, 0, 1e4, "distance over which sizes are graded", true};
 inline constexpr Quantity elongation{"elongation", Dimension::one, 1, 4, "ratio of the axes of elongated grains"};
 inline constexpr Quantity edge_spread{"spread", Dimension::one, 0, 0.5, "coefficient of variation of the grain edges"};
+inline constexpr double largest_spread_of_triangles = 0.35;
+inline constexpr Quantity size_variation{"size_variation", Dimension::one, 0, 0.6, "coefficient of variation of grain sizes"};
 inline constexpr Quantity phase_fraction{"fraction", Dimension::one, 0, 1, "fraction of the area that a phase has", true};
 inline constexpr Quantity phase_cluster{"phase_cluster", Dimension::one, 1, 1e9,
                                         "mean number of grains in a cluster of one phase"};

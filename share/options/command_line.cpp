@@ -356,7 +356,22 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
 
 CommandLine::~CommandLine() = default;
 
-bool CommandLine::parse(int argc, const char* const* argv) {
+bool CommandLine::is_given(const std::string& option) const {
+    const std::vector<CLI::App*> chain = running(*app_);
+    return std::any_of(chain.begin(), chain.end(), [&](const CLI::App* each) {
+        const CLI::Option* found = each->get_option_no_throw(option);
+        return found != nullptr && found->count() > 0;
+    });
+}
+
+void CommandLine::set_default(const std::string& option, const std::string& text) {
+    for (CLI::App* each : running(*app_)) {
+        CLI::Option* found = each->get_option_no_throw(option);
+        if (found != nullptr && found->count() == 0 && first_of(found->get_excludes(), true) == nullptr) found->default_str(text);
+    }
+}
+
+bool CommandLine::parse(int argc, const char* const* argv, const std::function<void()>& complete) {
     CLI::App& app = *app_;
     Call call{app, {argv + std::min(argc, 1), argv + argc}};
     const auto ends = std::find(call.arguments.begin(), call.arguments.end(), "--");
@@ -387,6 +402,7 @@ bool CommandLine::parse(int argc, const char* const* argv) {
     } catch (const UsageError& error) {
         throw UsageError(with_origin_in(call, error.what()));
     }
+    if (complete) complete();
     if (const ConfigurationFile* file = configuration_file(app); file != nullptr) {
         for (CLI::App* each : running(app)) {
             for (const CLI::Option* option : each->get_options()) file->apply_default(option);

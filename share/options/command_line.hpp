@@ -26,6 +26,7 @@
 // A key that is no option is an error. A key is ignored if a flag or variable gave the option, or an option that excludes it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -59,7 +60,12 @@ public:
     /// Parses; turns every error that CLI11 finds into one UsageError line (also for unknown configuration keys) that names the
     /// option and, if the value was not on the command line, its origin. Returns false if the call was answered already (--help,
     /// --version, --print-config, which needs no required options).
-    bool parse(int argc, const char* const* argv);
+    /// \param complete called once all options are read and before defaults are; it may call `set_default`
+    bool parse(int argc, const char* const* argv, const std::function<void()>& complete = {});
+    /// Whether the command line, the environment or a file gave an option of the subcommand that runs.
+    [[nodiscard]] bool is_given(const std::string& option) const;
+    /// Gives an option of the subcommand that runs another default, unless it is given, or one that excludes it.
+    void set_default(const std::string& option, const std::string& text);
 
     /// The effective options as TOML that --config loads again. Options without a value appear as comments.
     [[nodiscard]] std::string effective_configuration() const;

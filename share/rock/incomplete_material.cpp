@@ -33,6 +33,14 @@ const char* const other_keys = R"toml(
 [platen]
 # friction_angle = "5 deg"                # default: 0; rock on steel
 
+[fabric]                                  # grains that graincrack-mesh makes of it unless options say otherwise
+# tessellation = "trigon"                 # delaunay: triangles; voronoi: polygons; trigon: polygons that break
+# grain_size = "4 mm"                     # mean equal-area diameter
+# size_variation = 0.3                    # coefficient of variation, of triangles at most 0.35; default: 0.1
+# elements_per_crystal = 8                # of polygons, on average
+# elongation = 1                          # long over short axis, 1 to 4
+# elongation_angle = "0 deg"              # of the long axis from x
+
 [laboratory]                              # measured values and targets of a calibration; not read by the solver
 # young_modulus = "25.8 GPa"
 # poisson_ratio = 0.23

@@ -67,6 +67,7 @@ std::vector<TomlKeys> tables_of(Material& material) {
           {"tensile_strength", quantity::tensile_strength, to(rock.tensile_strength), true}}},
         {"contact", contact_keys(material.contact)},
         {"platen", {{"friction_angle", quantity::platen_friction, to(material.platen_friction_angle), false}}},
+        {"fabric", grain_keys(material.grains)},
         {"laboratory", {}},
     };
     for (const Quantity& quantity : laboratory_quantities()) {
@@ -196,6 +197,7 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
         }
     }
     if (!material.fabric.from.empty()) add_phases_of(material.fabric.from, material.fabric, toml.file);
+    require_sound_grains(material.grains, toml.file);
     require_sound_fabric(material.fabric, material.rock, toml.file);
     return material;
 }

@@ -29,6 +29,7 @@ struct Material {
     Rock rock;
     GivenContact contact;              ///< [contact]; what is unset is derived from [rock]
     std::string law;                   ///< [contact] law: name of its contact law; "": that of the program
+    GrainFabric grains;                ///< [fabric]
     MaterialFabric fabric;             ///< [phases], [pairs], [strength]
     double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;

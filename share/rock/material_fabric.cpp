@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack {
 namespace {
@@ -117,6 +118,33 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
     if (first == "flaws" && path.size() == 1) return TomlKeys{name, {}};  // its classes are tables of their own
     if (first == "flaws" && path.size() == 2) return TomlKeys{name, optional_contact_keys(fabric.flaws[path[1]])};
     return std::nullopt;
+}
+
+std::vector<TomlKey> grain_keys(GrainFabric& grains) {
+    TomlKey tessellation{"tessellation", {}, {}};
+    tessellation.words = {"delaunay", "voronoi", "trigon"};
+    tessellation.set_word = [&grains](const std::string& word) { grains.tessellation = word; };
+    return {tessellation,
+            {"grain_size", quantity::grain_size, to(grains.grain_size)},
+            {"size_variation", quantity::size_variation, to(grains.size_variation)},
+            {"elements_per_crystal", quantity::elements_per_crystal, to(grains.elements_per_crystal)},
+            {"elongation", quantity::elongation, to(grains.elongation)},
+            {"elongation_angle", quantity::direction, to(grains.elongation_angle)}};
+}
+
+void require_sound_grains(const GrainFabric& grains, const std::string& where) {
+    const bool are_triangles = grains.tessellation.empty() || grains.tessellation == "delaunay";
+    if (are_triangles && grains.elements_per_crystal) {
+        throw InputError(where + ": [fabric] elements_per_crystal is of polygons; give tessellation = \"trigon\" or \"voronoi\"");
+    }
+    if (are_triangles && grains.size_variation.value_or(0) > quantity::largest_spread_of_triangles) {
+        throw InputError(fmt::format("{}: [fabric] size_variation: triangles vary by {} at most, not by {}", where,
+                                     format_number(quantity::largest_spread_of_triangles),
+                                     format_number(*grains.size_variation)));
+    }
+    if (grains.elongation_angle && !grains.elongation) {
+        throw InputError(where + ": [fabric] has an elongation_angle and no elongation; give both, or none");
+    }
 }
 
 double relative_young_modulus(const PhaseMaterial& phase, const Rock& rock) {

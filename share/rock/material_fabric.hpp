@@ -1,4 +1,5 @@
-// The fabric of a material: its minerals, what the contacts between them are made of, and how their strengths scatter.
+// The fabric of a material: its grains, its minerals, what the contacts between them are made of, and how their strengths
+// scatter.
 #pragma once
 
 #include <map>
@@ -10,6 +11,21 @@
 #include "share/rock/contact_parameters.hpp"
 
 namespace graincrack {
+
+/// [fabric]: the grains that are made of a rock unless options say otherwise.
+struct GrainFabric {
+    std::string tessellation;                    ///< "delaunay", "voronoi" or "trigon"; "": not given
+    std::optional<double> grain_size;            ///< mean equal-area diameter, m
+    std::optional<double> size_variation;        ///< coefficient of variation: of edges of triangles, of diameters of polygons
+    std::optional<double> elements_per_crystal;  ///< mean number of elements of a polygon
+    std::optional<double> elongation;            ///< ratio of the long to the short axis
+    std::optional<double> elongation_angle;      ///< of the long axis from x, rad
+};
+
+/// The keys of [fabric], bound to `grains`, which must stay where it is.
+std::vector<TomlKey> grain_keys(GrainFabric& grains);
+/// Checks what these keys mean together. \param where names the file \throws InputError
+void require_sound_grains(const GrainFabric& grains, const std::string& where);
 
 /// [phases.NAME]: a mineral. What is unset is the rock's.
 struct PhaseMaterial {

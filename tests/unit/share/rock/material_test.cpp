@@ -147,11 +147,43 @@ TEST_F(MaterialFile, ReadsSiNumbersUnitsAndOptionalKeys) {
     EXPECT_EQ(material.file.filename(), "stone.toml");
 }
 
+TEST_F(MaterialFile, TheFabricSaysWhichGrainsAreMade) {
+    const Material plain = read_material(write(stone).string());
+    EXPECT_TRUE(plain.grains.tessellation.empty() && !plain.grains.grain_size && !plain.grains.size_variation);
+    const std::string text = stone + "[fabric]\ntessellation = 'trigon'\ngrain_size = '4 mm'\nsize_variation = 0.6\n";
+    const GrainFabric grains =
+        read_material(write(text + "elements_per_crystal = 8\nelongation = 1.5\nelongation_angle = '30 deg'\n").string()).grains;
+    EXPECT_EQ(grains.tessellation, "trigon");
+    EXPECT_DOUBLE_EQ(*grains.grain_size, 4e-3);
+    EXPECT_EQ(grains.size_variation, 0.6);
+    EXPECT_EQ(grains.elements_per_crystal, 8);
+    EXPECT_EQ(grains.elongation, 1.5);
+    EXPECT_DOUBLE_EQ(*grains.elongation_angle, 30 * degree);
+    const auto of_triangles = [&](const std::string& keys) { return complaint(stone + "[fabric]\n" + keys + "\n"); };
+    EXPECT_EQ(of_triangles("elements_per_crystal = 8"),
+              "[fabric] elements_per_crystal is of polygons; give tessellation = \"trigon\" or \"voronoi\"");
+    EXPECT_EQ(of_triangles("size_variation = 0.5"), "[fabric] size_variation: triangles vary by 0.35 at most, not by 0.5");
+    EXPECT_EQ(of_triangles("elongation_angle = '30 deg'"),
+              "[fabric] has an elongation_angle and no elongation; give both, or none");
+    const auto expect_lines = [&](const std::string& keys, const std::string& key) {
+        const std::string message = of_triangles(keys);
+        EXPECT_TRUE(message.starts_with("line 14: ") && message.find("fabric." + key) != std::string::npos) << message;
+    };
+    expect_lines("grain_sise = '4 mm'", "grain_sise (did you mean grain_size?)");
+    expect_lines("tessellation = 'hexagons'", "tessellation");
+    expect_lines("tessellation = 3", "tessellation");
+    expect_lines("grain_size = '4 kg'", "grain_size");
+    expect_lines("grain_size = 0", "grain_size");
+    expect_lines("size_variation = 0.7", "size_variation");
+    expect_lines("elements_per_crystal = 0", "elements_per_crystal");
+    expect_lines("elongation = 0.5", "elongation");
+}
+
 TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
     EXPECT_EQ(
         complaint(stone + "[rok]\n"),
-        "line 13: unknown table [rok] (did you mean rock?); known are rock, contact, platen, laboratory, phases, pairs, flaws, "
-        "strength");
+        "line 13: unknown table [rok] (did you mean rock?); known are rock, contact, platen, fabric, laboratory, phases, pairs, "
+        "flaws, strength");
     EXPECT_EQ(
         complaint(stone + "cohesio = 3\n"),
         "line 13: unknown key contact.cohesio (did you mean cohesion?); known are tensile_strength, cohesion, friction_angle, "
