@@ -11,6 +11,7 @@
 
 #include "share/base/error.hpp"
 #include "share/base/toml_file.hpp"
+#include "share/file/file_checks.hpp"
 #include "share/file/schema.hpp"
 
 namespace graincrack {
