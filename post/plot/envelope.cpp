@@ -13,6 +13,7 @@
 #include "post/fit/fit_options.hpp"
 #include "post/options/common_options.hpp"
 #include "post/plot/make_plot.hpp"
+#include "post/table/column.hpp"
 #include "post/table/table_file.hpp"
 
 namespace graincrack {

@@ -12,6 +12,7 @@
 #include "post/chart/numbers.hpp"
 #include "post/options/common_options.hpp"
 #include "post/plot/make_plot.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/file/run_file.hpp"
 #include "share/options/option_set.hpp"

@@ -13,6 +13,7 @@
 #include "post/options/common_options.hpp"
 #include "post/plot/make_plot.hpp"
 #include "post/run/test_label.hpp"
+#include "post/table/column.hpp"
 
 namespace graincrack {
 

@@ -8,6 +8,7 @@
 #include "post/measure/grain_size.hpp"
 #include "post/report/html.hpp"
 #include "post/run/test_label.hpp"
+#include "post/table/column.hpp"
 
 namespace graincrack {
 
