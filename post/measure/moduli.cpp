@@ -233,11 +233,7 @@ std::optional<Moduli> measure_moduli(const RunData& run) {
 
 double contact_length_per_area(const Specimen& specimen) {
     double length = 0;
-    for (const auto& nodes : specimen.contact_nodes) {
-        const auto& from = specimen.node_position[static_cast<std::size_t>(nodes[0])];
-        const auto& to = specimen.node_position[static_cast<std::size_t>(nodes[1])];
-        length += std::hypot(to[0] - from[0], to[1] - from[1]);
-    }
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) length += contact_length(specimen, c);
     return length / std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
 }
 
@@ -257,11 +253,17 @@ GrainModuli grain_moduli(const RunHeader& header, const Specimen& specimen) {
 
 namespace {
 
-/// Stiffness of all contacts in series over their number: one of many classes by its mean compliance.
-double mean_stiffness(const RunHeader& header, const std::vector<std::uint8_t>& classes, ContactValue stiffness) {
+/// Stiffness of all contacts in series: their length over the sum of their lengths over their stiffnesses.
+double mean_stiffness(const RunHeader& header, const Specimen& specimen, const std::vector<std::uint8_t>& classes,
+                      ContactValue stiffness) {
+    double whole = 0;
     double compliance = 0;
-    for (const std::uint8_t each : classes) compliance += 1 / (header.fabric.contacts.at(each).*stiffness);
-    return static_cast<double>(classes.size()) / compliance;
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+        const double length = contact_length(specimen, c);
+        whole += length;
+        compliance += length / (header.fabric.contacts.at(classes[c]).*stiffness);
+    }
+    return whole / compliance;
 }
 
 }  // namespace
@@ -276,8 +278,8 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
         rock.poisson_ratio = grains.poisson_ratio;
         const std::vector<std::uint8_t> classes = contact_classes(specimen);
         if (!classes.empty()) {
-            normal = mean_stiffness(header, classes, &ContactParameters::normal_stiffness);
-            shear = mean_stiffness(header, classes, &ContactParameters::shear_stiffness);
+            normal = mean_stiffness(header, specimen, classes, &ContactParameters::normal_stiffness);
+            shear = mean_stiffness(header, specimen, classes, &ContactParameters::shear_stiffness);
         }
     }
     return fpz::assemblage_moduli(rock, header.plane, normal, shear, contact_length_per_area(specimen));

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "share/base/error.hpp"
 
@@ -92,26 +93,9 @@ Fabric fabric_of(const Material& material, PlaneCondition plane, const std::opti
     return made;
 }
 
-namespace {
-
-/// Contacts between two grains of a phase; without phases all are the same.
-ContactParameters contact_of_phase(const Material& material, PlaneCondition plane,
-                                   const std::optional<FractureEnergyChoice>& choice, const std::string& phase) {
-    std::vector<std::string> names;
-    for (const auto& [name, of_phase] : material.fabric.phases) names.push_back(name);
-    const auto found = std::find(names.begin(), names.end(), phase);
-    const auto number = static_cast<std::size_t>(found == names.end() ? 0 : found - names.begin());
-    if (names.empty()) names.push_back(phase);
-    return fabric_of(material, plane, choice, names).contacts[contact_class(number, number)];
-}
-
-}  // namespace
-
 ContactParameters flaw_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
                                const std::string& flaw_name) {
     const auto own = material.fabric.flaws.find(flaw_name);
-    const std::string phase = phase_of_within_class(flaw_name);
-    if (own == material.fabric.flaws.end() && !phase.empty()) return contact_of_phase(material, plane, choice, phase);
     if (own == material.fabric.flaws.end()) {
         throw InputError(fmt::format(
             "the specimen has flaws of the class {0}, and the material {1} no table [flaws.{0}]; add it, with what their "
@@ -119,6 +103,52 @@ ContactParameters flaw_contact(const Material& material, PlaneCondition plane, c
             flaw_name, material.file.string()));
     }
     return derived_contact(overlay(own->second, given_contact(material, plane, choice)), material.rock, plane);
+}
+
+double length_within_crystals(const Specimen& specimen, const std::string& class_name) {
+    const std::vector<std::string> names = contact_class_names(specimen);
+    const std::vector<std::uint8_t> classes = contact_classes(specimen);
+    double length = 0;
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
+        if (names[classes[c]] == class_name) length += contact_length(specimen, c);
+    }
+    const std::string phase = phase_of_within_class(class_name);
+    double area = 0;
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
+        if (specimen.phase_names[specimen.grain_phase[g]] == phase) area += specimen.grain_area[g];
+    }
+    return area > 0 ? length / area : 0;
+}
+
+ContactParameters contact_within_crystals(const Material& material, PlaneCondition plane,
+                                          const std::optional<FractureEnergyChoice>& choice, const std::string& class_name,
+                                          double length_per_area) {
+    // Without phases of its own a material has one, which is the rock.
+    std::vector<std::string> names;
+    for (const auto& [name, of_phase] : material.fabric.phases) names.push_back(name);
+    const auto found = std::find(names.begin(), names.end(), phase_of_within_class(class_name));
+    const auto number = static_cast<std::size_t>(found == names.end() ? 0 : found - names.begin());
+    if (names.empty()) names.emplace_back("rock");
+    const Fabric fabric = fabric_of(material, plane, choice, names);
+    const ContactParameters& between = fabric.contacts[contact_class(number, number)];
+    const auto table = material.fabric.flaws.find(class_name);
+    const bool has_table = table != material.fabric.flaws.end();
+
+    GivenContact given;
+    if (has_table) given = overlay(table->second, given_contact(material, plane, choice));
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (!has_table) given.*row.given = between.*row.value;
+    }
+    if (length_per_area > 0) {
+        Rock mineral = material.rock;
+        mineral.young_modulus = fabric.phases[number].young_modulus;
+        mineral.poisson_ratio = fabric.phases[number].poisson_ratio;
+        const fpz::ContactStiffness stiff =
+            fpz::stiffness_of_added_compliance(mineral, plane, compliance_within_crystals, length_per_area);
+        if (!has_table || !table->second.normal_stiffness) given.normal_stiffness = stiff.normal;
+        if (!has_table || !table->second.shear_stiffness) given.shear_stiffness = stiff.shear;
+    }
+    return derived_contact(given, material.rock, plane);
 }
 
 }  // namespace graincrack

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "share/base/error.hpp"
@@ -134,6 +135,13 @@ std::vector<double> phase_fractions(const Specimen& s) {
     }
     for (double& fraction : fractions) fraction /= whole;
     return fractions;
+}
+
+double contact_length(const Specimen& specimen, std::size_t contact) {
+    const auto& nodes = specimen.contact_nodes[contact];
+    const auto& from = specimen.node_position[static_cast<std::size_t>(nodes[0])];
+    const auto& to = specimen.node_position[static_cast<std::size_t>(nodes[1])];
+    return std::hypot(to[0] - from[0], to[1] - from[1]);
 }
 
 std::vector<std::uint8_t> contact_classes(const Specimen& s) {

@@ -95,6 +95,9 @@ struct Specimen {
 /// Fraction of the area of all grains that each phase has.
 std::vector<double> phase_fractions(const Specimen& specimen);
 
+/// Length of a contact, m.
+double contact_length(const Specimen& specimen, std::size_t contact);
+
 /// Class of each contact [c].
 std::vector<std::uint8_t> contact_classes(const Specimen& specimen);
 /// Names of all classes: pairs of phases as "quartz-mica", the phase with the lower index first, then those of flaws.
@@ -104,7 +107,8 @@ std::vector<std::string> contact_class_names(const Specimen& specimen);
 bool is_flaw_name(std::string_view name);
 
 /// The class of contacts within crystals of a phase, "within_quartz". It is one of the classes of flaws: a material may have a
-/// table [flaws.within_quartz]; without it they are as those between two crystals of the phase.
+/// table [flaws.within_quartz]; without it they are as those between two crystals of the phase, but stiffer
+/// (`contact_within_crystals`).
 std::string within_class(std::string_view phase);
 /// The phase of such a class, "" for any other.
 std::string phase_of_within_class(std::string_view class_name);

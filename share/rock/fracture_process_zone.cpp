@@ -19,6 +19,10 @@ double effective_modulus(const Rock& rock, PlaneCondition plane) {
     return plane == PlaneCondition::stress ? rock.young_modulus : rock.young_modulus / (1 - square(rock.poisson_ratio));
 }
 
+double plane_poisson_ratio(const Rock& rock, PlaneCondition plane) {
+    return plane == PlaneCondition::stress ? rock.poisson_ratio : rock.poisson_ratio / (1 - rock.poisson_ratio);
+}
+
 double mode_i_zone_thickness(const Rock& rock, PlaneCondition plane) {
     return 4 * square(rock.mode_i_toughness) / (effective_modulus(rock, plane) * rock.tensile_strength);
 }
@@ -96,14 +100,20 @@ double tensile_strength_from_toughness(double mode_i_toughness) { return 6.88 * 
 
 AssemblageModuli assemblage_moduli(const Rock& rock, PlaneCondition plane, double normal_stiffness, double shear_stiffness,
                                    double contact_length_per_area) {
-    const bool strain = plane == PlaneCondition::strain;
-    const double E = strain ? rock.young_modulus / (1 - square(rock.poisson_ratio)) : rock.young_modulus;
-    const double nu = strain ? rock.poisson_ratio / (1 - rock.poisson_ratio) : rock.poisson_ratio;
+    const double E = effective_modulus(rock, plane);
+    const double nu = plane_poisson_ratio(rock, plane);
     const double Sv = contact_length_per_area;
     const double plane_E = 1 / (1 / E + Sv * (3 / (8 * normal_stiffness) + 1 / (8 * shear_stiffness)));
     const double plane_nu = (nu / E - Sv / 8 * (1 / normal_stiffness - 1 / shear_stiffness)) * plane_E;
-    if (!strain) return {plane_E, plane_nu, plane_E, plane_nu};
+    if (plane == PlaneCondition::stress) return {plane_E, plane_nu, plane_E, plane_nu};
     return {material_young_modulus(plane_E, plane_nu), material_poisson_ratio(plane_nu), plane_E, plane_nu};
+}
+
+ContactStiffness stiffness_of_added_compliance(const Rock& rock, PlaneCondition plane, double share,
+                                               double contact_length_per_area) {
+    const double stiffness = effective_modulus(rock, plane) * contact_length_per_area / (2 * share);
+    const double nu = plane_poisson_ratio(rock, plane);
+    return {stiffness / (1 - nu), stiffness / (1 + 3 * nu)};
 }
 
 double material_young_modulus(double plane_strain_modulus, double plane_strain_ratio) {

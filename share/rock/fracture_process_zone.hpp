@@ -26,6 +26,8 @@ namespace fpz {
 double shear_modulus(const Rock& rock);
 /// Ẽ = E (plane stress) or E/(1 − ν²) (plane strain), Pa. The paper prints E (1 − ν²) under Eq 32; its numbers use this.
 double effective_modulus(const Rock& rock, PlaneCondition plane);
+/// ν (plane stress) or ν/(1 − ν) (plane strain).
+double plane_poisson_ratio(const Rock& rock, PlaneCondition plane);
 /// w_I = 4 K_IC² / (Ẽ σt), Eq 33, m.
 double mode_i_zone_thickness(const Rock& rock, PlaneCondition plane);
 /// w_II = 4 K_IIC² / (Ẽ σt), Eq 34, m.
@@ -79,6 +81,17 @@ struct AssemblageModuli {
 };
 AssemblageModuli assemblage_moduli(const Rock& rock, PlaneCondition plane, double normal_stiffness, double shear_stiffness,
                                    double contact_length_per_area);
+
+/// Stiffnesses of contacts, Pa/m.
+struct ContactStiffness {
+    double normal;
+    double shear;
+};
+/// Those at which contacts in all directions, of a length Sv per area, add a share s to the compliance of a body and leave its ν:
+/// kn = E/(1 − ν) · Sv/(2 s), ks = E/(1 + 3 ν) · Sv/(2 s), with E and ν in the plane. It is `assemblage_moduli` solved for
+/// 1/E' = (1 + s)/E and ν' = ν.
+ContactStiffness stiffness_of_added_compliance(const Rock& rock, PlaneCondition plane, double share,
+                                               double contact_length_per_area);
 
 /// Material values from plane-strain values: ν = ν'/(1+ν'), E = E'(1−ν²).
 double material_young_modulus(double plane_strain_modulus, double plane_strain_ratio);

@@ -21,21 +21,21 @@
 namespace graincrack::contact_law {
 
 /// λ of the branch that a motion is on.
-inline double cohesive_load(const ContactLaw& law, double opening, double sliding) {
+GRAINCRACK_INLINE double cohesive_load(const ContactLaw& law, double opening, double sliding) {
     const double x = std::max(opening, 0.0) * law.inv_dct;
     const double y = sliding * (opening >= 0 ? law.inv_dso : law.inv_dcs);
     return std::sqrt(x * x + y * y);
 }
 /// q = kt⟨δn⟩² + ks δs².
-inline double cohesive_form(const ContactLaw& law, double opening, double sliding) {
+GRAINCRACK_INLINE double cohesive_form(const ContactLaw& law, double opening, double sliding) {
     const double opened = std::max(opening, 0.0);
     return law.kt * opened * opened + law.ks * sliding * sliding;
 }
 /// D at a load past the peak, where λu − 1 is `range`.
-inline double softening_damage(double load, double range) { return range > load - 1 ? (load - 1) / range : 1.0; }
+GRAINCRACK_INLINE double softening_damage(double load, double range) { return range > load - 1 ? (load - 1) / range : 1.0; }
 /// λu − 1 of a branch on which the path to the peak and beyond takes the energy `energy` (J/m²) along a straight path in which
 /// q = `stiffness` λ²: `stiffness` · [(1 − 2/e) + (λu − 1)/(2 e)] = `energy`. Not above 0: there is no softening.
-inline double softening_range(double energy, double stiffness) {
+GRAINCRACK_INLINE double softening_range(double energy, double stiffness) {
     constexpr double e = std::numbers::e;
     return 2 * e * (energy / stiffness - (1 - 2 / e));
 }
@@ -44,7 +44,7 @@ inline double open_damage(const ContactLaw& law, double load, double stiffness) 
     return softening_damage(load, softening_range(law.gf, stiffness));
 }
 /// Energy that a fall of β takes from a point while it moves, at the mean of q before and after, J/m².
-inline double energy_of_fall(const ContactLaw& law, const IntactPoint& p, double fall) {
+GRAINCRACK_INLINE double energy_of_fall(const ContactLaw& law, const IntactPoint& p, double fall) {
     return 0.25 * (cohesive_form(law, p.old_opening, p.old_sliding) + cohesive_form(law, p.opening, p.sliding)) * fall;
 }
 /// Damage before the peak, on either branch.

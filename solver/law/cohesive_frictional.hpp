@@ -87,30 +87,30 @@ struct CohesiveFrictional {
 
 private:
     /// The largest integrity that a motion leaves.
-    static double integrity_at(const ContactLaw& law, double opening, double sliding) {
+    GRAINCRACK_INLINE static double integrity_at(const ContactLaw& law, double opening, double sliding) {
         const double load = cohesive_load(law, opening, sliding);
         const double open_range = softening_range(law.gf * load * load, cohesive_form(law, opening, sliding));
         const double lost = softening_damage(load, opening >= 0 ? open_range : law.s_range);
         return load <= 1 ? exp_of_minus(load) : (1 - lost) / (std::numbers::e * load);
     }
     /// 1 − D at an integrity: β = (1 − D)/(e λ) with D = (λ − 1)/`range` solved for 1 − D; 1 before the peak.
-    static double remaining_cohesion(double integrity, double range) {
+    GRAINCRACK_INLINE static double remaining_cohesion(double integrity, double range) {
         const double scaled = std::numbers::e * integrity;
         return std::min(1.0, scaled * (1 + range) / (1 + range * scaled));
     }
     /// 1 − D of the closed branch.
-    static double remaining_cohesion(const ContactLaw& law, double integrity) {
+    GRAINCRACK_INLINE static double remaining_cohesion(const ContactLaw& law, double integrity) {
         return remaining_cohesion(integrity, law.s_range);
     }
     /// 1 − D of the branch and direction of a motion; at no displacement, of pure opening.
-    static double remaining_cohesion(const ContactLaw& law, double opening, double sliding, double integrity) {
+    GRAINCRACK_INLINE static double remaining_cohesion(const ContactLaw& law, double opening, double sliding, double integrity) {
         constexpr double nothing = 1e-30;  // of the square of a load
         const double load = cohesive_load(law, opening, sliding);
         const double form = std::max(cohesive_form(law, opening, sliding), nothing * law.kt * law.dct * law.dct);
         const double open_range = std::max(0.0, softening_range(law.gf * std::max(load * load, nothing), form));
         return remaining_cohesion(integrity, opening >= 0 ? open_range : law.s_range);
     }
-    static double tan_friction(const ContactLaw& law, double integrity) {
+    GRAINCRACK_INLINE static double tan_friction(const ContactLaw& law, double integrity) {
         return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * remaining_cohesion(law, integrity);
     }
     /// The point passes its peak. Where no softening is left while closed, friction takes over the traction it had.

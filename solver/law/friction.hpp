@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "solver/arithmetic/simd.hpp"
 #include "solver/law/types.hpp"
 
 namespace graincrack::contact_law {
@@ -30,7 +31,7 @@ struct FrictionReturn {
     double dissipated;  ///< J/m²
 };
 /// Returns the elastic shear traction to within ±`limit` (Pa). Has no branch, so that vector units can work on it.
-inline FrictionReturn friction_return(double ks, double old_sliding, double sliding, double old_slip, double limit) {
+GRAINCRACK_INLINE FrictionReturn friction_return(double ks, double old_sliding, double sliding, double old_slip, double limit) {
     const double old_shear = ks * (old_sliding - old_slip);
     const double trial = ks * (sliding - old_slip);
     const double shear = std::min(std::max(trial, -limit), limit);

@@ -18,7 +18,10 @@ Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
                                : graincrack::fabric_of(r.material, r.plane, r.fracture_energy, specimen.phase_names);
     const std::size_t n_uniform = is_uniform ? fabric.contacts.size() : 0;
     for (const std::string& flaw : specimen.flaw_names) {
-        fabric.contacts.push_back(flaw_contact(r.material, r.plane, r.fracture_energy, flaw));
+        fabric.contacts.push_back(
+            phase_of_within_class(flaw).empty()
+                ? flaw_contact(r.material, r.plane, r.fracture_energy, flaw)
+                : contact_within_crystals(r.material, r.plane, r.fracture_energy, flaw, length_within_crystals(specimen, flaw)));
     }
     const std::vector<std::string> names = contact_class_names(specimen);
     for (std::size_t k = n_uniform; k < fabric.contacts.size(); ++k) {

@@ -8,6 +8,7 @@
 
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -173,21 +174,68 @@ TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
 }
 
 TEST(Fabric, ContactsWithinCrystalsAreThoseOfTheirPhaseUnlessTheyHaveATable) {
+    constexpr double length_per_area = 700;  // 1/m
     const std::vector<std::string> sorted{"feldspar", "mica", "quartz"};
     const Material material =
         material_of(rock + phases + "[pairs.homophase]\ncohesion = 2\n[flaws.within_mica]\ncohesion = \"1 MPa\"\n");
     const auto within = [&](const std::string& phase) {
-        return flaw_contact(material, PlaneCondition::strain, std::nullopt, within_class(phase));
+        return contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class(phase), length_per_area);
     };
     const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, sorted);
     const ContactParameters& quartz = fabric.contacts[contact_class(2, 2)];
+    const auto is_stiffness = [](const ContactParameter& row) {
+        return row.value == &ContactParameters::normal_stiffness || row.value == &ContactParameters::shear_stiffness;
+    };
     for (const ContactParameter& row : all_contact_parameters()) {
+        if (is_stiffness(row)) continue;
         EXPECT_EQ(within("quartz").*row.value, quartz.*row.value) << row.key();
     }
     EXPECT_NEAR(within("mica").cohesion, 1e6, 1e-3);
     const Material plain = material_of(rock);
-    EXPECT_EQ(flaw_contact(plain, PlaneCondition::strain, std::nullopt, "within_rock").cohesion,
+    EXPECT_EQ(contact_within_crystals(plain, PlaneCondition::strain, std::nullopt, "within_rock", length_per_area).cohesion,
               contact_parameters(plain, PlaneCondition::strain, std::nullopt).cohesion);
+}
+
+TEST(Fabric, ContactsWithinCrystalsAreAsStiffAsTheMineralUnlessTheirTableSaysOtherwise) {
+    constexpr double length_per_area = 700;  // 1/m
+    const Material material = material_of(rock + phases + "[flaws.within_mica]\nnormal_stiffness = \"50 GPa/m\"\n");
+    const auto within = [&](const std::string& phase, double length) {
+        return contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class(phase), length);
+    };
+    const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, {"feldspar", "mica", "quartz"});
+    for (const std::size_t phase : {0U, 1U, 2U}) {
+        Rock mineral = material.rock;
+        mineral.young_modulus = fabric.phases[phase].young_modulus;
+        mineral.poisson_ratio = fabric.phases[phase].poisson_ratio;
+        const fpz::ContactStiffness stiff =
+            fpz::stiffness_of_added_compliance(mineral, PlaneCondition::strain, compliance_within_crystals, length_per_area);
+        const ContactParameters contact = within(std::vector{"feldspar", "mica", "quartz"}[phase], length_per_area);
+        EXPECT_EQ(contact.normal_stiffness, phase == 1 ? 50e9 : stiff.normal);
+        EXPECT_EQ(contact.shear_stiffness, stiff.shear);
+        EXPECT_EQ(contact.critical_opening, fpz::critical_displacement(contact.tensile_strength, contact.normal_stiffness));
+    }
+    // Crystals without contacts have no stiffness to derive.
+    const ContactParameters& between = fabric.contacts[contact_class(2, 2)];
+    EXPECT_EQ(within("quartz", 0).normal_stiffness, between.normal_stiffness);
+}
+
+TEST(Fabric, LengthWithinCrystalsIsByTheAreaOfTheirPhase) {
+    Specimen s = test::one_diagonal_grid(2, 1, 0.02, 0.01);  // two squares of two triangles each: crystals of two phases
+    s.phase_names = {"quartz", "mica"};
+    s.flaw_names = {"within_quartz", "within_mica"};
+    s.contact_flaw.assign(s.n_contacts(), 0);
+    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = static_cast<std::uint8_t>(g / 2);
+    const std::vector<std::int32_t> grain = grain_of_nodes(s);
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const std::size_t a = s.grain_phase[static_cast<std::size_t>(grain[static_cast<std::size_t>(s.contact_nodes[c][0])])];
+        const std::size_t b = s.grain_phase[static_cast<std::size_t>(grain[static_cast<std::size_t>(s.contact_nodes[c][2])])];
+        if (a == b) s.contact_flaw[c] = static_cast<std::uint8_t>(1 + a);
+    }
+    // One diagonal of a square of 1 cm each.
+    EXPECT_NEAR(length_within_crystals(s, "within_quartz"), std::sqrt(2.0) / 0.01, 1e-9);
+    EXPECT_NEAR(length_within_crystals(s, "within_mica"), std::sqrt(2.0) / 0.01, 1e-9);
+    s.contact_flaw.assign(s.n_contacts(), 0);
+    EXPECT_EQ(length_within_crystals(s, "within_mica"), 0);
 }
 
 TEST(Fabric, ThePhasesOfGraniteAreAFileOfTheirOwn) {

@@ -168,6 +168,18 @@ TEST(FractureProcessZone, AssemblageModuli) {
     EXPECT_GT(deep.plane_poisson_ratio, deep.poisson_ratio);
 }
 
+TEST(FractureProcessZone, ContactsCanAddAShareOfTheComplianceAndLeaveThePoissonRatio) {
+    constexpr double share = 0.01;
+    constexpr double length_per_area = 700;  // 1/m
+    for (const auto plane : {PlaneCondition::stress, PlaneCondition::strain}) {
+        const fpz::ContactStiffness stiff = fpz::stiffness_of_added_compliance(augig, plane, share, length_per_area);
+        const auto body = fpz::assemblage_moduli(augig, plane, stiff.normal, stiff.shear, length_per_area);
+        const double alone = fpz::effective_modulus(augig, plane);
+        EXPECT_NEAR(alone / body.plane_young_modulus, 1 + share, 1e-12);
+        EXPECT_NEAR(body.poisson_ratio, augig.poisson_ratio, 1e-12);
+    }
+}
+
 TEST(FractureProcessZone, PlaneStrainConversion) {
     const double nu = 0.23;
     EXPECT_NEAR(fpz::material_poisson_ratio(nu / (1 - nu)), nu, 1e-15);
