@@ -12,7 +12,6 @@ namespace graincrack {
 namespace {
 
 constexpr double near_growth = 1.25;       // of the jumps, under which an intact point that would fail is near it
-constexpr double bearing_cohesion = 0.98;  // share of its cohesion with which a point that bears friction beside it still holds
 constexpr double near_friction = 0.5;      // of its limit, from which on a point is near sliding: friction gives no other sign
 constexpr double scattered_share = 0.035;  // of all points: so many intact ones may be near failure and are scattered still
 constexpr double involving_share = 0.5;    // of the width: a chain as long as that involves the section
@@ -48,41 +47,26 @@ private:
     std::vector<std::int32_t> nodes_;
 };
 
-/// Whether a point with cohesion has kept what bears the load: it has not failed, or, where friction is mobilised beside its
-/// cohesion, most of this is left.
-template <class Law>
-bool holds(const ContactLaw& law, const ContactHistory& h) {
-    return !h.failed() ||
-           (Law::description.friction_beside_cohesion && contact_law::remaining_cohesion<Law>(law, h) >= bearing_cohesion);
-}
-
-/// Whether a point that holds would no longer do so if its jumps grew.
-template <class Law>
-bool is_near(const ContactLaw& law, const ContactHistory& h) {
-    const ContactMotion grown{near_growth * h.motion.opening, near_growth * h.motion.sliding};
-    if (!h.failed() && Law::intact(law, contact_law::intact_point(h, grown)).holds != 0) return false;
-    return !holds<Law>(law, contact_law::update<Law>(law, grown, h).history);
-}
-
 }  // namespace
 
 double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s, double width) {
-    std::size_t near = 0;
+    std::size_t intact = 0;
     SlidingChains chains(a);
     contact_law::with_law(laws.variant(), [&](auto kind) {
         for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
-            using Law = decltype(kind);
             const ContactLaw& law = laws[contact_class];
             bool slides = false;
             for (const std::size_t i : points_of(c)) {
-                const ContactHistory h = point_history(s, i);
-                if (holds<Law>(law, h)) {
-                    near += is_near<Law>(law, h) ? 1 : 0;
+                const double opening = s.opening[i];
+                const double sliding = s.sliding[i];
+                if (s.failed[i] == 0) {
+                    const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
+                    intact += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
                 } else if (law.softens_in_shear && s.residual[i] == 0) {
                     slides = true;  // it loses cohesion as it slides on
-                } else if (h.motion.opening < 0 && s.contact_pairs.released[c] == 0) {
-                    const double limit = contact_law::residual_limit(law, -law.kt * h.motion.opening);
-                    slides = slides || std::abs(law.ks * (h.motion.sliding - h.slip)) >= near_friction * limit;
+                } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
+                    const double limit = contact_law::residual_limit(law, -law.kt * opening);
+                    slides = slides || std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit;
                 }
             }
             if (slides) chains.join(a.contacts[c].nodes[0], a.contacts[c].nodes[1]);
@@ -101,7 +85,7 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
     }
     const double points = 2.0 * std::max(a.n_contacts(), 1);
     const double scattered = std::max(0.5 * std::sqrt(points), scattered_share * points);
-    return std::min(1.0, std::max(static_cast<double>(near) / scattered, chains.longest() / (involving_share * width)));
+    return std::min(1.0, std::max(static_cast<double>(intact) / scattered, chains.longest() / (involving_share * width)));
 }
 
 }  // namespace graincrack

@@ -9,13 +9,11 @@ namespace graincrack {
 
 /// How far failure involves a section of the specimen, 0 to 1; the larger of two ratios:
 /// - length of the longest chain of contacts that slide, over half the width of the specimen: one joint that slides lets the
-///   whole specimen move. Contacts slide that do not hold, are closed and whose friction has reached half its limit, or
-///   that soften as they slide; so do node–edge contacts. Chains meet at vertices of the mesh, and their length is the diagonal of
+///   whole specimen move. Contacts slide that have failed, are closed and whose friction has reached half its limit, or that
+///   soften as they slide; so do node–edge contacts. Chains meet at vertices of the mesh, and their length is the diagonal of
 ///   the rectangle that holds them in the reference.
-/// - number of points that hold and would not if their jumps grew by a quarter, over 3.5 % of all points (over half the root of
+/// - number of intact points that would fail if their jumps grew by a quarter, over 3.5 % of all points (over half the root of
 ///   their number, if that is more: fewer than 100 grains): fewer than that are scattered, and fail one by one.
-/// A point holds until it fails. With a law whose friction is mobilised beside the cohesion, it holds until a fiftieth of its
-/// cohesion is lost, because at the peak of the cohesion its strength still grows.
 /// \param width of the specimen, m
 double near_failure(const Assemblage& assemblage, const ContactLaws& laws, const State& state, double width);
 

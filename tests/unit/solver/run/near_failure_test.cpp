@@ -67,36 +67,5 @@ TEST(NearFailure, IntactPointsCountOverAShareOfAllPoints) {
                  1e-12, 1);
 }
 
-/// A closed point of `cohesive-frictional` that slides until so much of its cohesion is left.
-ContactHistory slid_to(const ContactLaw& law, double left) {
-    ContactHistory history;
-    ContactMotion motion{-10e6 / law.kt, 0};
-    while (remaining_cohesion(law, history) > left) {
-        motion.sliding += 1e-3 * law.dcs;
-        history = update_contact(law, motion, history).history;
-    }
-    return history;
-}
-
-// Friction is mobilised beside a cohesion that softens slowly: at its peak such a point has not lost its strength.
-TEST(NearFailure, APointWithFrictionBesideItsCohesionHoldsUntilAFiftiethIsLost) {
-    constexpr double width = 0.12;
-    ContactParameters contact = test::augig_contact();
-    contact.mode_ii_fracture_energy = 15e3;
-    contact.open_shear_strength = 30e6;
-    const ContactLaw law = make_contact_law(contact, LawVariant::cohesive_frictional, Coupling::full);
-    SmallRun run(test::one_diagonal_grid(12, 12, width, width), law);
-    const double points = 2.0 * run.assemblage.n_contacts();
-    const std::int32_t c = run.assemblage.contact_of_specimen[5];
-    const auto share_at = [&](double left) {
-        for (const std::size_t p : points_of(c)) store_point(slid_to(law, left), false, p, run.state);
-        return near_failure(run.assemblage, law, run.state, width);
-    };
-    const double edge = length(run.assemblage.contacts[c].edge);
-    EXPECT_EQ(share_at(0.9999), 0);                                 // past the peak
-    expect_close(share_at(0.983), 2 / (0.035 * points), 1e-12, 1);  // a quarter more sliding takes more than a fiftieth
-    expect_close(share_at(0.97), edge / (0.5 * width), 1e-12, 1);   // a chain of one contact
-}
-
 }  // namespace
 }  // namespace graincrack
