@@ -8,7 +8,7 @@
 namespace graincrack::mesher {
 
 /// Length below which an edge is short, over the square root of the area of the smaller cell beside it.
-inline constexpr double short_edge = 0.125;
+inline constexpr double short_edge = 0.30;
 
 struct ShortEdges {
     std::size_t n_removed = 0;

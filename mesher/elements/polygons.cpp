@@ -14,9 +14,10 @@
 #include "mesher/cells/cut_cells.hpp"
 #include "mesher/cells/laguerre.hpp"
 #include "mesher/cells/polygon.hpp"
+#include "mesher/cells/relaxed_corners.hpp"
 #include "mesher/cells/restored_areas.hpp"
 #include "mesher/cells/short_edges.hpp"
-#include "mesher/elements/refined.hpp"
+#include "mesher/elements/divided_cells.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::mesher {
@@ -148,6 +149,7 @@ PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, co
         if (edges.n_removed == 0) break;
         statistics.largest_area_error = restore_areas(made.cells, made.n_fixed, made.areas);
     }
+    if (!getenv("NORELAX")) statistics.largest_area_error = relax_corners(made.cells, made.n_fixed, made.areas);
     const std::vector<double> areas = areas_of(made.cells);
     statistics.n_crystals = areas.size();
     for (const double area : areas) statistics.mean_diameter += std::sqrt(4 * area / std::numbers::pi);
@@ -157,7 +159,7 @@ PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, co
         for (Point& p : made.cells.points) p = Stretch(request.elongation).elongated(p);
         statistics.elongation = elongation_of(made.cells);
     }
-    return {refined_mesh(made.cells, request.bodies, request.element_size), made.loading_arc, statistics};
+    return {divided_cells(made.cells, request.bodies, request.element_size), made.loading_arc, statistics};
 }
 
 }  // namespace graincrack::mesher
