@@ -54,7 +54,7 @@ inline constexpr double max_spread = quantity::largest_spread_of_triangles;
 /// Largest spread of polygons.
 inline constexpr double max_spread_of_polygons = quantity::size_variation.upper;
 /// Side of the elements of polygons over their edge, unless given: seven to ten elements a polygon.
-inline constexpr double element_over_edge = 0.5;
+inline constexpr double element_over_edge = 0.38;
 /// Largest elongation of grains.
 inline constexpr double max_elongation = 4;
 /// Largest number of elements along a grain edge.

@@ -15,8 +15,8 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr int triangulations = 3;
-constexpr int smoothings = 4;          ///< after each triangulation
-constexpr double first_reach = 0.12;   ///< of the moves that are tried, over the size; halved with each smoothing
+constexpr int smoothings = 4;         ///< after each triangulation
+constexpr double first_reach = 0.12;  ///< of the moves that are tried, over the size; halved with each smoothing
 
 /// Triangles of a polygon, whose inner points can move.
 class MovablePoints {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <queue>
+#include <utility>
+
+#include "mesher/plane/triangulation.hpp"
 
 namespace graincrack::mesher {
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double least_distance = 0.72;  ///< of a new point from the others, over the size of elements
 constexpr double farthest = 1.5;         ///< distance over the size from which on places are alike
+constexpr int n_levels = 32;             ///< of distances that are told apart
 constexpr double places_per_size = 5;
 constexpr double points_over_sides = 1.15;  ///< a distance from a side counts as so much of one from a point
 
@@ -33,18 +36,26 @@ public:
         mark_inside(boundary);
         for (std::size_t i = 0; i < boundary.size(); ++i) keep_from_side(boundary[i], boundary[(i + 1) % boundary.size()]);
         for (std::size_t i = 0; i < distance_.size(); ++i) offer(i);
+        for (std::vector<std::size_t>& level : levels_) {
+            for (std::size_t i = level.size(); i > 1; --i) std::swap(level[i - 1], level[scattered(i) % i]);
+        }
     }
 
-    /// Takes the place that is farthest from everything. \return whether there is one
+    /// Takes a place that is about the farthest from everything. \return whether there is one
     bool take(Point& place) {
-        while (!places_.empty()) {
-            const Place best = places_.top();
-            places_.pop();
-            if (best.distance > distance_[best.index]) {
-                offer(best.index);
+        while (!levels_.empty()) {
+            std::vector<std::size_t>& highest = levels_.back();
+            if (highest.empty()) {
+                levels_.pop_back();
                 continue;
             }
-            place = at(best.index);
+            const std::size_t index = highest.back();
+            highest.pop_back();
+            if (level_of(distance_[index]) + 1 < static_cast<int>(levels_.size())) {
+                offer(index);
+                continue;
+            }
+            place = at(index);
             keep_from(place, place, 1);
             return true;
         }
@@ -52,24 +63,29 @@ public:
     }
 
 private:
-    struct Place {
-        double distance;
-        std::uint32_t order;  ///< of places that are as far as others: scattered
-        std::size_t index;
-        friend bool operator<(const Place& a, const Place& b) {
-            return a.distance != b.distance ? a.distance < b.distance : a.order < b.order;
-        }
-    };
+    /// A number from 0 to 2³² − 1 without a pattern along rows or columns.
+    static std::uint32_t scattered(std::size_t index) {
+        std::uint64_t x = (index + 1) * 0x9e3779b97f4a7c15U;
+        x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+        return static_cast<std::uint32_t>((x ^ (x >> 27U)) >> 16U);
+    }
 
+    /// A place lies anywhere in its square of the grid, so that elements have no preferred direction.
     [[nodiscard]] Point at(std::size_t index) const {
         const auto row = static_cast<double>(index / static_cast<std::size_t>(columns_));
         const auto column = static_cast<double>(index % static_cast<std::size_t>(columns_));
-        return low_ + spacing_ * Point{column + 0.5, row + 0.5};
+        const std::uint32_t bits = scattered(index);
+        return low_ + spacing_ * Point{column + (bits & 0xffffU) / 65536.0, row + (bits >> 16U) / 65536.0};
+    }
+
+    /// Of places that a point may take by their distance; below 0 of others.
+    [[nodiscard]] int level_of(double distance) const {
+        return static_cast<int>(std::floor(n_levels * (distance / size_ - least_distance) / (farthest - least_distance)));
     }
 
     void offer(std::size_t index) {
-        if (!(distance_[index] >= least_distance * size_)) return;
-        places_.push({distance_[index], static_cast<std::uint32_t>(index) * 2654435761U, index});
+        const int level = std::min(level_of(distance_[index]), n_levels - 1);
+        if (level >= 0) levels_[static_cast<std::size_t>(level)].push_back(index);
     }
 
     /// Gives places inside the largest distance: those between an odd and an even crossing of their row with the boundary.
@@ -117,10 +133,11 @@ private:
         const double squared = squared_length(along);
         for (int row = bottom; row <= top; ++row) {
             for (int column = left; column <= right; ++column) {
-                double& distance =
-                    distance_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+                const std::size_t index =
+                    static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+                double& distance = distance_[index];
                 if (distance <= 0) continue;
-                const Point p = low_ + spacing_ * Point{column + 0.5, row + 0.5};
+                const Point p = at(index);
                 const double share = squared > 0 ? std::clamp(dot(p - from, along) / squared, 0.0, 1.0) : 0;
                 distance = std::min(distance, factor * length(p - from - share * along));
             }
@@ -132,8 +149,8 @@ private:
     Point low_;
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<double> distance_;  ///< negative outside
-    std::priority_queue<Place> places_;
+    std::vector<double> distance_;                            ///< negative outside
+    std::vector<std::vector<std::size_t>> levels_{n_levels};  ///< places by the level of a distance that they had
 };
 
 }  // namespace
@@ -142,7 +159,10 @@ std::vector<Point> placed_points(std::span<const Point> boundary, double size) {
     FreePlaces free(boundary, size);
     std::vector<Point> points;
     for (Point place; free.take(place);) points.push_back(place);
-    return points;
+    if (points.size() < 2) return points;
+    std::vector<Point> sorted;
+    for (const int i : hilbert_order(points)) sorted.push_back(points[static_cast<std::size_t>(i)]);
+    return sorted;
 }
 
 }  // namespace graincrack::mesher

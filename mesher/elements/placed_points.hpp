@@ -13,6 +13,7 @@ namespace graincrack::mesher {
 /// of elements.
 /// \param boundary corners counter-clockwise, with points on the sides; not necessarily convex
 /// \param size side of elements, m
+/// \return in an order in which neighbours are near each other
 std::vector<Point> placed_points(std::span<const Point> boundary, double size);
 
 }  // namespace graincrack::mesher
