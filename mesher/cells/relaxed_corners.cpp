@@ -17,9 +17,8 @@ namespace {
 /// Longest moves of a corner in each sweep, over the root of the area of the smallest cell there.
 constexpr std::array<double, 8> longest_moves{0.08, 0.08, 0.06, 0.06, 0.04, 0.04, 0.03, 0.02};
 constexpr double acceptable_error = 1e-6;  ///< of areas
-/// Side of a regular hexagon over the root of its area.
-constexpr double hexagon_side = 0.6204;
-constexpr double weight_of_flat_corners = 1;
+constexpr double hexagon_side = 0.6204;    ///< of a regular one, over the root of its area
+constexpr double weight_of_flat_corners = 0.2;
 
 /// Cost of a corner between sides in the directions `next` and `last`: of a sharp one that of the triangle it must have, of a
 /// nearly straight one that of a shape which crystals do not have.

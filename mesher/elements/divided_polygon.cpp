@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "mesher/elements/placed_points.hpp"
@@ -23,9 +22,8 @@ class MovablePoints {
 public:
     MovablePoints(std::span<const Point> boundary, std::vector<Point> inner, double size)
         : points_(boundary.begin(), boundary.end()), n_fixed_(boundary.size()), good_(step_length_over_side * size) {
-        for (std::size_t i = 0; i < n_fixed_; ++i) {
-            sides_.push_back({static_cast<int>(i), static_cast<int>((i + 1) % n_fixed_)});
-        }
+        const int n = static_cast<int>(n_fixed_);
+        for (int i = 0; i < n; ++i) sides_.push_back({i, (i + 1) % n});
         points_.insert(points_.end(), inner.begin(), inner.end());
     }
 
@@ -63,12 +61,6 @@ public:
             }
             points_[p] = best;
         }
-    }
-
-    [[nodiscard]] double worst() const {
-        double least = std::numeric_limits<double>::infinity();
-        for (const Triangle& t : triangles_) least = std::min(least, step_length_of(t));
-        return least;
     }
 
     DividedPolygon finish() {

@@ -149,7 +149,7 @@ PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, co
         if (edges.n_removed == 0) break;
         statistics.largest_area_error = restore_areas(made.cells, made.n_fixed, made.areas);
     }
-    if (!getenv("NORELAX")) statistics.largest_area_error = relax_corners(made.cells, made.n_fixed, made.areas);
+    statistics.largest_area_error = relax_corners(made.cells, made.n_fixed, made.areas);
     const std::vector<double> areas = areas_of(made.cells);
     statistics.n_crystals = areas.size();
     for (const double area : areas) statistics.mean_diameter += std::sqrt(4 * area / std::numbers::pi);
