@@ -255,10 +255,10 @@ void add_tessellation(OptionSet shape, SpecimenRequest& request) {
         "grains: triangles (delaunay), polygons of elements that do not break (voronoi), or polygons whose triangles are grains, "
         "so that they break (trigon)");
     add_quantity(shape, "--element-size", request.element_size, quantity::element_size,
-                 "side of the triangles of polygons; default: half of --edge, which makes seven to ten of them a polygon")
+                 "side of the triangles of polygons; default: 0.36 of --edge, which makes seven to eight of them a polygon")
         .excludes(add_quantity(shape, "--elements-per-crystal", request.elements_per_crystal, quantity::elements_per_crystal,
                                "mean number of elements of a polygon instead of --element-size; the corners of polygons ask for "
-                               "six to ten at least"));
+                               "three to four at least"));
     add_value(
         shape, "--size-distribution",
         [&request](const std::string& text) {

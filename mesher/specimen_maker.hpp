@@ -36,7 +36,7 @@ struct SpecimenRequest {
     /// 0.6.
     double spread = 0.1;
     std::optional<SizeDistribution> size_distribution;  ///< of polygons; none: normal
-    std::optional<double> element_size;                 ///< side of the elements of polygons, m; none: half their edge
+    std::optional<double> element_size;                 ///< side of the elements of polygons, m; none: 0.36 of their edge
     std::optional<double> elements_per_crystal;         ///< mean number of elements of a polygon, in place of `element_size`
     std::optional<Grading> grading;  ///< over the region; the mean edge and the number of grains are as without
     Elongation elongation;           ///< of the grains; the spread is that of the grains before they are elongated
@@ -53,8 +53,8 @@ inline constexpr int max_diameters = 36;
 inline constexpr double max_spread = quantity::largest_spread_of_triangles;
 /// Largest spread of polygons.
 inline constexpr double max_spread_of_polygons = quantity::size_variation.upper;
-/// Side of the elements of polygons over their edge, unless given: seven to ten elements a polygon.
-inline constexpr double element_over_edge = 0.5;
+/// Side of the elements of polygons over their edge, unless given: about seven elements a polygon, eight at a spread of 0.6.
+inline constexpr double element_over_edge = 0.36;
 /// Largest elongation of grains.
 inline constexpr double max_elongation = 4;
 /// Largest number of elements along a grain edge.

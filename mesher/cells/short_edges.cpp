@@ -17,8 +17,12 @@ constexpr int rounds = 2;
 /// Cells whose points can be merged.
 class Merger {
 public:
-    Merger(PlaneCells& cells, std::size_t n_fixed)
-        : cells_(cells), n_fixed_(n_fixed), cells_of_point_(cells.points.size()), is_outer_(cells.points.size(), 0) {
+    Merger(PlaneCells& cells, std::size_t n_fixed, double short_below)
+        : cells_(cells),
+          n_fixed_(n_fixed),
+          short_below_(short_below),
+          cells_of_point_(cells.points.size()),
+          is_outer_(cells.points.size(), 0) {
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
             const auto loop = cells.loop(cell);
             loops_.emplace_back(loop.begin(), loop.end());
@@ -161,7 +165,7 @@ private:
     [[nodiscard]] bool is_short(const Each& edge) const {
         double area = INFINITY;
         for (const int cell : cells_beside(edge.p, edge.q)) area = std::min(area, areas_[index(cell)]);
-        return edge.length < short_edge * std::sqrt(area);
+        return edge.length < short_below_ * std::sqrt(area);
     }
 
     /// Which end of an edge stays, and where it comes to lie; nothing if both must stay where they are.
@@ -190,6 +194,7 @@ private:
 
     PlaneCells& cells_;
     std::size_t n_fixed_;
+    double short_below_;
     std::vector<std::vector<int>> loops_;
     std::vector<std::vector<int>> cells_of_point_;
     std::vector<char> is_outer_;
@@ -200,8 +205,8 @@ private:
 
 }  // namespace
 
-ShortEdges remove_short_edges(PlaneCells& cells, std::size_t n_fixed) {
-    Merger merger(cells, n_fixed);
+ShortEdges remove_short_edges(PlaneCells& cells, std::size_t n_fixed, double short_below) {
+    Merger merger(cells, n_fixed, short_below);
     ShortEdges result;
     for (int round = 0; round < rounds; ++round) {
         for (const auto& edge : merger.short_edges()) {

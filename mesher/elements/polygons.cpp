@@ -14,9 +14,10 @@
 #include "mesher/cells/cut_cells.hpp"
 #include "mesher/cells/laguerre.hpp"
 #include "mesher/cells/polygon.hpp"
+#include "mesher/cells/relaxed_corners.hpp"
 #include "mesher/cells/restored_areas.hpp"
 #include "mesher/cells/short_edges.hpp"
-#include "mesher/elements/refined.hpp"
+#include "mesher/elements/divided_cells.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::mesher {
@@ -111,11 +112,11 @@ Crystals crystals_between_walls(const Region& region, const PolygonRequest& requ
         LaguerreCells made = laguerre_cells_in_zones(walls, zones, zone_of, scaled, random, progress);
 
         if (!(made.largest_error < 1)) continue;
-        std::size_t n_removed = remove_short_edges(made.cells, walls.hull.size()).n_removed;
+        std::size_t n_removed = remove_short_edges(made.cells, walls.hull.size(), very_short_edge).n_removed;
         std::optional<CutCells> cut = cut_cells(made.cells, made.seeds, wanted, walls);
 
         if (!cut || cut->cells.size() != request.n) continue;
-        n_removed += remove_short_edges(cut->cells, cut->n_fixed).n_removed;
+        n_removed += remove_short_edges(cut->cells, cut->n_fixed, very_short_edge).n_removed;
         const double error = restore_areas_in_steps(cut->cells, cut->n_fixed, cut->areas);
 
         bool is_whole = true;
@@ -127,6 +128,29 @@ Crystals crystals_between_walls(const Region& region, const PolygonRequest& requ
     }
     if (best.cells.size() == request.n) return best;
     throw UsageError("--grains: holes and flaws leave no room for polygons of this size; give smaller ones");
+}
+
+/// Removes short edges and restores areas. Where that cannot be done, fewer edges count as short; the very short ones are always
+/// removed.
+void merge_short_edges(Crystals& made, PolygonStatistics& statistics) {
+    for (const double short_below : {short_edge, 0.5 * (short_edge + very_short_edge), very_short_edge}) {
+        PlaneCells cells = made.cells;
+        double error = made.largest_error;
+        std::size_t n_removed = 0;
+        ShortEdges edges;
+        for (int round = 0; round < most_rounds; ++round) {
+            edges = remove_short_edges(cells, made.n_fixed, short_below);
+            n_removed += edges.n_removed;
+            if (edges.n_removed == 0) break;
+            error = restore_areas(cells, made.n_fixed, made.areas);
+        }
+        if (error > std::max(enough, made.largest_error) && short_below > very_short_edge) continue;
+        made.cells = std::move(cells);
+        statistics.largest_area_error = error;
+        statistics.n_short_edges += n_removed;
+        statistics.n_edges_left = edges.n_left;
+        return;
+    }
 }
 
 }  // namespace
@@ -141,13 +165,8 @@ PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, co
     PolygonStatistics statistics;
     statistics.largest_area_error = made.largest_error;
     statistics.n_short_edges = made.n_short_edges;
-    for (int round = 0; round < most_rounds; ++round) {
-        const ShortEdges edges = remove_short_edges(made.cells, made.n_fixed);
-        statistics.n_short_edges += edges.n_removed;
-        statistics.n_edges_left = edges.n_left;
-        if (edges.n_removed == 0) break;
-        statistics.largest_area_error = restore_areas(made.cells, made.n_fixed, made.areas);
-    }
+    merge_short_edges(made, statistics);
+    statistics.largest_area_error = relax_corners(made.cells, made.n_fixed, made.areas);
     const std::vector<double> areas = areas_of(made.cells);
     statistics.n_crystals = areas.size();
     for (const double area : areas) statistics.mean_diameter += std::sqrt(4 * area / std::numbers::pi);
@@ -157,7 +176,7 @@ PolygonMesh polygon_mesh(const Region& region, const PolygonRequest& request, co
         for (Point& p : made.cells.points) p = Stretch(request.elongation).elongated(p);
         statistics.elongation = elongation_of(made.cells);
     }
-    return {refined_mesh(made.cells, request.bodies, request.element_size), made.loading_arc, statistics};
+    return {divided_cells(made.cells, request.bodies, request.element_size), made.loading_arc, statistics};
 }
 
 }  // namespace graincrack::mesher

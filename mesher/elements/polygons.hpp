@@ -45,8 +45,8 @@ struct PolygonMesh {
 double equilateral_edge(const Region& region, double n_polygons);
 
 /// Makes the polygons of a region: cells of wanted areas, without short edges, divided into elements. What the removal of short
-/// edges does to areas is undone by small moves of the cells' points. Elongated cells are made in the plane in which they are
-/// equiaxed.
+/// edges does to areas is undone by small moves of the cells' points, which then move to where elements are better. Elongated
+/// cells are made in the plane in which they are equiaxed.
 ///
 /// \param region whose prescribed edges fit (`fitted_edges`): they become sides of crystals
 /// \throws UsageError if walls leave no room; Interrupted on a signal

@@ -118,9 +118,11 @@ TEST(LaguerreCells, LoseTheirShortEdges) {
             double total = 0;
             for (const double area : areas) total += area;
             EXPECT_NEAR(total / area(region), 1, 1e-9);
-            EXPECT_NEAR(diameter_variation(areas), spread, 0.005 * spread + 0.0005);
+            // Before areas are restored: edges up to 0.3 of the root of the smaller area are removed, which moves their ends by
+            // half of that, and may take the more from a cell.
+            EXPECT_NEAR(diameter_variation(areas), spread, 0.005 * spread + 0.006);
             for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-                EXPECT_GT(areas[cell], 0.7 * m.wanted[cell]);
+                EXPECT_GT(areas[cell], 0.5 * m.wanted[cell]);
                 const auto loop = cells.loop(cell);
                 ASSERT_GE(loop.size(), 3U);
             }

@@ -44,7 +44,7 @@ TEST(ShortEdges, EndsMeetInTheMiddle) {
     EXPECT_EQ(cells.points.back(), (Point{0, 0}));
     for (std::size_t cell = 0; cell < 4; ++cell) EXPECT_EQ(cells.loop(cell).size(), 4U);
     EXPECT_EQ(areas_of(cells), (std::vector<double>{1, 1, 1, 1}));
-    PlaneCells long_enough = square(0.13);
+    PlaneCells long_enough = square(0.34);
     EXPECT_EQ(remove_short_edges(long_enough, 4).n_removed, 0U);
 }
 

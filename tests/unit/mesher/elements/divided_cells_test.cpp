@@ -1,4 +1,4 @@
-#include "mesher/elements/refined.hpp"
+#include "mesher/elements/divided_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ PlaneCells halves() {
     return cells;
 }
 
-TEST(RefinedMesh, SidesAreSharedAndFollowTheBoundary) {
-    const PlaneMesh mesh = refined_mesh(halves(), Bodies::cells, 0.3);
+TEST(DividedCells, SidesAreSharedAndFollowTheBoundary) {
+    const PlaneMesh mesh = divided_cells(halves(), Bodies::cells, 0.3);
     EXPECT_EQ(mesh.n_bodies(), 2U);
     EXPECT_NEAR(mesh.area_of_body[0], 2, 1e-12);
     EXPECT_NEAR(mesh.area_of_body[1], 2, 1e-12);
@@ -43,9 +43,9 @@ TEST(RefinedMesh, SidesAreSharedAndFollowTheBoundary) {
     for (const double each : length_of_part) EXPECT_NEAR(each, 2, 1e-12);
 }
 
-TEST(RefinedMesh, TrianglesCanBeBodies) {
-    const PlaneMesh whole = refined_mesh(halves(), Bodies::cells, 0.3);
-    const PlaneMesh broken = refined_mesh(halves(), Bodies::triangles, 0.3);
+TEST(DividedCells, TrianglesCanBeBodies) {
+    const PlaneMesh whole = divided_cells(halves(), Bodies::cells, 0.3);
+    const PlaneMesh broken = divided_cells(halves(), Bodies::triangles, 0.3);
     EXPECT_EQ(broken.triangles, whole.triangles);
     EXPECT_EQ(broken.n_bodies(), broken.triangles.size());
     EXPECT_EQ(broken.crystal_of_body, whole.body_of_triangle);

@@ -6,10 +6,10 @@
 
 namespace graincrack::mesher {
 
-/// Divides cells into triangles with sides of about `element_size` and angles above 20°, where corners of cells are not sharper
-/// (Delaunay refinement). Points that are added on a side belong to both of its cells.
+/// Divides cells into triangles with sides of about `element_size`. Each edge of the cells is divided evenly, into pieces that
+/// both of its cells have, and each cell is divided between its pieces (`divided_polygon`).
 /// \param bodies whether each cell is a body, or each triangle
 /// \throws UsageError if more than ten million points are needed
-PlaneMesh refined_mesh(const PlaneCells& cells, Bodies bodies, double element_size);
+PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_size);
 
 }  // namespace graincrack::mesher

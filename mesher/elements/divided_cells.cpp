@@ -1,0 +1,150 @@
+#include "mesher/elements/divided_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesher/elements/divided_polygon.hpp"
+#include "share/base/error.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double most_points = 10e6;
+
+/// The points between the ends of each edge of cells.
+class DividedEdges {
+public:
+    DividedEdges(const PlaneCells& cells, double size) : cells_(cells), first_{static_cast<int>(cells.points.size())} {
+        double n_points = static_cast<double>(cells.points.size());
+        for (const Edge& e : cells.edges) n_points += std::floor(length_of(e) / size + 0.5);
+        check_points(n_points);
+        for (const Edge& e : cells.edges) {
+            const int n_pieces = std::max(1, static_cast<int>(std::lround(length_of(e) / size)));
+            first_.push_back(first_.back() + n_pieces - 1);
+        }
+    }
+
+    static void check_points(double n) {
+        if (!(n <= most_points)) {
+            throw UsageError("more than " + std::to_string(static_cast<int>(most_points)) + " points are needed");
+        }
+    }
+
+    /// Points of cells, and between the ends of their edges.
+    [[nodiscard]] std::vector<Point> points() const {
+        std::vector<Point> points = cells_.points;
+        points.reserve(static_cast<std::size_t>(first_.back()));
+        for (std::size_t i = 0; i < cells_.edges.size(); ++i) {
+            const Point from = points[static_cast<std::size_t>(cells_.edges[i][0])];
+            const Point along = points[static_cast<std::size_t>(cells_.edges[i][1])] - from;
+            const int n_pieces = first_[i + 1] - first_[i] + 1;
+            for (int k = 1; k < n_pieces; ++k) points.push_back(from + (static_cast<double>(k) / n_pieces) * along);
+        }
+        return points;
+    }
+
+    /// Adds the start of an edge and the points between its ends, in the direction from `from` to `to`.
+    void append(int from, int to, std::vector<int>& loop) const {
+        const Edge edge = edge_between(from, to);
+        const auto found = std::lower_bound(cells_.edges.begin(), cells_.edges.end(), edge);
+        if (found == cells_.edges.end() || *found != edge) {
+            throw Error(ExitCode::internal, "a side of the boundary is no edge of a cell");
+        }
+        const auto i = static_cast<std::size_t>(found - cells_.edges.begin());
+        loop.push_back(from);
+        const int n = first_[i + 1] - first_[i];
+        for (int k = 0; k < n; ++k) loop.push_back(from < to ? first_[i] + k : first_[i + 1] - 1 - k);
+    }
+
+private:
+    [[nodiscard]] double length_of(const Edge& e) const {
+        return length(cells_.points[static_cast<std::size_t>(e[1])] - cells_.points[static_cast<std::size_t>(e[0])]);
+    }
+
+    const PlaneCells& cells_;
+    std::vector<int> first_;  ///< [edges + 1] number of the first point between the ends of each
+};
+
+/// Sides in the pieces of their edges.
+std::vector<Side> pieces_of(const std::vector<Side>& sides, const DividedEdges& edges) {
+    std::vector<Side> pieces;
+    std::vector<int> line;
+    for (const Side& side : sides) {
+        line.clear();
+        edges.append(side.from, side.to, line);
+        line.push_back(side.to);
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) pieces.push_back({line[i], line[i + 1], side.part, side.kind});
+    }
+    return pieces;
+}
+
+/// Adds a triangle to the last body, or as a body of its own.
+class BodyMaker {
+public:
+    BodyMaker(PlaneMesh& mesh, Bodies bodies) : mesh_(mesh), bodies_(bodies) {}
+
+    void add(Triangle triangle, int cell) {
+        // Corners start at the point of lowest index, so that the file does not depend on how a triangle is stored.
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+        if (bodies_ == Bodies::triangles || mesh_.n_bodies() == 0 || mesh_.crystal_of_body.back() != cell) {
+            if (mesh_.n_bodies() > 0) mesh_.body_start.push_back(static_cast<int>(mesh_.body_points.size()));
+            mesh_.crystal_of_body.push_back(cell);
+            mesh_.area_of_body.push_back(0);
+        }
+        const int body = static_cast<int>(mesh_.n_bodies()) - 1;
+        body_with_.resize(mesh_.points.size(), -1);
+        for (const int p : triangle) {
+            if (std::exchange(body_with_[static_cast<std::size_t>(p)], body) != body) mesh_.body_points.push_back(p);
+        }
+        const auto at = [&](std::size_t k) { return mesh_.points[static_cast<std::size_t>(triangle[k])]; };
+        mesh_.area_of_body.back() += signed_area(at(0), at(1), at(2));
+        mesh_.triangles.push_back(triangle);
+        mesh_.body_of_triangle.push_back(body);
+    }
+
+    void finish() { mesh_.body_start.push_back(static_cast<int>(mesh_.body_points.size())); }
+
+private:
+    PlaneMesh& mesh_;
+    Bodies bodies_;
+    std::vector<int> body_with_;  ///< the last body that has a point
+};
+
+}  // namespace
+
+PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_size) {
+    const DividedEdges edges(cells, element_size);
+    PlaneMesh mesh;
+    mesh.points = edges.points();
+    BodyMaker maker(mesh, bodies);
+    std::vector<int> loop;
+    std::vector<Point> boundary;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        loop.clear();
+        boundary.clear();
+        const auto corners = cells.loop(cell);
+        for (std::size_t i = 0; i < corners.size(); ++i) edges.append(corners[i], corners[(i + 1) % corners.size()], loop);
+        for (const int p : loop) boundary.push_back(mesh.points[static_cast<std::size_t>(p)]);
+        const DividedPolygon divided = divided_polygon(boundary, element_size);
+        for (const Point p : divided.inner) {
+            loop.push_back(static_cast<int>(mesh.points.size()));
+            mesh.points.push_back(p);
+        }
+        DividedEdges::check_points(static_cast<double>(mesh.points.size()));
+        for (const Triangle& t : divided.triangles) {
+            maker.add({loop[static_cast<std::size_t>(t[0])], loop[static_cast<std::size_t>(t[1])],
+                       loop[static_cast<std::size_t>(t[2])]},
+                      static_cast<int>(cell));
+        }
+    }
+    maker.finish();
+    mesh.sides = pieces_of(cells.sides, edges);
+    return mesh;
+}
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,22 @@
+// A polygon divided into triangles between its points.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesher/plane/geometry.hpp"
+#include "mesher/plane/triangulation.hpp"
+
+namespace graincrack::mesher {
+
+struct DividedPolygon {
+    std::vector<Point> inner;         ///< points that were added inside
+    std::vector<Triangle> triangles;  ///< of the points of the boundary, then the inner ones; counter-clockwise
+};
+
+/// Divides a polygon into triangles whose sides are about of a size. No point is added on its boundary. Points inside are placed
+/// (`placed_points`), and moved so that the triangles allow time steps as long as can be.
+/// \param boundary corners counter-clockwise, with points on the sides; not necessarily convex
+DividedPolygon divided_polygon(std::span<const Point> boundary, double size);
+
+}  // namespace graincrack::mesher
