@@ -72,10 +72,11 @@ private:
 
     /// A place lies anywhere in its square of the grid, so that elements have no preferred direction.
     [[nodiscard]] Point at(std::size_t index) const {
-        const auto row = static_cast<double>(index / static_cast<std::size_t>(columns_));
-        const auto column = static_cast<double>(index % static_cast<std::size_t>(columns_));
+        const std::size_t row = index / static_cast<std::size_t>(columns_);
+        const std::size_t column = index % static_cast<std::size_t>(columns_);
         const std::uint32_t bits = scattered(index);
-        return low_ + spacing_ * Point{column + (bits & 0xffffU) / 65536.0, row + (bits >> 16U) / 65536.0};
+        return low_ + spacing_ * Point{static_cast<double>(column) + (bits & 0xffffU) / 65536.0,
+                                       static_cast<double>(row) + (bits >> 16U) / 65536.0};
     }
 
     /// Of places that a point may take by their distance; below 0 of others.

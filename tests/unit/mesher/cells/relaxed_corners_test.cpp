@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/cells/cell_areas.hpp"
+#include "mesher/cells/convex_outline.hpp"
 #include "mesher/cells/laguerre.hpp"
 #include "mesher/cells/polygon.hpp"
 #include "mesher/cells/restored_areas.hpp"

@@ -46,6 +46,9 @@ TEST(ShortEdges, EndsMeetInTheMiddle) {
     EXPECT_EQ(areas_of(cells), (std::vector<double>{1, 1, 1, 1}));
     PlaneCells long_enough = square(0.34);
     EXPECT_EQ(remove_short_edges(long_enough, 4).n_removed, 0U);
+    PlaneCells between = square(0.2);
+    EXPECT_EQ(remove_short_edges(between, 4, very_short_edge).n_removed, 0U);
+    EXPECT_EQ(remove_short_edges(between, 4).n_removed, 1U);
 }
 
 TEST(ShortEdges, FixedPointsStay) {
