@@ -32,8 +32,9 @@ struct Chain {
 
 class CellCutter {
 public:
-    CellCutter(const PlaneCells& cells, std::span<const Point> seeds, const std::vector<double>& areas, const Walls& walls)
-        : walls_(walls), seeds_(seeds), wanted_(areas), points_(cells.points), sides_(walls.sides) {
+    CellCutter(const PlaneCells& cells, std::span<const Point> seeds, const std::vector<double>& areas, const Walls& walls,
+               const SizeField& size)
+        : walls_(walls), graded_(size), seeds_(seeds), wanted_(areas), points_(cells.points), sides_(walls.sides) {
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
             const auto loop = cells.loop(cell);
             add_cell({loop.begin(), loop.end()}, cell);
@@ -52,7 +53,7 @@ public:
             mark(side.from, side.to, static_cast<int>(sides_.size()));
             sides_.push_back(side);
         }
-        size_ = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size()));
+        mean_size_ = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size()));
     }
 
     bool cut() {
@@ -106,6 +107,9 @@ private:
         return result;
     }
     [[nodiscard]] double area(std::size_t cell) const { return area_of(corners(loops_[cell])); }
+    /// The root of the mean area of cells at a place.
+    [[nodiscard]] double size_at(Point p) const { return mean_size_ * graded_.graded(p); }
+    [[nodiscard]] double square_of_size(Point p) const { return graded_.graded(p) * graded_.graded(p); }
 
     /// The chains of walls: loops first, then prescribed edges, each continued by the straightest.
     [[nodiscard]] std::vector<Chain> chains_of_walls() const {
@@ -241,7 +245,7 @@ private:
             // A point that can slide along a wall is taken there.
             for (const int p : nearest) {
                 const bool slides = is_fixed_[index(p)] == 0 && mark_of(nearest[0], nearest[1]) >= 0;
-                if (!slides || length(at(p) - end) > reach_of_corners * size_ || !try_move(p, end)) continue;
+                if (!slides || length(at(p) - end) > reach_of_corners * size_at(end) || !try_move(p, end)) continue;
                 is_fixed_[index(p)] = 1;
                 return std::nullopt;
             }
@@ -257,7 +261,7 @@ private:
         std::sort(by_distance.begin(), by_distance.end(),
                   [&](int p, int q) { return squared_length(at(p) - end) < squared_length(at(q) - end); });
         for (const int p : by_distance) {
-            if (!is_free(p) || length(at(p) - end) > reach_of_ends * size_ || !try_move(p, end)) continue;
+            if (!is_free(p) || length(at(p) - end) > reach_of_ends * size_at(end) || !try_move(p, end)) continue;
             is_fixed_[index(p)] = 1;
             return std::nullopt;
         }
@@ -280,7 +284,7 @@ private:
         if (crossed[0] < 0) return std::nullopt;
         const Point beyond = end + (least / squared_length(along)) * along;
         for (const int p : crossed) {
-            if (length(at(p) - beyond) < reach_of_corners * size_) return at(p);
+            if (length(at(p) - beyond) < reach_of_corners * size_at(beyond)) return at(p);
         }
         const int added = add_point(beyond);
         split_edge(crossed[0], crossed[1], added);
@@ -331,8 +335,8 @@ private:
                 std::vector<std::pair<double, int>> near;
                 for (std::size_t p = 0; p < points_.size(); ++p) {
                     const double distance = length(points_[p] - corner);
-                    if (distance < reach_of_corners * size_ && is_free(static_cast<int>(p)) && !cells_of_point_[p].empty() &&
-                        place.count(static_cast<int>(p)) == 0) {
+                    if (distance < reach_of_corners * size_at(corner) && is_free(static_cast<int>(p)) &&
+                        !cells_of_point_[p].empty() && place.count(static_cast<int>(p)) == 0) {
                         near.emplace_back(distance, static_cast<int>(p));
                     }
                 }
@@ -365,7 +369,7 @@ private:
             const double share = where - static_cast<double>(k);
             if (least > tolerance_) {
                 // Beside an end or a corner it is left where it is.
-                if (least > reach_of_lines * size_ || !is_free(point) || share <= 0.01 || share >= 0.99 ||
+                if (least > reach_of_lines * size_at(points_[p]) || !is_free(point) || share <= 0.01 || share >= 0.99 ||
                     !try_move(point, chain.points[k] + share * (chain.points[k + 1] - chain.points[k]))) {
                     continue;
                 }
@@ -644,13 +648,18 @@ private:
                 if (joined == pieces.end()) return false;
                 pieces.erase(joined);
             }
-            // The largest area goes to the largest cell.
+            // The largest area goes to the largest cell, over the squares of their graded sizes.
             std::vector<double> wanted;
-            for (const std::size_t seed : seeds) wanted.push_back(wanted_[seed]);
+            for (const std::size_t seed : seeds) wanted.push_back(wanted_[seed] / square_of_size(seeds_[seed]));
             std::sort(wanted.begin(), wanted.end());
-            std::sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return area(a) < area(b); });
+            const auto square_at = [&](std::size_t piece) { return square_of_size(moments(corners(loops_[piece])).centroid); };
+            std::sort(pieces.begin(), pieces.end(),
+                      [&](std::size_t a, std::size_t b) { return area(a) / square_at(a) < area(b) / square_at(b); });
             double present = 0;
-            for (const std::size_t piece : pieces) present += area(piece);
+            for (std::size_t i = 0; i < pieces.size(); ++i) {
+                present += area(pieces[i]);
+                wanted[i] *= square_at(pieces[i]);
+            }
             const double scale = present / std::accumulate(wanted.begin(), wanted.end(), 0.0);
             for (std::size_t i = 0; i < pieces.size(); ++i) areas_[pieces[i]] = scale * wanted[i];
         }
@@ -728,6 +737,7 @@ private:
     }
 
     const Walls& walls_;
+    const SizeField& graded_;
     std::span<const Point> seeds_;
     const std::vector<double>& wanted_;
     std::vector<Point> points_;
@@ -741,15 +751,15 @@ private:
     std::vector<char> is_fixed_;
     std::vector<char> is_on_wall_;
     std::map<Edge, int> marks_;  ///< edges along walls, with the number of the side, and extensions
-    double size_ = 0;
+    double mean_size_ = 0;
     double tolerance_ = 0;
 };
 
 }  // namespace
 
 std::optional<CutCells> cut_cells(const PlaneCells& cells, std::span<const Point> seeds, const std::vector<double>& areas,
-                                  const Walls& walls) {
-    CellCutter cutter(cells, seeds, areas, walls);
+                                  const Walls& walls, const SizeField& size) {
+    CellCutter cutter(cells, seeds, areas, walls, size);
     if (!cutter.cut()) return std::nullopt;
     return cutter.joined();
 }

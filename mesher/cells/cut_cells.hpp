@@ -21,8 +21,9 @@ struct CutCells {
 /// through along its line, unless a point of it is near enough to be moved to the end. Of the pieces those that are the smallest
 /// shares of their cells join the neighbour with the longest common side, until there are as many as seeds.
 /// \param cells of the hull of the walls \param seeds of the cells \param areas wanted of the cells, m²
+/// \param size graded, by which areas are wanted at other places
 /// \return nothing if the cells have no room between walls
 std::optional<CutCells> cut_cells(const PlaneCells& cells, std::span<const Point> seeds, const std::vector<double>& areas,
-                                  const Walls& walls);
+                                  const Walls& walls, const SizeField& size = {});
 
 }  // namespace graincrack::mesher

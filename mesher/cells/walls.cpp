@@ -17,6 +17,11 @@ namespace {
 
 constexpr double on_one_line = 1e-9;  ///< sine of the angle below which two sides are one
 
+// Of triangles over which sizes are integrated:
+constexpr double even_sizes = 0.1;  ///< change of the size in one that is not divided further
+constexpr int fewest_divisions = 3;
+constexpr int most_divisions = 9;
+
 /// Points on a rim that flaws may move: whose polygon then has its middle in the disc's to 0.1 % of the diameter.
 constexpr double fewest_on_rim = 48;
 
@@ -29,6 +34,26 @@ ConvexOutline box_around(const std::vector<Point>& points, double margin) {
     const Point low = box.low - Point{margin, margin};
     const Point high = box.high + Point{margin, margin};
     return {{low, {high.x, low.y}, high, {low.x, high.y}}, {0, 0, 0, 0}, 0};
+}
+
+/// Integral of one over the square of the graded size over a triangle, which is divided until the size hardly changes in it.
+double graded_integral(Point a, Point b, Point c, const SizeField& size, int depth) {
+    const Point ab = midpoint(a, b);
+    const Point bc = midpoint(b, c);
+    const Point ca = midpoint(c, a);
+    double sum = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = 0;
+    for (const Point p : {ab, bc, ca}) {
+        const double g = size.graded(p);
+        least = std::min(least, g);
+        greatest = std::max(greatest, g);
+        sum += 1 / (3 * g * g);
+    }
+    const bool is_even = greatest < (1 + even_sizes) * least && depth >= fewest_divisions;
+    if (is_even || depth == most_divisions) return sum * signed_area(a, b, c);
+    return graded_integral(a, ab, ca, size, depth + 1) + graded_integral(ab, b, bc, size, depth + 1) +
+           graded_integral(ca, bc, c, size, depth + 1) + graded_integral(ab, bc, ca, size, depth + 1);
 }
 
 /// Whether two segments have an inner point of both in common.
@@ -53,15 +78,15 @@ bool Walls::contains(Point p) const {
     return inside;
 }
 
-Walls walls_of(const Region& region, double edge, const Stretch& stretch) {
+Walls walls_of(const Region& region, double edge, const Stretch& stretch, const SizeField& size) {
     const Region plain{region.name, {region.loops.front()}, {}, region.part_names, region.flats};
     Walls walls;
     walls.is_convex = is_plain(plain);
     RandomNumbers random(0);  // of which equal distances need none
-    double wanted = outline_count(region, edge);
+    double wanted = outline_count(region, edge, size);
     if (is_round(region)) wanted = std::max(wanted, fewest_on_rim * perimeter(region) / perimeter(plain));
     const int n = admissible_boundary_count(region, wanted, false);
-    const Seeds seeds = fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random);
+    const Seeds seeds = fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random, size);
     walls.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;
     std::vector<char> is_end(seeds.points.size(), 0);
     for (const Side& side : seeds.sides) {
@@ -167,6 +192,15 @@ Zones::Zones(const Walls& walls) : walls_(walls) {
         const Face& some = faces_.back();
         is_inside_.push_back(walls.contains((1.0 / 3) * (some.corners[0] + some.corners[1] + some.corners[2])) ? 1 : 0);
     }
+}
+
+double Zones::graded_area(std::size_t zone, const SizeField& size) const {
+    if (!size.varies()) return areas_[zone];
+    double sum = 0;
+    for (const Face& face : faces_) {
+        if (face.zone == zone) sum += graded_integral(face.corners[0], face.corners[1], face.corners[2], size, 0);
+    }
+    return sum;
 }
 
 Point Zones::random_point(std::size_t zone, RandomNumbers& random) const {

@@ -9,6 +9,7 @@
 #include "mesher/plane/random_numbers.hpp"
 #include "mesher/plane/stretch.hpp"
 #include "mesher/seeds/seeds.hpp"
+#include "mesher/seeds/size_field.hpp"
 
 namespace graincrack::mesher {
 
@@ -27,7 +28,8 @@ struct Walls {
 
 /// \param edge distance of points on round sides, m
 /// \param stretch of elongated cells: walls are those of the plane in which they are equiaxed
-Walls walls_of(const Region& region, double edge, const Stretch& stretch = {});
+/// \param size over `edge`, if that varies
+Walls walls_of(const Region& region, double edge, const Stretch& stretch = {}, const SizeField& size = {});
 
 /// Parts of the hull that walls separate from one another.
 class Zones {
@@ -36,6 +38,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return areas_.size(); }
     [[nodiscard]] double area(std::size_t zone) const { return areas_[zone]; }
+    /// Integral of one over the square of the graded size: the cells of a zone are a share of all by it, m².
+    [[nodiscard]] double graded_area(std::size_t zone, const SizeField& size) const;
     [[nodiscard]] bool is_inside(std::size_t zone) const { return is_inside_[zone] != 0; }
     [[nodiscard]] Point random_point(std::size_t zone, RandomNumbers& random) const;
     /// A seed moved towards a place within its zone, and away from walls that are nearer than a distance.

@@ -96,9 +96,11 @@ std::vector<std::size_t> order_by_cell(const RefinedMesh& refined, std::size_t n
 
 }  // namespace
 
-PlaneMesh refined_mesh(const PlaneCells& cells, Bodies bodies, double element_size) {
+PlaneMesh refined_mesh(const PlaneCells& cells, Bodies bodies, double element_size,
+                       const std::function<double(Point)>& relative_size) {
     Refinement refinement;
     refinement.side = element_size;
+    refinement.relative_side = relative_size;
     RefinedMesh refined = refined_triangles(cells.points, borders_of(cells), refinement);
 
     PlaneMesh mesh;

@@ -1,15 +1,18 @@
 // Polygonal cells divided into triangles of a given size.
 #pragma once
 
+#include <functional>
+
 #include "mesher/cells/plane_cells.hpp"
 #include "mesher/elements/plane_mesh.hpp"
 
 namespace graincrack::mesher {
 
-/// Divides cells into triangles with sides of about `element_size` and angles above 20°, where corners of cells are not sharper
-/// (Delaunay refinement). Points that are added on a side belong to both of its cells.
+/// Divides cells into triangles with sides of about `element_size` (times `relative_size` there, if given) and angles above 20°,
+/// where corners of cells are not sharper (Delaunay refinement). Points that are added on a side belong to both of its cells.
 /// \param bodies whether each cell is a body, or each triangle
 /// \throws UsageError if more than ten million points are needed
-PlaneMesh refined_mesh(const PlaneCells& cells, Bodies bodies, double element_size);
+PlaneMesh refined_mesh(const PlaneCells& cells, Bodies bodies, double element_size,
+                       const std::function<double(Point)>& relative_size = {});
 
 }  // namespace graincrack::mesher

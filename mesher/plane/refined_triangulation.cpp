@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -30,10 +31,43 @@ using MeshVertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL
 using MeshFace = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_face_base_2<Kernel>>;
 using MeshTriangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<MeshVertex, MeshFace>>;
-using Criteria = CGAL::Delaunay_mesh_size_criteria_2<MeshTriangulation>;
-using Mesher = CGAL::Delaunay_mesher_2<MeshTriangulation, Criteria>;
+using SizeCriteria = CGAL::Delaunay_mesh_size_criteria_2<MeshTriangulation>;
 using MeshVertexHandle = MeshTriangulation::Vertex_handle;
 using MeshFaceHandle = MeshTriangulation::Face_handle;
+
+Point centroid(MeshFaceHandle face) {
+    Point sum;
+    for (int i = 0; i < 3; ++i) sum = sum + Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()};
+    return (1.0 / 3) * sum;
+}
+
+/// CGAL's criteria of angles and sides, with a longest side that depends on the place.
+class FaceCriteria {
+public:
+    FaceCriteria(double squared_sine, double longest, std::function<double(Point)> relative_side)
+        : squared_sine_(squared_sine), longest_(longest), relative_side_(std::move(relative_side)) {}
+
+    CGAL::Mesh_2::Face_badness operator()(const SizeCriteria::Quality& quality) const { return with(1)(quality); }
+    CGAL::Mesh_2::Face_badness operator()(const MeshFaceHandle& face, SizeCriteria::Quality& quality) const {
+        return with(relative_side_ ? relative_side_(centroid(face)) : 1)(face, quality);
+    }
+
+private:
+    [[nodiscard]] SizeCriteria::Is_bad with(double relative_side) const {
+        return {squared_sine_, relative_side * longest_, Kernel()};
+    }
+
+    double squared_sine_;
+    double longest_;
+    std::function<double(Point)> relative_side_;
+};
+struct Criteria {
+    using Quality = SizeCriteria::Quality;
+    using Is_bad = FaceCriteria;  // NOLINT(readability-identifier-naming): as CGAL calls it
+    FaceCriteria faces;
+    [[nodiscard]] FaceCriteria is_bad_object() const { return faces; }
+};
+using Mesher = CGAL::Delaunay_mesher_2<MeshTriangulation, Criteria>;
 
 constexpr int outside = -1;
 constexpr int unknown = -2;
@@ -103,12 +137,6 @@ std::vector<std::pair<MeshFaceHandle, int>> sides(const MeshTriangulation& trian
     return known;
 }
 
-Point centroid(MeshFaceHandle face) {
-    Point sum;
-    for (int i = 0; i < 3; ++i) sum = sum + Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()};
-    return (1.0 / 3) * sum;
-}
-
 double area(MeshFaceHandle face) {
     const auto at = [&](int i) { return Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()}; };
     return signed_area(at(0), at(1), at(2));
@@ -142,7 +170,7 @@ std::vector<std::pair<Point, int>> places_inside(const MeshTriangulation& triang
 
 void refine(MeshTriangulation& triangulation, const Refinement& refinement) {
     const double sine = std::sin(refinement.smallest_angle * std::numbers::pi / 180);
-    Mesher mesher(triangulation, Criteria(sine * sine, longest_side * refinement.side));
+    Mesher mesher(triangulation, Criteria{{sine * sine, longest_side * refinement.side, refinement.relative_side}});
     // Which faces are to be refined is known: those that have a region.
     for (const auto face : triangulation.all_face_handles()) face->set_in_domain(face->info() >= 0);
     mesher.init(true);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Refinement {
     /// Triangles with an angle below it are divided, degrees, where the borders do not force one; up to 20.7 it always ends.
     double smallest_angle = 20;
     std::size_t most_points = 10'000'000;
+    std::function<double(Point)> relative_side = {};  ///< over it at places; none: the same everywhere
 };
 
 /// Triangles, counter-clockwise, each of one region. The first points are those that were given.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -35,6 +36,23 @@ TEST(RefinedTriangles, FillRegionsWithinBounds) {
     }
     EXPECT_NEAR(area[0], 96, 1e-12);
     EXPECT_NEAR(area[1], 4, 1e-12);
+}
+
+TEST(RefinedTriangles, HaveSidesByPlace) {
+    Refinement refinement{0.5};
+    refinement.relative_side = [](Point p) { return p.x < 3 ? 1.0 : 3.0; };
+    const RefinedMesh mesh = refined_triangles(square, borders, refinement);
+    double coarse = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(t[k % 3])]; };
+        const double x = (at(0).x + at(1).x + at(2).x) / 3;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double side = length(at(k + 1) - at(k));
+            EXPECT_LE(side, x < 3 ? 0.75 : 2.25);
+            if (x > 7) coarse = std::max(coarse, side);
+        }
+    }
+    EXPECT_GT(coarse, 1.5);
 }
 
 TEST(RefinedTriangles, AreTheSameEachTime) {
