@@ -22,8 +22,9 @@ struct CutCells {
 /// shares of their cells join the neighbour with the longest common side, until there are as many as seeds.
 /// \param cells of the hull of the walls \param seeds of the cells \param areas wanted of the cells, m²
 /// \param size graded, by which areas are wanted at other places
-/// \return nothing if the cells have no room between walls
+/// \param no_room set to a place where cells have no room between walls, unless null
+/// \return nothing if there is one
 std::optional<CutCells> cut_cells(const PlaneCells& cells, std::span<const Point> seeds, const std::vector<double>& areas,
-                                  const Walls& walls, const SizeField& size = {});
+                                  const Walls& walls, const SizeField& size = {}, Point* no_room = nullptr);
 
 }  // namespace graincrack::mesher

@@ -140,6 +140,60 @@ Walls walls_of(const Region& region, double edge, const Stretch& stretch, const 
     return walls;
 }
 
+std::vector<WallChain> Walls::chains() const {
+    std::vector<WallChain> chains;
+    const std::size_t n = sides.size();
+    std::vector<char> is_used(n, 0);
+    std::size_t i = 0;
+    while (i < n && sides[i].part >= 0) {
+        const bool is_hull = is_convex && i == 0;
+        WallChain chain;
+        chain.is_closed = true;
+        const int first = sides[i].from;
+        do {
+            chain.points.push_back(at(sides[i].from));
+            chain.sides.push_back(static_cast<int>(i));
+        } while (sides[i++].to != first);
+        chain.points.push_back(chain.points.front());
+        if (!is_hull) chains.push_back(std::move(chain));
+    }
+    for (; i < n; ++i) {
+        if (is_used[i] != 0) continue;
+        is_used[i] = 1;
+        std::vector<int> numbers{sides[i].from, sides[i].to};
+        std::vector<int> numbers_of_sides{static_cast<int>(i)};
+        for (const bool forwards : {true, false}) {
+            while (true) {
+                const int end = forwards ? numbers.back() : numbers.front();
+                const Point before = at(forwards ? numbers[numbers.size() - 2] : numbers[1]);
+                const Point along = unit(at(end) - before);
+                double straightest = 0.5;
+                std::size_t next = n;
+                for (std::size_t k = 0; k < n; ++k) {
+                    const Side& side = sides[k];
+                    if (is_used[k] != 0 || side.part >= 0 || (side.from != end && side.to != end)) continue;
+                    const int far = side.from == end ? side.to : side.from;
+                    if (std::find(numbers.begin(), numbers.end(), far) != numbers.end()) continue;
+                    const double cosine = dot(along, unit(at(far) - at(end)));
+                    if (cosine <= straightest) continue;
+                    straightest = cosine;
+                    next = k;
+                }
+                if (next == n) break;
+                is_used[next] = 1;
+                const int far = sides[next].from == end ? sides[next].to : sides[next].from;
+                numbers.insert(forwards ? numbers.end() : numbers.begin(), far);
+                numbers_of_sides.insert(forwards ? numbers_of_sides.end() : numbers_of_sides.begin(), static_cast<int>(next));
+            }
+        }
+        WallChain chain;
+        for (const int p : numbers) chain.points.push_back(at(p));
+        chain.sides = std::move(numbers_of_sides);
+        chains.push_back(std::move(chain));
+    }
+    return chains;
+}
+
 Zones::Zones(const Walls& walls) : walls_(walls) {
     std::vector<Point> points = walls.points;
     std::vector<Edge> around;

@@ -13,6 +13,13 @@
 
 namespace graincrack::mesher {
 
+/// A line of walls without branches: points, and the side of the walls from each to the next.
+struct WallChain {
+    std::vector<Point> points;
+    std::vector<int> sides;
+    bool is_closed = false;
+};
+
 /// The loops of a region as polygons, its prescribed edges, and a convex outline around both.
 struct Walls {
     std::vector<Point> points;  ///< corners of loops; ends and meetings of prescribed edges
@@ -23,6 +30,8 @@ struct Walls {
 
     /// Whether a point is inside of the loops.
     [[nodiscard]] bool contains(Point p) const;
+    /// Loops other than the hull first, then prescribed edges, each continued by the straightest.
+    [[nodiscard]] std::vector<WallChain> chains() const;
     [[nodiscard]] Point at(int p) const { return points[static_cast<std::size_t>(p)]; }
 };
 

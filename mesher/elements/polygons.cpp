@@ -1,5 +1,7 @@
 #include "mesher/elements/polygons.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "mesher/cells/convex_outline.hpp"
@@ -19,6 +22,7 @@
 #include "mesher/cells/short_edges.hpp"
 #include "mesher/elements/refined.hpp"
 #include "share/base/error.hpp"
+#include "share/base/units.hpp"
 
 namespace graincrack::mesher {
 
@@ -93,6 +97,20 @@ void fill_zones(std::vector<double>& areas, std::vector<std::size_t>& zone_of, c
     for (std::size_t i = 0; i < areas.size(); ++i) areas[i] *= zones.area(zone_of[i]) / sum[zone_of[i]];
 }
 
+/// Refuses crystals that have no room, at a place if that is known: by the names of the flaws there.
+[[noreturn]] void refuse_without_room(const Region& region, double edge, const std::optional<Point>& place) {
+    std::vector<std::pair<double, std::string>> near;
+    for (const PrescribedEdge& e : region.edges) {
+        const double distance = place ? curves_of({region.name, {}, {e}}).front().distance(*place) : edge;
+        const bool is_new = std::none_of(near.begin(), near.end(), [&](const auto& other) { return other.second == e.name; });
+        if (distance < edge && !e.name.empty() && is_new) near.emplace_back(distance, e.name);
+    }
+    std::sort(near.begin(), near.end());
+    if (near.empty()) throw UsageError("--grains: holes and flaws leave no room for polygons of this size; give smaller ones");
+    throw UsageError(fmt::format("{}: leaves no room for polygons with an edge of {}{}; move it, or give smaller polygons",
+                                 near.front().second, format_length(edge), near.size() > 1 ? " beside " + near[1].second : ""));
+}
+
 Crystals crystals_between_walls(const Region& region, const PolygonRequest& request,
                                 const std::function<void(double)>& progress) {
     const Walls walls =
@@ -107,6 +125,7 @@ Crystals crystals_between_walls(const Region& region, const PolygonRequest& requ
     }
     Crystals best;
     best.largest_error = std::numeric_limits<double>::infinity();
+    std::optional<Point> no_room;
     for (int attempt = 0; attempt < most_attempts && best.largest_error > enough; ++attempt) {
         RandomNumbers random(request.seed, static_cast<std::uint64_t>(attempt));
         std::vector<double> wanted = wanted_areas(request.n, inside, request.spread, request.distribution, random);
@@ -122,21 +141,25 @@ Crystals crystals_between_walls(const Region& region, const PolygonRequest& requ
 
         if (!(made.largest_error < 1)) continue;
         std::size_t n_removed = remove_short_edges(made.cells, walls.hull.size()).n_removed;
-        std::optional<CutCells> cut = cut_cells(made.cells, made.seeds, wanted, walls, request.size);
+        std::optional<CutCells> cut = cut_cells(made.cells, made.seeds, wanted, walls, request.size, &no_room.emplace());
 
         if (!cut || cut->cells.size() != request.n) continue;
         n_removed += remove_short_edges(cut->cells, cut->n_fixed).n_removed;
         const double error = restore_areas_in_steps(cut->cells, cut->n_fixed, cut->areas);
 
         bool is_whole = true;
-        for (std::size_t cell = 0; cell < request.n; ++cell) is_whole = is_whole && is_sound(corners_of(cut->cells, cell));
+        for (std::size_t cell = 0; cell < request.n && is_whole; ++cell) {
+            is_whole = is_sound(corners_of(cut->cells, cell));
+            no_room = moments(corners_of(cut->cells, cell)).centroid;
+        }
 
         if (is_whole && error < best.largest_error) {
             best = {std::move(cut->cells), cut->n_fixed, std::move(cut->areas), error, walls.loading_arc, n_removed};
         }
     }
     if (best.cells.size() == request.n) return best;
-    throw UsageError("--grains: holes and flaws leave no room for polygons of this size; give smaller ones");
+    if (no_room) no_room = Stretch(request.elongation).elongated(*no_room);
+    refuse_without_room(region, equilateral_edge(region, static_cast<double>(request.n)), no_room);
 }
 
 /// Diameters of crystals, and how they follow the grading.
