@@ -297,6 +297,27 @@ TEST(Polygons, GradedOnesAreSharedBetweenTheSidesOfAJoint) {
     EXPECT_NEAR(crystals_where(s, [](Point p) { return p.y > 0; }).n, 100, 2);
 }
 
+// Four parts for three crystals.
+TEST(Polygons, NameTheFlawsThatLeaveNoRoom) {
+    Region region = rectangle(0.08, 0.16);
+    for (const double y : {-0.04, 0.0, 0.04}) {
+        const std::string name = "flaws.tsv: line " + std::to_string(3 + std::lround(y / 0.04));
+        region.edges.push_back({{-0.1, y}, {0.1, y}, {ContactKind::pre_existing_crack, "joint"}, name});
+    }
+    PolygonRequest request;
+    request.n = 3;
+    request.element_size = 0.01;
+    try {
+        (void)polygon_mesh(region, request);
+        ADD_FAILURE();
+    } catch (const UsageError& error) {
+        const std::string message = error.what();
+        EXPECT_EQ(message.rfind("flaws.tsv: line ", 0), 0U) << message;
+        EXPECT_NE(message.find("leaves no room"), std::string::npos) << message;
+        EXPECT_NE(message.find(" beside flaws.tsv: line "), std::string::npos) << message;
+    }
+}
+
 TEST(Polygons, SameSeedSameSpecimen) {
     for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
         SpecimenRequest request = polygons(disc(0.08), 100, tessellation);
