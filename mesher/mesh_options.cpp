@@ -254,8 +254,10 @@ void add_tessellation(OptionSet shape, SpecimenRequest& request) {
         {{"delaunay", Tessellation::delaunay}, {"voronoi", Tessellation::voronoi}, {"trigon", Tessellation::trigon}},
         "grains: triangles (delaunay), polygons of elements that do not break (voronoi), or polygons whose triangles are grains, "
         "so that they break (trigon)");
-    add_quantity(shape, "--element-size", request.element_size, quantity::element_size,
-                 "side of the triangles of polygons; default: 0.36 of --edge, which makes seven to eight of them a polygon")
+    add_quantity(
+        shape, "--element-size", request.element_size, quantity::element_size,
+        "side of the triangles of polygons, the same everywhere; default: 0.36 of --edge, which makes seven to eight of them a "
+        "polygon, and graded as polygons are with --grade")
         .excludes(add_quantity(shape, "--elements-per-crystal", request.elements_per_crystal, quantity::elements_per_crystal,
                                "mean number of elements of a polygon instead of --element-size; the corners of polygons ask for "
                                "three to four at least"));
@@ -278,19 +280,20 @@ void add_grain_options(OptionSet shape, KindOptions& kind, SpecimenRequest& requ
     Option grains = add_integer<std::int64_t>(shape, "--grains", request.grains,
                                               "exact number of grains, or of polygons, instead of --edge", 1);
     Option grain_size = add_quantity(shape, "--grain-size", kind.grain_size, quantity::grain_size,
-                                     "mean equal-area diameter of grains or polygons, instead of --edge");
+                                     "mean equal-area diameter of grains or polygons, instead of --edge; with --grade as many as "
+                                     "without it");
     edge.excludes(grains).excludes(grain_size);
     grains.excludes(grain_size);
     add_quantity(shape, "--spread", request.spread, spread_of_grains,
                  "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
                  "about 0.1 are reached only as far as a mesh without a preferred direction allows; of polygons that of their "
-                 "equal-area diameters, at most 0.6",
+                 "equal-area diameters over their graded size, at most 0.6",
                  "0.1");
     add_value(
         shape, "--grade", [&request](const std::string& text) { request.grading = parse_grading(text, "--grade"); },
-        "sizes that are graded, around the same mean edge or number of grains: along=y,from=0.5,to=2 (relative edges at the "
-        "lower "
-        "and the upper end; along=x too) or towards=flaws,from=0.4,distance=10mm (relative edge at slits, straight notches, "
+        "sizes that are graded, around the same mean edge (of polygons mean area) or number of grains: along=y,from=0.5,to=2 "
+        "(relative edges at the lower and the upper end; along=x too) or towards=flaws,from=0.4,distance=10mm (relative edge at "
+        "slits, straight notches, "
         "flaws "
         "and joints, growing to 1 at the distance; towards=boundary and towards=holes too)",
         "KEY=VALUE,...", "");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -49,14 +50,15 @@ std::string strength_line(const Specimen& specimen, const StrengthRequest& reque
                        request.correlation ? "correlated over " + format_length(*request.correlation) : "uncorrelated");
 }
 
-/// Mean edges at both ends of a grading; of elongated grains before they are elongated.
-std::string grading_line(const Grading& grading, const SizeStatistics& sizes) {
+/// Mean edges or diameters at both ends of a grading; of elongated grains before they are elongated.
+std::string grading_line(const Grading& grading, const char* what, const std::array<double, 2>& reached,
+                         const std::array<double, 2>& wanted) {
     const auto mean = [&](std::size_t end) {
-        if (sizes.graded_edge[end] == 0) return std::string("none");
-        return fmt::format("{} ({} wanted)", format_quantity(sizes.graded_edge[end], Dimension::length, 3),
-                           format_quantity(sizes.wanted_edge[end], Dimension::length, 3));
+        if (reached[end] == 0) return std::string("none");
+        return fmt::format("{} ({} wanted)", format_quantity(reached[end], Dimension::length, 3),
+                           format_quantity(wanted[end], Dimension::length, 3));
     };
-    return fmt::format("  graded edges: mean {} in the {} eighth, {} {}", mean(0), grading.is_along() ? "lowest" : "nearest",
+    return fmt::format("  graded {}: mean {} in the {} eighth, {} {}", what, mean(0), grading.is_along() ? "lowest" : "nearest",
                        mean(1), grading.is_along() ? "in the uppermost" : "beyond 7/8 of the distance");
 }
 
@@ -82,10 +84,11 @@ std::vector<std::string> describe_polygons(const Specimen& specimen, const Speci
         fmt::format("{} of {} polygons ({}): {} grains, {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape,
                     p.n_crystals, specimen.tessellation, specimen.n_grains(), specimen.n_nodes(), specimen.n_elements(),
                     specimen.n_contacts(), specimen.n_boundary_edges()),
-        fmt::format(
-            "  polygons: equal-area diameter mean {}, CV {:.4f} ({} wanted); areas met to {:.0e}; {} short edges were removed{}",
-            format_quantity(p.mean_diameter, Dimension::length, 4), p.diameter_variation, format_number(request.spread),
-            p.largest_area_error, p.n_short_edges, p.n_edges_left > 0 ? fmt::format(" ({} could not be)", p.n_edges_left) : ""),
+        fmt::format("  polygons: equal-area diameter mean {}, CV {:.4f}{} ({} wanted); areas met to {:.0e}; {} short edges were "
+                    "removed{}",
+                    format_quantity(p.mean_diameter, Dimension::length, 4), p.diameter_variation,
+                    request.grading ? " over the graded size" : "", format_number(request.spread), p.largest_area_error,
+                    p.n_short_edges, p.n_edges_left > 0 ? fmt::format(" ({} could not be)", p.n_edges_left) : ""),
         size_line(request.tessellation == Tessellation::trigon ? "edge" : "edge of equal-area triangle", s.mean_edge,
                   s.edge_variation, s.min_edge, s.max_edge),
         fmt::format("  smallest angle of elements {:.1f} deg, psi6 {:.3f}, area error {:.1e}", degrees(s.min_angle), s.psi6,
@@ -97,6 +100,7 @@ std::vector<std::string> describe_polygons(const Specimen& specimen, const Speci
     if (s.elongation > 0) {
         lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
     }
+    if (request.grading) lines.push_back(grading_line(*request.grading, "diameters", p.graded_diameter, p.wanted_diameter));
     if (report.n_flaws > 0) lines.push_back(flaw_line(specimen, report));
     return lines;
 }
@@ -121,7 +125,9 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
         lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg; smallest angle before it {:.1f} deg", s.elongation,
                                     degrees(s.elongation_angle), degrees(report.sizes.min_angle)));
     }
-    if (request.grading) lines.push_back(grading_line(*request.grading, report.sizes));
+    if (request.grading) {
+        lines.push_back(grading_line(*request.grading, "edges", report.sizes.graded_edge, report.sizes.wanted_edge));
+    }
     if (request.grading || s.elongation > 0) {
         lines.push_back(fmt::format("  spread {:.3f} over the graded size, before elongation", report.sizes.spread));
     }

@@ -193,7 +193,6 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
         throw UsageError(option + ": " + why + "; leave it out, or give --tessellation delaunay");
     };
     if (request.elements_per_edge != 1) refuse("--elements-per-edge", "polygons have elements of --element-size");
-    if (request.grading) refuse("--grade", "polygons have the same sizes everywhere");
     MeshPlan plan;
     plan.region = request.region;
     plan.n_grains = request.grains
@@ -224,8 +223,9 @@ MeshPlan plan_polygons(const SpecimenRequest& request) {
     check_number_of_phases(request, plan.n_grains);
     if (request.notch) plan.region.edges.push_back(central_slit(plan.region, *request.notch, 0, "--notch"));
     add_edges(request, plan);
+    if (request.grading) plan.size = SizeField(plan.region, plan.edge, request.grading, Stretch(request.elongation), 0);
     if (!is_plain(plan.region)) check_walls(request, plan);
-    if (is_plain(plan.region)) (void)convex_outline(plan.region, plan.edge);
+    if (is_plain(plan.region)) (void)convex_outline(plan.region, plan.edge, plan.size);
     return plan;
 }
 
@@ -339,6 +339,8 @@ double element_size_for(PolygonRequest polygons, Region region, double elements_
         region = rectangle(side, side);
         centre_region(region);
         polygons.n = polygons_of_trial;
+        polygons.grading.reset();  // crystals have as many elements everywhere
+        polygons.size = {};
     }
     for (int i = 0; i < max_element_trials; ++i) {
         const auto n_elements = static_cast<double>(polygon_mesh(region, polygons).mesh.triangles.size());
@@ -358,8 +360,11 @@ Specimen make_polygons(const SpecimenRequest& request, const MeshPlan& plan, con
     polygons.spread = request.spread;
     polygons.distribution = request.size_distribution.value_or(SizeDistribution::normal);
     polygons.element_size = plan.element_size;
+    polygons.are_elements_graded = !request.element_size;
     polygons.bodies = can_break ? Bodies::triangles : Bodies::cells;
     polygons.elongation = request.elongation;
+    polygons.grading = request.grading;
+    polygons.size = plan.size;
     polygons.seed = request.seed;
     if (request.elements_per_crystal) polygons.element_size = element_size_for(polygons, region, *request.elements_per_crystal);
     PolygonMesh made = polygon_mesh(region, polygons, progress);

@@ -32,15 +32,16 @@ struct SpecimenRequest {
     /// Mean edge over all grain edges, rim included; of polygons that of the equilateral triangle of their mean area, m.
     std::optional<double> edge;
     std::optional<std::int64_t> grains;  ///< exact number of grains, or of polygons
-    /// Coefficient of variation of the edges over their graded size, 0 to 0.35; of the equal-area diameters of polygons, 0 to
-    /// 0.6.
+    /// Coefficient of variation of the edges over their graded size, 0 to 0.35; of the equal-area diameters of polygons
+    /// over theirs, 0 to 0.6.
     double spread = 0.1;
     std::optional<SizeDistribution> size_distribution;  ///< of polygons; none: normal
-    std::optional<double> element_size;                 ///< side of the elements of polygons, m; none: 0.36 of their edge
+    std::optional<double> element_size;                 ///< side of the elements of polygons, m; none: 0.36 of their edge, graded
     std::optional<double> elements_per_crystal;         ///< mean number of elements of a polygon, in place of `element_size`
-    std::optional<Grading> grading;  ///< over the region; the mean edge and the number of grains are as without
-    Elongation elongation;           ///< of the grains; the spread is that of the grains before they are elongated
-    std::optional<double> notch;     ///< length of a notch of whole grain boundaries across the middle of a rectangle, m
+    std::optional<Grading>
+        grading;                  ///< over the region; the mean edge (of polygons area) and the number of grains are as without
+    Elongation elongation;        ///< of the grains; the spread is that of the grains before they are elongated
+    std::optional<double> notch;  ///< length of a notch of whole grain boundaries across the middle of a rectangle, m
     std::uint64_t seed = 1;
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles
     PhaseRequest phases;

@@ -19,12 +19,11 @@ SizeStatistics size_statistics_of(const Region& region, const PlaneCells& cells,
     for (const Edge& e : cells.edges) {
         const Point p = cells.points[static_cast<std::size_t>(e[0])];
         const Point q = cells.points[static_cast<std::size_t>(e[1])];
-        const double share = graded.share(size.stretch().elongated(midpoint(p, q)));
-        if (share > 0.125 && share < 0.875) continue;
-        const std::size_t end = share < 0.5 ? 0 : 1;
-        n[end] += 1;
-        result.graded_edge[end] += length(q - p);
-        result.wanted_edge[end] += edge * size.graded(midpoint(p, q)) * size.mean_edge_of_scatter();
+        const std::optional<std::size_t> end = graded.end_at(size.stretch().elongated(midpoint(p, q)));
+        if (!end) continue;
+        n[*end] += 1;
+        result.graded_edge[*end] += length(q - p);
+        result.wanted_edge[*end] += edge * size.graded(midpoint(p, q)) * size.mean_edge_of_scatter();
     }
     for (const std::size_t end : {0U, 1U}) {
         if (n[end] == 0) continue;

@@ -21,18 +21,18 @@ bool has_arcs(const Loop& loop) {
 
 }  // namespace
 
-double outline_count(const Region& region, double edge) {
+double outline_count(const Region& region, double edge, const SizeField& size) {
     const Loop& loop = region.loops.front();
-    double wanted = perimeter(region) / edge;
+    double wanted = (size.varies() ? relative_perimeter(region, size) : perimeter(region)) / edge;
     if (loop.circle) wanted = std::max({wanted, 1.0 * fewest_on_circle, 4.0 * loop.circle->diameters});
     if (has_arcs(loop)) wanted = std::max(wanted, 1.0 * fewest_on_circle);
     return wanted;
 }
 
-ConvexOutline convex_outline(const Region& region, double edge) {
+ConvexOutline convex_outline(const Region& region, double edge, const SizeField& size) {
     RandomNumbers random(0);  // of which equal distances need none
-    const Seeds seeds =
-        fixed_seeds(region, admissible_boundary_count(region, outline_count(region, edge), false), edge, 0, random);
+    const int count = admissible_boundary_count(region, outline_count(region, edge, size), false);
+    const Seeds seeds = fixed_seeds(region, count, edge, 0, random, size);
 
     ConvexOutline outline;
     outline.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;

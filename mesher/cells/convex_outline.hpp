@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/region/region.hpp"
+#include "mesher/seeds/size_field.hpp"
 
 namespace graincrack::mesher {
 
@@ -21,11 +22,13 @@ struct ConvexOutline {
 
 /// The outline of a plain region (`is_plain`): straight sides whole, round ones by the fixed points of meshes at a distance of
 /// about `edge`, so that a circle keeps its area and the facets at its poles their places.
+/// \param size over `edge`
 /// \throws UsageError naming --tessellation if round sides do not make a convex polygon
-ConvexOutline convex_outline(const Region& region, double edge);
+ConvexOutline convex_outline(const Region& region, double edge, const SizeField& size = {});
 
-/// Number of points that polygons have on the loops of a region, about `edge` apart, more on small round ones.
-double outline_count(const Region& region, double edge);
+/// Number of points that polygons have on the loops of a region, about `edge` times the local size apart, more on small round
+/// ones.
+double outline_count(const Region& region, double edge, const SizeField& size);
 
 /// Area of a polygon, m², and its centroid.
 struct PolygonMoments {

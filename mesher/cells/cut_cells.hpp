@@ -21,8 +21,10 @@ struct CutCells {
 /// through along its line, unless a point of it is near enough to be moved to the end. Of the pieces those that are the smallest
 /// shares of their cells join the neighbour with the longest common side, until there are as many as seeds.
 /// \param cells of the hull of the walls \param seeds of the cells \param areas wanted of the cells, m²
-/// \return nothing if the cells have no room between walls
+/// \param size graded, by which areas are wanted at other places
+/// \param no_room set to a place where cells have no room between walls, unless null
+/// \return nothing if there is one
 std::optional<CutCells> cut_cells(const PlaneCells& cells, std::span<const Point> seeds, const std::vector<double>& areas,
-                                  const Walls& walls);
+                                  const Walls& walls, const SizeField& size = {}, Point* no_room = nullptr);
 
 }  // namespace graincrack::mesher

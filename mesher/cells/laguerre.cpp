@@ -28,24 +28,28 @@ constexpr double distance_from_walls = 0.45;  ///< of seeds, over the root of th
 constexpr double kept_share = 0.2;            ///< of an area, or of the one aimed at if that is less, that a step leaves
 
 /// Seeds at random inside of the outline.
-std::vector<Point> random_seeds(const ConvexOutline& outline, std::size_t n, RandomNumbers& random) {
+std::vector<Point> random_seeds(const ConvexOutline& outline, const GradedAreas& areas, RandomNumbers& random) {
     Point low = outline.corners.front();
     Point high = low;
     for (const Point p : outline.corners) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    std::vector<Point> seeds;
-    while (seeds.size() < n) {
-        const double x = random.uniform();
-        const double y = random.uniform();
-        const Point p{low.x + x * (high.x - low.x), low.y + y * (high.y - low.y)};
-        bool is_inside = true;
-        for (std::size_t k = 0; k < outline.size() && is_inside; ++k) {
-            is_inside = cross(outline.corner(k + 1) - outline.corner(k), p - outline.corner(k)) > 0;
+    const auto inside = [&] {
+        while (true) {
+            const double x = random.uniform();
+            const double y = random.uniform();
+            const Point p{low.x + x * (high.x - low.x), low.y + y * (high.y - low.y)};
+            bool is_inside = true;
+            for (std::size_t k = 0; k < outline.size() && is_inside; ++k) {
+                is_inside = cross(outline.corner(k + 1) - outline.corner(k), p - outline.corner(k)) > 0;
+            }
+            if (is_inside) return p;
         }
-        if (is_inside) seeds.push_back(p);
-    }
+    };
+    std::vector<Point> seeds;
+    seeds.reserve(areas.size());
+    while (seeds.size() < areas.size()) seeds.push_back(areas.random_place(inside, random));
     return seeds;
 }
 
@@ -179,7 +183,7 @@ std::vector<double> weights_of(const std::vector<double>& areas, double share) {
 }
 
 /// Cells of seeds that are spread. \param error of areas that is enough
-LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seeds, const std::vector<double>& areas, double error,
+LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seeds, const GradedAreas& wanted, double error,
                            const Zones* zones, const std::function<void(double)>& progress) {
     constexpr int rounds = growing_rounds + grown_rounds;
     int n_done = 0;
@@ -188,10 +192,15 @@ LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seed
         if (progress) progress(std::min(0.95, static_cast<double>(n_done++) / (2 * rounds + 20)));
     };
     Solver solver(outline, std::move(seeds));
+    std::vector<double> areas = wanted.at(solver.seeds());
+    const auto move_seeds = [&] {
+        solver.spread(areas, zones);
+        areas = wanted.at(solver.seeds());
+    };
     const auto spread = [&](double share) {
         report();
         solver.set_weights(weights_of(areas, share), areas);
-        solver.spread(areas, zones);
+        move_seeds();
     };
     const auto solve = [&](double largest) {
         solver.set_weights(weights_of(areas, 1), areas);
@@ -205,28 +214,30 @@ LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seed
     for (int round = 0; round < grown_rounds; ++round) spread(1);
     solve(coarse_error);
     // Where cells were empty or far from their areas, seeds now have places.
-    solver.spread(areas, zones);
+    move_seeds();
     for (int round = 0; round < grown_rounds; ++round) spread(1);
     solve(error);
-    return {solver.diagram().cells(), solver.diagram().areas(), solver.largest_error(areas), solver.seeds()};
+    return {solver.diagram().cells(), solver.diagram().areas(), areas, solver.largest_error(areas), solver.seeds()};
 }
 
 }  // namespace
 
-LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<double>& areas, RandomNumbers& random,
+LaguerreCells laguerre_cells(const ConvexOutline& outline, const GradedAreas& areas, RandomNumbers& random,
                              const std::function<void(double)>& progress) {
     LaguerreCells result =
-        solved_cells(outline, random_seeds(outline, areas.size(), random), areas, wanted_area_error, nullptr, progress);
+        solved_cells(outline, random_seeds(outline, areas, random), areas, wanted_area_error, nullptr, progress);
     if (!(result.largest_error <= allowed_error)) throw Error(ExitCode::internal, "polygons did not reach their areas");
     return result;
 }
 
 LaguerreCells laguerre_cells_in_zones(const Walls& walls, const Zones& zones, const std::vector<std::size_t>& zone_of_cell,
-                                      const std::vector<double>& areas, RandomNumbers& random,
+                                      const GradedAreas& areas, RandomNumbers& random,
                                       const std::function<void(double)>& progress) {
     std::vector<Point> seeds;
     seeds.reserve(areas.size());
-    for (const std::size_t zone : zone_of_cell) seeds.push_back(zones.random_point(zone, random));
+    for (const std::size_t zone : zone_of_cell) {
+        seeds.push_back(areas.random_place([&] { return zones.random_point(zone, random); }, random));
+    }
     return solved_cells(walls.hull, std::move(seeds), areas, coarse_error_in_zones, &zones, progress);
 }
 

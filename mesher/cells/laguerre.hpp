@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/cells/convex_outline.hpp"
+#include "mesher/cells/graded_areas.hpp"
 #include "mesher/cells/plane_cells.hpp"
 #include "mesher/cells/walls.hpp"
 #include "mesher/plane/random_numbers.hpp"
@@ -12,9 +13,10 @@
 namespace graincrack::mesher {
 
 struct LaguerreCells {
-    PlaneCells cells;           ///< convex; the corners of the outline are the first points
-    std::vector<double> areas;  ///< of the cells, m²
-    double largest_error = 0;   ///< of an area, over the wanted one
+    PlaneCells cells;            ///< convex; the corners of the outline are the first points
+    std::vector<double> areas;   ///< of the cells, m²
+    std::vector<double> wanted;  ///< of the cells where they came to lie, m²
+    double largest_error = 0;    ///< of an area, over the wanted one
     std::vector<Point> seeds;
 };
 
@@ -24,16 +26,16 @@ struct LaguerreCells {
 /// gradient is wanted less present areas and whose second derivatives are −length/(2 distance of seeds) of the sides between
 /// cells (Aurenhammer, Hoffmann & Aronov 1998); Newton's method with steps that leave every cell an area converges from any seeds
 /// (Kitagawa, Mérigot & Thibert 2019). Between first steps of it seeds move to the centroids of their cells (Lloyd), which makes
-/// cells compact.
+/// cells compact. Graded areas are those at the seeds, which lie the denser the smaller the cells are.
 /// \param areas wanted, m², whose sum is the area of the outline \param progress called with the share that is done
 /// \throws Error if the areas are not reached, which no areas above 0 make likely; Interrupted on a signal
-LaguerreCells laguerre_cells(const ConvexOutline& outline, const std::vector<double>& areas, RandomNumbers& random,
+LaguerreCells laguerre_cells(const ConvexOutline& outline, const GradedAreas& areas, RandomNumbers& random,
                              const std::function<void(double)>& progress = {});
 
 /// Cells of about the wanted areas whose seeds stay in their zones, away from walls: few cells lie across one.
 /// \param zone_of_cell [cells] \throws Interrupted on a signal
 LaguerreCells laguerre_cells_in_zones(const Walls& walls, const Zones& zones, const std::vector<std::size_t>& zone_of_cell,
-                                      const std::vector<double>& areas, RandomNumbers& random,
+                                      const GradedAreas& areas, RandomNumbers& random,
                                       const std::function<void(double)>& progress = {});
 
 }  // namespace graincrack::mesher

@@ -17,6 +17,11 @@ namespace {
 
 constexpr double on_one_line = 1e-9;  ///< sine of the angle below which two sides are one
 
+// Of triangles over which sizes are integrated:
+constexpr double even_sizes = 0.1;  ///< change of the size in one that is not divided further
+constexpr int fewest_divisions = 3;
+constexpr int most_divisions = 9;
+
 /// Points on a rim that flaws may move: whose polygon then has its middle in the disc's to 0.1 % of the diameter.
 constexpr double fewest_on_rim = 48;
 
@@ -29,6 +34,26 @@ ConvexOutline box_around(const std::vector<Point>& points, double margin) {
     const Point low = box.low - Point{margin, margin};
     const Point high = box.high + Point{margin, margin};
     return {{low, {high.x, low.y}, high, {low.x, high.y}}, {0, 0, 0, 0}, 0};
+}
+
+/// Integral of one over the square of the graded size over a triangle, which is divided until the size hardly changes in it.
+double graded_integral(Point a, Point b, Point c, const SizeField& size, int depth) {
+    const Point ab = midpoint(a, b);
+    const Point bc = midpoint(b, c);
+    const Point ca = midpoint(c, a);
+    double sum = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = 0;
+    for (const Point p : {ab, bc, ca}) {
+        const double g = size.graded(p);
+        least = std::min(least, g);
+        greatest = std::max(greatest, g);
+        sum += 1 / (3 * g * g);
+    }
+    const bool is_even = greatest < (1 + even_sizes) * least && depth >= fewest_divisions;
+    if (is_even || depth == most_divisions) return sum * signed_area(a, b, c);
+    return graded_integral(a, ab, ca, size, depth + 1) + graded_integral(ab, b, bc, size, depth + 1) +
+           graded_integral(ca, bc, c, size, depth + 1) + graded_integral(ab, bc, ca, size, depth + 1);
 }
 
 /// Whether two segments have an inner point of both in common.
@@ -53,15 +78,15 @@ bool Walls::contains(Point p) const {
     return inside;
 }
 
-Walls walls_of(const Region& region, double edge, const Stretch& stretch) {
+Walls walls_of(const Region& region, double edge, const Stretch& stretch, const SizeField& size) {
     const Region plain{region.name, {region.loops.front()}, {}, region.part_names, region.flats};
     Walls walls;
     walls.is_convex = is_plain(plain);
     RandomNumbers random(0);  // of which equal distances need none
-    double wanted = outline_count(region, edge);
+    double wanted = outline_count(region, edge, size);
     if (is_round(region)) wanted = std::max(wanted, fewest_on_rim * perimeter(region) / perimeter(plain));
     const int n = admissible_boundary_count(region, wanted, false);
-    const Seeds seeds = fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random);
+    const Seeds seeds = fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random, size);
     walls.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;
     std::vector<char> is_end(seeds.points.size(), 0);
     for (const Side& side : seeds.sides) {
@@ -113,6 +138,60 @@ Walls walls_of(const Region& region, double edge, const Stretch& stretch) {
     }
     if (!walls.is_convex) walls.hull = box_around(walls.points, edge);
     return walls;
+}
+
+std::vector<WallChain> Walls::chains() const {
+    std::vector<WallChain> chains;
+    const std::size_t n = sides.size();
+    std::vector<char> is_used(n, 0);
+    std::size_t i = 0;
+    while (i < n && sides[i].part >= 0) {
+        const bool is_hull = is_convex && i == 0;
+        WallChain chain;
+        chain.is_closed = true;
+        const int first = sides[i].from;
+        do {
+            chain.points.push_back(at(sides[i].from));
+            chain.sides.push_back(static_cast<int>(i));
+        } while (sides[i++].to != first);
+        chain.points.push_back(chain.points.front());
+        if (!is_hull) chains.push_back(std::move(chain));
+    }
+    for (; i < n; ++i) {
+        if (is_used[i] != 0) continue;
+        is_used[i] = 1;
+        std::vector<int> numbers{sides[i].from, sides[i].to};
+        std::vector<int> numbers_of_sides{static_cast<int>(i)};
+        for (const bool forwards : {true, false}) {
+            while (true) {
+                const int end = forwards ? numbers.back() : numbers.front();
+                const Point before = at(forwards ? numbers[numbers.size() - 2] : numbers[1]);
+                const Point along = unit(at(end) - before);
+                double straightest = 0.5;
+                std::size_t next = n;
+                for (std::size_t k = 0; k < n; ++k) {
+                    const Side& side = sides[k];
+                    if (is_used[k] != 0 || side.part >= 0 || (side.from != end && side.to != end)) continue;
+                    const int far = side.from == end ? side.to : side.from;
+                    if (std::find(numbers.begin(), numbers.end(), far) != numbers.end()) continue;
+                    const double cosine = dot(along, unit(at(far) - at(end)));
+                    if (cosine <= straightest) continue;
+                    straightest = cosine;
+                    next = k;
+                }
+                if (next == n) break;
+                is_used[next] = 1;
+                const int far = sides[next].from == end ? sides[next].to : sides[next].from;
+                numbers.insert(forwards ? numbers.end() : numbers.begin(), far);
+                numbers_of_sides.insert(forwards ? numbers_of_sides.end() : numbers_of_sides.begin(), static_cast<int>(next));
+            }
+        }
+        WallChain chain;
+        for (const int p : numbers) chain.points.push_back(at(p));
+        chain.sides = std::move(numbers_of_sides);
+        chains.push_back(std::move(chain));
+    }
+    return chains;
 }
 
 Zones::Zones(const Walls& walls) : walls_(walls) {
@@ -167,6 +246,15 @@ Zones::Zones(const Walls& walls) : walls_(walls) {
         const Face& some = faces_.back();
         is_inside_.push_back(walls.contains((1.0 / 3) * (some.corners[0] + some.corners[1] + some.corners[2])) ? 1 : 0);
     }
+}
+
+double Zones::graded_area(std::size_t zone, const SizeField& size) const {
+    if (!size.varies()) return areas_[zone];
+    double sum = 0;
+    for (const Face& face : faces_) {
+        if (face.zone == zone) sum += graded_integral(face.corners[0], face.corners[1], face.corners[2], size, 0);
+    }
+    return sum;
 }
 
 Point Zones::random_point(std::size_t zone, RandomNumbers& random) const {

@@ -9,8 +9,16 @@
 #include "mesher/plane/random_numbers.hpp"
 #include "mesher/plane/stretch.hpp"
 #include "mesher/seeds/seeds.hpp"
+#include "mesher/seeds/size_field.hpp"
 
 namespace graincrack::mesher {
+
+/// A line of walls without branches: points, and the side of the walls from each to the next.
+struct WallChain {
+    std::vector<Point> points;
+    std::vector<int> sides;
+    bool is_closed = false;
+};
 
 /// The loops of a region as polygons, its prescribed edges, and a convex outline around both.
 struct Walls {
@@ -22,12 +30,15 @@ struct Walls {
 
     /// Whether a point is inside of the loops.
     [[nodiscard]] bool contains(Point p) const;
+    /// Loops other than the hull first, then prescribed edges, each continued by the straightest.
+    [[nodiscard]] std::vector<WallChain> chains() const;
     [[nodiscard]] Point at(int p) const { return points[static_cast<std::size_t>(p)]; }
 };
 
 /// \param edge distance of points on round sides, m
 /// \param stretch of elongated cells: walls are those of the plane in which they are equiaxed
-Walls walls_of(const Region& region, double edge, const Stretch& stretch = {});
+/// \param size over `edge`, if that varies
+Walls walls_of(const Region& region, double edge, const Stretch& stretch = {}, const SizeField& size = {});
 
 /// Parts of the hull that walls separate from one another.
 class Zones {
@@ -36,6 +47,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return areas_.size(); }
     [[nodiscard]] double area(std::size_t zone) const { return areas_[zone]; }
+    /// Integral of one over the square of the graded size: the cells of a zone are a share of all by it, m².
+    [[nodiscard]] double graded_area(std::size_t zone, const SizeField& size) const;
     [[nodiscard]] bool is_inside(std::size_t zone) const { return is_inside_[zone] != 0; }
     [[nodiscard]] Point random_point(std::size_t zone, RandomNumbers& random) const;
     /// A seed moved towards a place within its zone, and away from walls that are nearer than a distance.

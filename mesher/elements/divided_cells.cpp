@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "mesher/cells/convex_outline.hpp"
+#include "mesher/cells/polygon.hpp"
 #include "mesher/elements/divided_polygon.hpp"
 #include "share/base/error.hpp"
 
@@ -19,12 +22,19 @@ constexpr double most_points = 10e6;
 /// The points between the ends of each edge of cells.
 class DividedEdges {
 public:
-    DividedEdges(const PlaneCells& cells, double size) : cells_(cells), first_{static_cast<int>(cells.points.size())} {
+    /// \param size_at side of elements at a place, m
+    DividedEdges(const PlaneCells& cells, const std::function<double(Point)>& size_at)
+        : cells_(cells), first_{static_cast<int>(cells.points.size())} {
+        const auto pieces = [&](const Edge& e) {
+            const Point from = cells_.points[static_cast<std::size_t>(e[0])];
+            const Point to = cells_.points[static_cast<std::size_t>(e[1])];
+            return length(to - from) / size_at(midpoint(from, to));
+        };
         double n_points = static_cast<double>(cells.points.size());
-        for (const Edge& e : cells.edges) n_points += std::floor(length_of(e) / size + 0.5);
+        for (const Edge& e : cells.edges) n_points += std::floor(pieces(e) + 0.5);
         check_points(n_points);
         for (const Edge& e : cells.edges) {
-            const int n_pieces = std::max(1, static_cast<int>(std::lround(length_of(e) / size)));
+            const int n_pieces = std::max(1, static_cast<int>(std::lround(pieces(e))));
             first_.push_back(first_.back() + n_pieces - 1);
         }
     }
@@ -62,10 +72,6 @@ public:
     }
 
 private:
-    [[nodiscard]] double length_of(const Edge& e) const {
-        return length(cells_.points[static_cast<std::size_t>(e[1])] - cells_.points[static_cast<std::size_t>(e[0])]);
-    }
-
     const PlaneCells& cells_;
     std::vector<int> first_;  ///< [edges + 1] number of the first point between the ends of each
 };
@@ -117,8 +123,10 @@ private:
 
 }  // namespace
 
-PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_size) {
-    const DividedEdges edges(cells, element_size);
+PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_size,
+                        const std::function<double(Point)>& relative_size) {
+    const auto size_at = [&](Point p) { return relative_size ? element_size * relative_size(p) : element_size; };
+    const DividedEdges edges(cells, size_at);
     PlaneMesh mesh;
     mesh.points = edges.points();
     BodyMaker maker(mesh, bodies);
@@ -130,7 +138,7 @@ PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_s
         const auto corners = cells.loop(cell);
         for (std::size_t i = 0; i < corners.size(); ++i) edges.append(corners[i], corners[(i + 1) % corners.size()], loop);
         for (const int p : loop) boundary.push_back(mesh.points[static_cast<std::size_t>(p)]);
-        const DividedPolygon divided = divided_polygon(boundary, element_size);
+        const DividedPolygon divided = divided_polygon(boundary, size_at(moments(corners_of(cells, cell)).centroid));
         for (const Point p : divided.inner) {
             loop.push_back(static_cast<int>(mesh.points.size()));
             mesh.points.push_back(p);

@@ -101,6 +101,13 @@ double GradedSize::share(Point p) const {
     return std::min(1.0, nearest / grading_.distance);
 }
 
+std::optional<std::size_t> GradedSize::end_at(Point p) const {
+    constexpr double eighth = 0.125;
+    const double way = share(p);
+    if (way > eighth && way < 1 - eighth) return std::nullopt;
+    return way < 0.5 ? 0 : 1;
+}
+
 double GradedSize::slope() const {
     const double way = grading_.kind == Kind::along_x   ? box_.width()
                        : grading_.kind == Kind::along_y ? box_.height()

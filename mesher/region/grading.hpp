@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +33,8 @@ public:
 
     /// Share of the way from where the size is `from` to where it is `to`, 0 to 1.
     [[nodiscard]] double share(Point p) const;
+    /// Whether a point lies in the first (0) or the last (1) eighth of that way.
+    [[nodiscard]] std::optional<std::size_t> end_at(Point p) const;
     [[nodiscard]] double at(Point p) const { return grading_.from + (grading_.to - grading_.from) * share(p); }
     [[nodiscard]] double smallest() const { return std::min(grading_.from, grading_.to); }
     /// Largest change of the relative size over a length, 1/m.

@@ -6,7 +6,11 @@
 
 namespace graincrack::calibrate {
 
-double Specimens::mean_edge() const { return edge ? *edge : std::sqrt(4 * width * height / (std::numbers::sqrt3 * grains)); }
+double Specimens::mean_edge() const {
+    if (edge) return *edge;
+    if (grain_size) return *grain_size * std::sqrt(std::numbers::pi / std::numbers::sqrt3);
+    return std::sqrt(4 * width * height / (std::numbers::sqrt3 * grains));
+}
 
 std::vector<Test> tests_of(const std::vector<Target>& targets) {
     std::vector<Test> tests;

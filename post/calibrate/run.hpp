@@ -40,15 +40,17 @@ struct WantedRun {
 /// What a finished run measured; null if it is not finished.
 using FindRun = std::function<const Measures*(const WantedRun&)>;
 
-/// The paper's specimens, unless set: rectangles of 80 mm × 160 mm with 1,122 grains, discs of 80 mm with 452.
+/// The paper's specimens, unless set or the material's [fabric] has a grain size: rectangles of 80 mm × 160 mm with 1,122 grains,
+/// discs of 80 mm with 452.
 struct Specimens {
     double width = 0.08;   ///< m
     double height = 0.16;  ///< m
     double diameter = 0.08;
     double grains = 1122;
     double disc_grains = 452;
-    std::optional<double> edge;  ///< m: mean edge of the grains, instead of their numbers
-    /// Mean edge, m: as it is set, or that of equilateral grains that fill a rectangle.
+    std::optional<double> edge;        ///< m: mean edge of the grains, instead of their numbers
+    std::optional<double> grain_size;  ///< m: mean equal-area diameter of the grains, instead of both
+    /// Mean edge, m: as it is set, or that of equilateral grains of that diameter, or of those that fill a rectangle.
     [[nodiscard]] double mean_edge() const;
 };
 

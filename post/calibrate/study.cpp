@@ -6,7 +6,10 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
@@ -34,12 +37,23 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
     const auto count = [](std::size_t& to) {
         return [&to](const std::vector<double>& v) { to = static_cast<std::size_t>(v[0]); };
     };
+    // What the study says of the grains' size replaces what the material's fabric says.
+    const auto grains_of = [&study](double& to) {
+        return [&study, &to](const std::vector<double>& v) {
+            to = v[0];
+            study.specimens.grain_size.reset();
+        };
+    };
+    const auto edge = [&study](const std::vector<double>& v) {
+        study.specimens.edge = v[0];
+        study.specimens.grain_size.reset();
+    };
     return {{"width", {quantity::width, number(study.specimens.width)}},
             {"height", {quantity::height, number(study.specimens.height)}},
             {"diameter", {quantity::diameter, number(study.specimens.diameter)}},
-            {"grains", {grains, number(study.specimens.grains)}},
-            {"disc_grains", {grains, number(study.specimens.disc_grains)}},
-            {"mean_edge", {quantity::mean_edge, [&study](const std::vector<double>& v) { study.specimens.edge = v[0]; }}},
+            {"grains", {grains, grains_of(study.specimens.grains)}},
+            {"disc_grains", {grains, grains_of(study.specimens.disc_grains)}},
+            {"mean_edge", {quantity::mean_edge, edge}},
             {"max_strain", {quantity::max_strain, number(study.max_strain)}},
             {"rate_tolerance", {quantity::rate_tolerance, number(study.rate_tolerance)}},
             {"confining_pressure", {quantity::confining_pressure, number(study.confining_pressure)}},
@@ -93,10 +107,39 @@ std::pair<std::string, std::string> fabric_options(const MaterialFabric& fabric)
     return {options, name};
 }
 
+/// " --tessellation trigon --spread 0.4", what [fabric] says of grains but for their size, and a name for it.
+std::pair<std::string, std::string> grain_options(const GrainFabric& said) {
+    std::string options = said.tessellation.empty() ? "" : " --tessellation " + said.tessellation;
+    std::string name = said.tessellation == "delaunay" ? "" : said.tessellation;
+    const auto add = [&](const char* option, const char* letter, const std::optional<double>& value, const char* unit) {
+        if (!value) return;
+        options += fmt::format(" {} {:.6g}{}", option, *value, unit);
+        name += fmt::format("{}{:.6g}", letter, *value);
+    };
+    constexpr double degrees = 180 / std::numbers::pi;
+    add("--spread", "v", said.size_variation, "");
+    add("--elements-per-crystal", "t", said.elements_per_crystal, "");
+    add("--elongation", "l", said.elongation, "");
+    add("--elongation-angle", "a", said.elongation_angle ? std::optional(*said.elongation_angle * degrees) : std::nullopt, "deg");
+    return {options, name};
+}
+
+/// The size of grains as an option of the mesher, and a name for it.
+std::pair<std::string, std::string> size_option(const Specimens& s, bool is_disc) {
+    const auto length = [](const char* option, const char* letter, double value) {
+        return std::pair(fmt::format(" {} {:.6g}mm", option, value * 1e3), fmt::format("{}{:.6g}", letter, value * 1e3));
+    };
+    if (s.grain_size) return length("--grain-size", "d", *s.grain_size);
+    if (s.edge) return length("--edge", "e", *s.edge);
+    const double n = is_disc ? s.disc_grains : s.grains;
+    return {fmt::format(" --grains {:.7g}", n), fmt::format("g{:.7g}", n)};
+}
+
 }  // namespace
 
 Study read_study(const Material& rock, const TomlFile& file, const std::vector<std::string>& settings) {
     Study study;
+    study.specimens.grain_size = rock.grains.grain_size;
     // 1.5 % for Augig granite (UCS 122 MPa, E 25.8 GPa), for other rocks in proportion to the strain UCS/E.
     const auto ucs = rock.laboratory.find("compressive_strength");
     const auto e = rock.laboratory.find("young_modulus");
@@ -150,11 +193,10 @@ RunRow row_of(const Material& rock, const Study& study, const WantedRun& run) {
                     : fmt::format("rectangle --width {:.6g}mm --height {:.6g}mm", s.width * 1e3, s.height * 1e3);
     row.specimen =
         disc ? fmt::format("disc{:.6g}", s.diameter * 1e3) : fmt::format("rectangle{:.6g}x{:.6g}", s.width * 1e3, s.height * 1e3);
-    row.mesh += s.edge ? fmt::format(" --edge {:.6g}mm", *s.edge * 1e3)
-                       : fmt::format(" --grains {:.7g}", disc ? s.disc_grains : s.grains);
-    row.specimen += s.edge ? fmt::format("e{:.6g}", *s.edge * 1e3) : fmt::format("g{:.7g}", disc ? s.disc_grains : s.grains);
-    row.mesh += fmt::format("{} --seed {}", fabric, run.seed);
-    row.specimen += fmt::format("{}-s{}", fabric_name, run.seed);
+    const auto [size, size_name] = size_option(s, disc);
+    const auto [grain, grain_name] = grain_options(rock.grains);
+    row.mesh += fmt::format("{}{}{} --seed {}", size, grain, fabric, run.seed);
+    row.specimen += fmt::format("{}{}{}-s{}", size_name, grain_name, fabric_name, run.seed);
     for (const auto& [key, value] : settings_of(run.point)) {
         row.material += fmt::format("{}--set {}={}", row.material.empty() ? "" : " ", key, value);
     }

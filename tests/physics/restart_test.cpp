@@ -13,6 +13,7 @@
 #include "share/file/h5_file.hpp"
 #include "solver/restart/checkpoint.hpp"
 #include "solver/run/simulation.hpp"
+#include "tests/support/crystals.hpp"
 #include "tests/support/phases.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -26,7 +27,8 @@ struct RestartCase {
     double speed;  ///< of a fixed rate, m/s
     bool scaled;
     LawVariant law = LawVariant::consistent;
-    bool has_phases = false;  ///< three, with contacts of a pair and strengths that scatter
+    bool has_phases = false;    ///< three, with contacts of a pair and strengths that scatter
+    bool has_crystals = false;  ///< that break, with a flaw
 };
 void PrintTo(const RestartCase& c, std::ostream* stream) { *stream << c.name; }
 
@@ -44,12 +46,14 @@ const Specimen& restart_specimen() {
 
 const Specimen& specimen_of(const RestartCase& c) {
     static const Specimen phased = test::varied_phases(restart_specimen()).specimen;
+    static const Specimen crystals = test::crystals_with_flaw();
+    if (c.has_crystals) return crystals;
     return c.has_phases ? phased : restart_specimen();
 }
 
 SimulationRequest restart_request(const RestartCase& c) {
     SimulationRequest r;
-    r.material = c.has_phases ? test::granite_of_phases() : test::augig_granite();
+    r.material = c.has_phases ? test::granite_of_phases() : c.has_crystals ? test::granite_with_flaw() : test::augig_granite();
     r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
     r.law = c.law;
     r.loading.test = c.test;
@@ -142,6 +146,8 @@ INSTANTIATE_TEST_SUITE_P(OfATest, Restart,
                                                      false, LawVariant::cohesive_frictional},
                                          RestartCase{"UniaxialThreePhases", TestKind::uniaxial, RateKind::fixed, 1.0, true,
                                                      LawVariant::consistent, true},
+                                         RestartCase{"UniaxialCrystalsWithAFlaw", TestKind::uniaxial, RateKind::fixed, 1.0, true,
+                                                     LawVariant::consistent, false, true},
                                          RestartCase{"TriaxialScaled", TestKind::triaxial, RateKind::fixed, 1.0, true},
                                          RestartCase{"TriaxialBlocks", TestKind::triaxial, RateKind::blocks, 0.5, true},
                                          RestartCase{"Tension", TestKind::tension, RateKind::fixed, 0.3, true}),

@@ -7,6 +7,7 @@
 #include "share/file/h5_file.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/augig_granite.hpp"
+#include "tests/support/crystals.hpp"
 #include "tests/support/phases.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
@@ -65,6 +66,23 @@ TEST(Threads, OneAndTwoGiveTheSameDigestThroughShearAndFriction) {
     EXPECT_GT(summary.tensile_cracks, 10U);
     EXPECT_GT(summary.shear_cracks, 10U);
     EXPECT_EQ(digest_of(request(TestKind::uniaxial, 2), summary), first);
+}
+
+// Crystals that break within and between, and slide on a flaw with values of its own.
+TEST(Threads, OneTwoAndThreeGiveTheSameDigestOfCrystalsWithAFlaw) {
+    SimulationRequest r = request(TestKind::uniaxial, 1);
+    r.material = test::granite_with_flaw();
+    const Specimen crystals = test::crystals_with_flaw();
+    SimulationSummary summary;
+    const std::string first = digest_of(r, summary, crystals);
+    EXPECT_GT(summary.tensile_cracks, 10U);
+    EXPECT_GT(summary.shear_cracks, 3U);
+    for (const int threads : {2, 3}) {
+        r.threads = threads;
+        EXPECT_EQ(digest_of(r, summary, crystals), first) << threads;
+    }
+    r.material.fabric.flaws["joint"].friction_angle = 11 * test::degree;
+    EXPECT_NE(digest_of(r, summary, crystals), first);
 }
 
 // Three phases, contacts of a pair, and strengths that scatter.

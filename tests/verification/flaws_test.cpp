@@ -37,16 +37,21 @@ Specimen flawed_specimen(const Region& region, double edge, int elements_per_edg
     return mesher::make_specimen(request);
 }
 
-/// The same of crystals whose triangles are grains.
-Specimen flawed_crystals(const Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
+/// The same of crystals, which have classes of contacts within them and on flaws.
+Specimen crystals_of_classes(const Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
     mesher::SpecimenRequest request;
     request.region = region;
     request.edge = edge;
     request.spread = 0.3;
     request.tessellation = tessellation;
     request.element_size = element_size;
-    Specimen specimen = mesher::make_specimen(request);
-    specimen.contact_flaw.clear();  // one law for all contacts, within crystals too
+    return mesher::make_specimen(request);
+}
+
+/// The same with contacts of one class, within crystals too.
+Specimen flawed_crystals(const Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
+    Specimen specimen = crystals_of_classes(region, edge, element_size, tessellation);
+    specimen.contact_flaw.clear();
     specimen.flaw_names.clear();
     std::replace(specimen.contact_kind.begin(), specimen.contact_kind.end(),
                  static_cast<std::uint8_t>(ContactKind::within_crystal), static_cast<std::uint8_t>(ContactKind::grain_boundary));
@@ -111,35 +116,38 @@ double mode_i_of_bending(const SmallRun& run, double slit, double span) {
 /// The value at infinitely fine elements, from those with n and 2n along an edge: the error of K is of the order of an element.
 double extrapolated(double coarse, double fine) { return 2 * fine - coarse; }
 
-TEST(Slits, HalfDiscHasTheToughnessOfISRM) {
-    constexpr double radius = 0.05;
-    constexpr double slit = 0.025;
-    Region region = mesher::half_disc(2 * radius);
-    region.edges = {mesher::slit_from_below(region, slit, "slit")};
+constexpr double half_disc_radius = 0.05;
+constexpr double half_disc_slit = 0.5 * half_disc_radius;
+
+Region half_disc_with_slit() {
+    Region region = mesher::half_disc(2 * half_disc_radius);
+    region.edges = {mesher::slit_from_below(region, half_disc_slit, "slit")};
     mesher::centre_region(region);
-    const SmallRun coarse = stiff(flawed_specimen(region, 2e-3, 2));
-    const SmallRun fine = stiff(flawed_specimen(region, 2e-3, 4));
+    return region;
+}
+
+/// Y' of half-discs at a span over the diameter, from specimens of elements of a size and of half of it.
+void verify_half_disc(const std::string& name, const SmallRun& coarse, const SmallRun& fine, double span, double expected) {
+    const auto k_of = [&](const SmallRun& run) { return mode_i_of_bending(run, half_disc_slit, span * 2 * half_disc_radius); };
+    verify(fmt::format("specimens: {}, a/R .5, Y' at span/2R {}", name, span),
+           extrapolated(k_of(coarse), k_of(fine)) * 2 * half_disc_radius / std::sqrt(pi * half_disc_slit), expected, 0.03,
+           "ISRM (Kuruppu et al. 2014)");
+}
+
+TEST(Slits, HalfDiscHasTheToughnessOfISRM) {
+    const SmallRun coarse = stiff(flawed_specimen(half_disc_with_slit(), 2e-3, 2));
+    const SmallRun fine = stiff(flawed_specimen(half_disc_with_slit(), 2e-3, 4));
     for (const auto& [span, expected] : {std::pair{0.5, 3.680}, std::pair{0.6, 4.668}, std::pair{0.8, 6.646}}) {
-        const double k =
-            extrapolated(mode_i_of_bending(coarse, slit, span * 2 * radius), mode_i_of_bending(fine, slit, span * 2 * radius));
-        verify(fmt::format("specimens: half-disc, a/R .5, Y' at span/2R {}", span), k * 2 * radius / std::sqrt(pi * slit),
-               expected, 0.03, "ISRM (Kuruppu et al. 2014)");
+        verify_half_disc("half-disc", coarse, fine, span, expected);
     }
 }
 
 TEST(Slits, HalfDiscOfCrystalsHasTheToughnessOfISRM) {
-    constexpr double radius = 0.05;
-    constexpr double slit = 0.025;
-    Region region = mesher::half_disc(2 * radius);
-    region.edges = {mesher::slit_from_below(region, slit, "slit")};
-    mesher::centre_region(region);
     for (const auto tessellation : {mesher::Tessellation::voronoi, mesher::Tessellation::trigon}) {
-        const double k =
-            extrapolated(mode_i_of_bending(stiff(flawed_crystals(region, 3e-3, 1e-3, tessellation)), slit, 0.6 * 2 * radius),
-                         mode_i_of_bending(stiff(flawed_crystals(region, 3e-3, 0.5e-3, tessellation)), slit, 0.6 * 2 * radius));
+        const SmallRun coarse = stiff(flawed_crystals(half_disc_with_slit(), 3e-3, 1e-3, tessellation));
+        const SmallRun fine = stiff(flawed_crystals(half_disc_with_slit(), 3e-3, 0.5e-3, tessellation));
         const char* name = tessellation == mesher::Tessellation::voronoi ? "voronoi" : "trigon";
-        verify(fmt::format("specimens: half-disc of crystals ({}), a/R .5, Y' at span/2R 0.6", name),
-               k * 2 * radius / std::sqrt(pi * slit), 4.668, 0.03, "ISRM (Kuruppu et al. 2014)");
+        verify_half_disc(fmt::format("half-disc of crystals ({})", name), coarse, fine, 0.6, 4.668);
     }
 }
 
@@ -395,19 +403,34 @@ mesher::PrescribedEdge joint_through(double angle, double offset, ContactKind st
     return {middle - 1.0 * along, middle + 1.0 * along, {start, "joint"}};
 }
 
+/// \param name of the grains
+void verify_jaeger(const std::string& name, double angle, const std::function<Specimen(const Region&)>& specimen_of) {
+    const test::JointedTest joint{angle * test::degree, 5 * test::MPa};
+    Region region = mesher::rectangle(0.06, 0.2);
+    region.edges = {joint_through(joint.angle, 0, ContactKind::pre_existing_crack)};
+    SimulationRequest request = joint.request();
+    request.mass_scaling = true;
+    request.material.fabric.flaws["joint"].friction_angle = joint.friction_angle;
+    request.material.contact.friction_angle = 50 * test::degree;
+    request.contact = contact_parameters(request.material, request.plane, {});
+    const TestOutcome outcome = run_test(specimen_of(region), request, "joint", Verbosity::quiet);
+    verify(fmt::format("specimens: strength of a flaw{} at {} deg under 5 MPa (MPa)", name, angle),
+           outcome.header.peak_axial_stress / test::MPa, joint.strength() / test::MPa, 0.02, "Jaeger (1960), to 2 %");
+}
+
 TEST(Flaws, APlaneOfWeaknessSlidesAtJaegersStrength) {
     for (const double angle : {50.0, 62.0}) {
-        const test::JointedTest joint{angle * test::degree, 5 * test::MPa};
-        Region region = mesher::rectangle(0.06, 0.2);
-        region.edges = {joint_through(joint.angle, 0, ContactKind::pre_existing_crack)};
-        SimulationRequest request = joint.request();
-        request.mass_scaling = true;
-        request.material.fabric.flaws["joint"].friction_angle = joint.friction_angle;
-        request.material.contact.friction_angle = 50 * test::degree;
-        request.contact = contact_parameters(request.material, request.plane, {});
-        const TestOutcome outcome = run_test(flawed_specimen(region, 5e-3, 1), request, "joint", Verbosity::quiet);
-        verify(fmt::format("specimens: strength of a flaw at {} deg under 5 MPa (MPa)", angle),
-               outcome.header.peak_axial_stress / test::MPa, joint.strength() / test::MPa, 0.02, "Jaeger (1960), to 2 %");
+        verify_jaeger("", angle, [](const Region& region) { return flawed_specimen(region, 5e-3, 1); });
+    }
+}
+
+TEST(Flaws, APlaneOfWeaknessOfCrystalsSlidesAtJaegersStrength) {
+    for (const auto tessellation : {mesher::Tessellation::voronoi, mesher::Tessellation::trigon}) {
+        const bool is_trigon = tessellation == mesher::Tessellation::trigon;
+        for (const double angle : {50.0, 62.0}) {
+            verify_jaeger(is_trigon ? " of crystals (trigon)" : " of crystals (voronoi)", angle,
+                          [&](const Region& region) { return crystals_of_classes(region, 8e-3, 4e-3, tessellation); });
+        }
     }
 }
 

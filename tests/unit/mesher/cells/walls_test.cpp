@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "mesher/region/shapes.hpp"
 #include "tests/unit/mesher/region/test_regions.hpp"
@@ -45,6 +47,21 @@ TEST(Walls, OfAnLWithHolesHaveABoxAround) {
 TEST(Walls, OfElongatedCellsHaveTheSameAreas) {
     const Zones zones(walls_of(ring(0.08, 0.03), 0.004, Stretch({2, 0.5})));
     EXPECT_NEAR(area_inside(zones) / area(ring(0.08, 0.03)), 1, 1e-9);
+}
+
+// The integral of one over (.5 + 1.5 t)² along the height is (1/.5 − 1/1.25)/1.5 in the lower half and (1/1.25 − 1/2)/1.5 in the
+// upper one; tabulated sizes are scaled so that both together are the area, and are linear between points of the table.
+TEST(Walls, ZonesHaveRoomForGradedCells) {
+    Region region = rectangle(4, 4);
+    region.edges = {{{-2, 0}, {2, 0}, {}, "joint"}};
+    const SizeField size(region, 0.1, parse_grading("along=y,from=0.5,to=2", "--grade"), {}, 0);
+    const Zones zones(walls_of(region, 0.1, {}, size));
+    ASSERT_EQ(zones.size(), 2U);
+    std::vector<double> room{zones.graded_area(0, size), zones.graded_area(1, size)};
+    std::sort(room.begin(), room.end());
+    EXPECT_NEAR(room[0] / 16, 0.2, 0.2 * 0.02);
+    EXPECT_NEAR(room[1] / 16, 0.8, 0.8 * 0.02);
+    EXPECT_EQ(zones.graded_area(0, {}), zones.area(0));
 }
 
 TEST(Walls, SeedsStayInTheirZones) {

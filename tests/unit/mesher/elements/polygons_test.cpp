@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "mesher/mesh_report.hpp"
 #include "mesher/region/shapes.hpp"
@@ -198,9 +200,128 @@ TEST(Polygons, FollowFlawsHolesAndOutlinesWithTheirSizes) {
     }
 }
 
+/// Crystals of a specimen of polygons that do not break, and those of one end of it.
+struct AtEnd {
+    double n = 0;
+    double diameter = 0;  ///< mean
+    double elements = 0;  ///< mean number of a crystal
+    double element_area = 0;
+};
+AtEnd crystals_where(const Specimen& s, const std::function<bool(Point)>& is_there) {
+    std::vector<Point> moment(s.n_grains());
+    std::vector<double> area(s.n_grains(), 0);
+    std::vector<double> n_elements(s.n_grains(), 0);
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        std::array<Point, 3> corner;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& p = s.node_position[static_cast<std::size_t>(s.element_nodes[e][k])];
+            corner[k] = {p[0], p[1]};
+        }
+        const auto grain = static_cast<std::size_t>(s.element_grain[e]);
+        const double own = signed_area(corner[0], corner[1], corner[2]);
+        moment[grain] = moment[grain] + (own / 3) * (corner[0] + corner[1] + corner[2]);
+        area[grain] += own;
+        n_elements[grain] += 1;
+    }
+    AtEnd end;
+    double total = 0;
+    for (std::size_t grain = 0; grain < area.size(); ++grain) {
+        if (!is_there((1 / area[grain]) * moment[grain])) continue;
+        end.n += 1;
+        end.diameter += std::sqrt(4 * area[grain] / std::numbers::pi);
+        end.elements += n_elements[grain];
+        total += area[grain];
+    }
+    end.element_area = total / end.elements;
+    end.diameter /= end.n;
+    end.elements /= end.n;
+    return end;
+}
+
+// Mean diameters over a strip in which sizes grow linearly from g₀ to g₁ are to the second order √(g₀ g₁). The tolerance of 6 %
+// is three standard errors of the fewest crystals at an end (130, whose diameters vary by .1: 2.6 %) and as much for the rows of
+// crystals that the end of the strip cuts.
+TEST(Polygons, SizesAreGradedAlongAnAxis) {
+    for (const bool has_element_size : {false, true}) {
+        SpecimenRequest request = polygons(rectangle(0.08, 0.16), 4000);
+        request.spread = 0.1;
+        request.grading = parse_grading("along=y,from=0.5,to=2", "--grade");
+        if (has_element_size) request.element_size = 0.4e-3;
+        MeshReport report;
+        const Specimen s = make_specimen(request, {}, &report);
+        EXPECT_NO_THROW(validate(s, "rectangle"));
+        EXPECT_EQ(s.n_grains(), 4000U);
+        const AtEnd low = crystals_where(s, [](Point p) { return p.y < -0.06; });  // .5 to .6875
+        const AtEnd high = crystals_where(s, [](Point p) { return p.y > 0.06; });  // 1.8125 to 2
+        EXPECT_GT(std::min(low.n, high.n), 130);
+        EXPECT_NEAR(high.diameter / low.diameter / (std::sqrt(1.8125 * 2) / std::sqrt(0.5 * 0.6875)), 1, 0.06);
+        for (const std::size_t end : {0U, 1U}) {
+            EXPECT_NEAR(report.polygons.graded_diameter[end] / report.polygons.wanted_diameter[end], 1, 0.06);
+        }
+        EXPECT_LE(report.polygons.largest_area_error, 1e-6);
+        EXPECT_NEAR(report.polygons.diameter_variation, 0.1, 0.002);
+        // Elements are as many in each crystal (in areas their ratio would be ten), or of one size but for the corners of
+        // crystals.
+        EXPECT_NEAR(has_element_size ? high.element_area / low.element_area : high.elements / low.elements, 1, 0.25);
+        EXPECT_EQ(describe_mesh(s, request, report).empty(), false);
+    }
+}
+
+TEST(Polygons, SizesAreGradedAroundAHole) {
+    SpecimenRequest request = polygons(rectangle(0.08, 0.08), 2000);
+    add_hole(request.region, {0.005, 0}, 0.01, "--hole");
+    request.spread = 0.1;
+    request.grading = parse_grading("towards=holes,from=0.4,distance=24mm", "--grade");
+    MeshReport report;
+    const Specimen s = make_specimen(request, {}, &report);
+    EXPECT_NO_THROW(validate(s, "rectangle"));
+    EXPECT_EQ(s.n_grains(), 2000U);
+    const auto distance = [](Point p) { return length(p - Point{0.005, 0}) - 0.01; };
+    const AtEnd near = crystals_where(s, [&](Point p) { return distance(p) < 3e-3; });  // .4 to .475
+    const AtEnd far = crystals_where(s, [&](Point p) { return distance(p) > 24e-3; });
+    EXPECT_GT(std::min(near.n, far.n), 130);
+    EXPECT_NEAR(far.diameter / near.diameter * std::sqrt(0.4 * 0.475), 1, 0.06);
+    EXPECT_LE(report.polygons.largest_area_error, 1e-6);
+    EXPECT_NEAR(report.polygons.diameter_variation, 0.1, 0.002);
+}
+
+// A joint at half the height divides the integral of 1/g², g from .5 to 2, by .8 to .2.
+TEST(Polygons, GradedOnesAreSharedBetweenTheSidesOfAJoint) {
+    SpecimenRequest request = polygons(rectangle(0.08, 0.16), 500);
+    request.spread = 0;
+    request.region.edges = {{{-0.05, 0}, {0.05, 0}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
+    request.grading = parse_grading("along=y,from=0.5,to=2", "--grade");
+    const Specimen s = make_specimen(request);
+    EXPECT_NO_THROW(validate(s, "rectangle"));
+    EXPECT_NEAR(crystals_where(s, [](Point p) { return p.y < 0; }).n, 400, 2);
+    EXPECT_NEAR(crystals_where(s, [](Point p) { return p.y > 0; }).n, 100, 2);
+}
+
+// Four parts for three crystals.
+TEST(Polygons, NameTheFlawsThatLeaveNoRoom) {
+    Region region = rectangle(0.08, 0.16);
+    for (const double y : {-0.04, 0.0, 0.04}) {
+        const std::string name = "flaws.tsv: line " + std::to_string(3 + std::lround(y / 0.04));
+        region.edges.push_back({{-0.1, y}, {0.1, y}, {ContactKind::pre_existing_crack, "joint"}, name});
+    }
+    PolygonRequest request;
+    request.n = 3;
+    request.element_size = 0.01;
+    try {
+        (void)polygon_mesh(region, request);
+        ADD_FAILURE();
+    } catch (const UsageError& error) {
+        const std::string message = error.what();
+        EXPECT_EQ(message.rfind("flaws.tsv: line ", 0), 0U) << message;
+        EXPECT_NE(message.find("leaves no room"), std::string::npos) << message;
+        EXPECT_NE(message.find(" beside flaws.tsv: line "), std::string::npos) << message;
+    }
+}
+
 TEST(Polygons, SameSeedSameSpecimen) {
     for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
         SpecimenRequest request = polygons(disc(0.08), 100, tessellation);
+        if (tessellation == Tessellation::trigon) request.grading = parse_grading("along=x,from=1,to=2", "--grade");
         const Specimen one = make_specimen(request);
         const Specimen again = make_specimen(request);
         EXPECT_EQ(one.node_position, again.node_position);
@@ -232,7 +353,8 @@ TEST(Polygons, RefuseWhatTheyDoNotHave) {
     names("slit", [](auto& r) { r.region.edges = {{{0, -0.0795}, {0.02, -0.0795}, {}, "slit"}}; });  // beside the boundary
     names("--grains", [](auto& r) { add_hole(r.region, {0, 0}, 0.003, "--hole"); });
     names("--elements-per-edge", [](auto& r) { r.elements_per_edge = 2; });
-    names("--grade", [](auto& r) { r.grading = parse_grading("along=y,from=0.5,to=2", "--grade"); });
+    names("--grade", [](auto& r) { r.grading = parse_grading("towards=holes,from=0.5,distance=20mm", "--grade"); });
+    names("--grade", [](auto& r) { r.grading = parse_grading("towards=boundary,from=0.5,distance=5mm", "--grade"); });
     names("--elongation", [](auto& r) { r.elongation.ratio = 5; });
     names("--spread", [](auto& r) { r.spread = 0.61; });
     names("--grains", [](auto& r) { r.grains = 1; });

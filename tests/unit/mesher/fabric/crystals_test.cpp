@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "share/file/specimen_validation.hpp"
 #include "tests/support/specimens.hpp"
@@ -10,8 +12,9 @@
 namespace graincrack::mesher {
 namespace {
 
-TEST(Crystals, ContactsWithinThemAreOfTheClassOfTheirPhase) {
-    Specimen s = test::one_diagonal_grid(2, 1, 0.02, 0.01);  // two squares of two triangles each
+/// Two squares of two triangles each, of quartz and mica. \return the crystal of each grain
+std::vector<int> make_crystals(Specimen& s) {
+    s = test::one_diagonal_grid(2, 1, 0.02, 0.01);
     s.phase_names = {"quartz", "mica"};
     const auto centre = [&](std::size_t g) {
         double x = 0;
@@ -21,6 +24,12 @@ TEST(Crystals, ContactsWithinThemAreOfTheClassOfTheirPhase) {
     std::vector<int> crystals;
     for (std::size_t g = 0; g < s.n_grains(); ++g) crystals.push_back(centre(g) < 0 ? 0 : 1);
     for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = static_cast<std::uint8_t>(crystals[g]);
+    return crystals;
+}
+
+TEST(Crystals, ContactsWithinThemAreOfTheClassOfTheirPhase) {
+    Specimen s;
+    const std::vector<int> crystals = make_crystals(s);
     name_crystals(s, crystals);
     validate(s, "s.h5");
     EXPECT_EQ(s.flaw_names, (std::vector<std::string>{"within_quartz", "within_mica"}));
@@ -33,6 +42,26 @@ TEST(Crystals, ContactsWithinThemAreOfTheClassOfTheirPhase) {
     EXPECT_EQ(classes, (std::vector<std::uint8_t>{0, 1, 2}));
     EXPECT_EQ(phase_of_within_class("within_quartz"), "quartz");
     EXPECT_EQ(phase_of_within_class("joint"), "");
+}
+
+TEST(Crystals, ContactsOnFlawsKeepTheirClass) {
+    Specimen s;
+    const std::vector<int> crystals = make_crystals(s);
+    s.flaw_names = {"joint", "vein"};
+    s.contact_flaw.assign(s.n_contacts(), 0);
+    const auto nodes = grain_of_nodes(s);
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto crystal_at = [&](std::size_t k) {
+            return crystals[static_cast<std::size_t>(nodes[static_cast<std::size_t>(s.contact_nodes[c][k])])];
+        };
+        if (crystal_at(0) != crystal_at(2)) s.contact_flaw[c] = 2;
+    }
+    name_crystals(s, crystals);
+    validate(s, "s.h5");
+    EXPECT_EQ(s.flaw_names, (std::vector<std::string>{"joint", "vein", "within_quartz", "within_mica"}));
+    std::vector<std::uint8_t> classes = s.contact_flaw;
+    std::sort(classes.begin(), classes.end());
+    EXPECT_EQ(classes, (std::vector<std::uint8_t>{2, 3, 4}));
 }
 
 }  // namespace

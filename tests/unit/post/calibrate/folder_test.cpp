@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -273,6 +274,27 @@ TEST_F(CalibrateFolder, TheLawHasItsParametersAndSpecimensTheMinerals) {
     const Parameter contrast = read_problem(material()).parameters.at(0);
     EXPECT_NEAR(contrast.low, 0.17 / 0.214, 0.01);
     EXPECT_NEAR(contrast.high, 0.32 / 0.214, 0.01);
+}
+
+TEST_F(CalibrateFolder, SpecimensHaveTheFabricOfTheMaterial) {
+    const std::string fabric =
+        "[fabric]\ntessellation = \"trigon\"\ngrain_size = \"6 mm\"\nsize_variation = 0.3\nelements_per_crystal = 12\n"
+        "elongation = 1.5\nelongation_angle = \"30 deg\"\n";
+    const auto row = [&] {
+        return row_of(material(), read_problem(material()).study, {{"uniaxial", 0, 0.3}, 7, {}, {}, "d1p01", ""});
+    };
+    const std::string size = "rectangle --width 80mm --height 160mm ";
+    const std::string grains =
+        " --tessellation trigon --spread 0.3 --elements-per-crystal 12 --elongation 1.5 --elongation-angle 30deg --seed 7";
+    write_material(fabric);
+    EXPECT_EQ(row().mesh, size + "--grain-size 6mm" + grains);
+    EXPECT_EQ(row().specimen, "rectangle80x160d6trigonv0.3t12l1.5a30-s7");
+    // The equilateral triangle of the area of that diameter has the edge d √(π/√3).
+    EXPECT_NEAR(read_problem(material()).study.specimens.mean_edge(), 6e-3 * std::sqrt(3.14159265 / std::sqrt(3.0)), 1e-9);
+    write_material(fabric + "[study]\ngrains = 300\n");
+    EXPECT_EQ(row().mesh, size + "--grains 300" + grains);
+    write_material(fabric + "[study]\nmean_edge = \"5 mm\"\n");
+    EXPECT_EQ(row().mesh, size + "--edge 5mm" + grains);
 }
 
 TEST_F(CalibrateFolder, StudyIsReadAndChecked) {
