@@ -23,7 +23,7 @@ namespace {
 
 ChartText specimen_heading(const Specimen& specimen) {
     const MeshStatistics& mesh = specimen.statistics;
-    const bool is_round = !has_end_faces(specimen);
+    const bool is_round = !has_end_faces(specimen) && specimen.shape != "polygon";
     const std::string size = is_round ? "⌀ " + format_number(specimen.width * 1e3, 4)
                                       : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
     std::string shape = specimen.shape;
