@@ -285,6 +285,21 @@ TEST(Polygons, SizesAreGradedAroundAHole) {
     EXPECT_NEAR(report.polygons.diameter_variation, 0.1, 0.002);
 }
 
+// A specimen's middle must be the origin to 0.1 % of its width, also where chords of the rim differ.
+TEST(Polygons, GradedDiscsHaveTheirMiddle) {
+    Region slit = disc(0.028);
+    slit.edges = {central_slit(slit, 0.014, -0.7, "slit")};
+    for (const Region& region : {disc(0.028), slit, disc_with_flats(0.028, 0.5)}) {
+        for (const char* grading : {"along=x,from=0.5,to=1.6", "along=y,from=1.6,to=0.5"}) {
+            SpecimenRequest request = polygons(region, 250);
+            request.grading = parse_grading(grading, "--grade");
+            EXPECT_NO_THROW(validate(make_specimen(request), region.name)) << grading;
+            request.elongation = {3, -1.6};
+            EXPECT_NO_THROW(validate(make_specimen(request), region.name)) << grading;
+        }
+    }
+}
+
 // A joint at half the height divides the integral of 1/g², g from .5 to 2, by .8 to .2.
 TEST(Polygons, GradedOnesAreSharedBetweenTheSidesOfAJoint) {
     SpecimenRequest request = polygons(rectangle(0.08, 0.16), 500);
