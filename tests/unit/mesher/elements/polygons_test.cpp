@@ -312,6 +312,18 @@ TEST(Polygons, GradedOnesAreSharedBetweenTheSidesOfAJoint) {
     EXPECT_NEAR(crystals_where(s, [](Point p) { return p.y > 0; }).n, 100, 2);
 }
 
+// A joint cuts off a tenth. The tolerance is three standard errors of its 50 diameters, which vary by .4.
+TEST(Polygons, HaveLargeAndSmallOnesInEachPart) {
+    SpecimenRequest request = polygons(rectangle(0.08, 0.16), 500);
+    request.spread = 0.4;
+    request.region.edges = {{{-0.05, 0.064}, {0.05, 0.064}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
+    const Specimen s = make_specimen(request);
+    const AtEnd small = crystals_where(s, [](Point p) { return p.y > 0.064; });
+    const AtEnd large = crystals_where(s, [](Point p) { return p.y < 0.064; });
+    EXPECT_EQ(small.n + large.n, 500);
+    EXPECT_NEAR(small.diameter / large.diameter, 1, 3 * 0.4 / std::sqrt(50.0));
+}
+
 // Four parts for three crystals.
 TEST(Polygons, NameTheFlawsThatLeaveNoRoom) {
     Region region = rectangle(0.08, 0.16);
