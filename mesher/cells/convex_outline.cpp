@@ -13,7 +13,10 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr int fewest_on_circle = 24;  ///< chords, whose rise is then below 1 % of the radius
-constexpr double on_line = 1e-9;      ///< sine of the angle below which two sides are one
+/// Where chords differ: none is longer than those of so many equal ones, whose ends have their middle in the circle's to 0.1 % of
+/// the diameter.
+constexpr int fewest_graded_on_circle = 48;
+constexpr double on_line = 1e-9;  ///< sine of the angle below which two sides are one
 
 bool has_arcs(const Loop& loop) {
     return std::any_of(loop.centres.begin(), loop.centres.end(), [](const auto& centre) { return centre.has_value(); });
@@ -26,6 +29,11 @@ double outline_count(const Region& region, double edge, const SizeField& size) {
     double wanted = (size.varies() ? relative_perimeter(region, size) : perimeter(region)) / edge;
     if (loop.circle) wanted = std::max({wanted, 1.0 * fewest_on_circle, 4.0 * loop.circle->diameters});
     if (has_arcs(loop)) wanted = std::max(wanted, 1.0 * fewest_on_circle);
+    if (size.varies() && (loop.circle || has_arcs(loop))) {
+        const double around = perimeter({region.name, {loop}, {}, region.part_names, region.flats});
+        wanted = std::max(wanted, fewest_graded_on_circle * size.largest() * std::sqrt(size.stretch().ratio()) *
+                                      relative_perimeter(region, size) / around);
+    }
     return wanted;
 }
 

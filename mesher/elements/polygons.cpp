@@ -31,6 +31,8 @@ namespace {
 
 constexpr int most_rounds = 2;  ///< of removing short edges and restoring areas, which can make further ones
 
+constexpr std::size_t last_areas = 8;  ///< of each zone: they fill what the others leave
+
 constexpr int most_attempts = 12;  ///< at cells between walls
 constexpr double enough = 1e-6;    ///< error of areas that needs no further attempt
 
@@ -54,7 +56,8 @@ Crystals plain_crystals(const Region& region, const PolygonRequest& request, con
     return {std::move(made.cells), outline.size(), std::move(made.wanted), made.largest_error, outline.loading_arc};
 }
 
-/// Shares areas, each for the zone that has the most left, between the zones inside; none is left without.
+/// Shares areas between the zones inside, so that each has large and small ones by its room; the last, smallest ones are for the
+/// zone that has the most left. None is left without.
 /// \param room of the zones (`Zones::graded_area`), whose sum inside is that of the areas
 std::vector<std::size_t> zones_for(std::vector<double>& areas, const Zones& zones, const std::vector<double>& room) {
     std::vector<double> left;
@@ -69,9 +72,11 @@ std::vector<std::size_t> zones_for(std::vector<double>& areas, const Zones& zone
     std::vector<int> count(inside.size(), 0);
     for (std::size_t i = 0; i < areas.size(); ++i) {
         const auto n_without = static_cast<std::size_t>(std::count(count.begin(), count.end(), 0));
+        const bool is_last = i + last_areas * inside.size() >= areas.size();
+        const auto need = [&](std::size_t k) { return is_last ? left[k] : (left[k] - areas[i] / 2) / room[inside[k]]; };
         std::size_t chosen = 0;
         for (std::size_t k = 1; k < inside.size(); ++k) {
-            const bool is_better = areas.size() - i <= n_without ? count[k] < count[chosen] : left[k] > left[chosen];
+            const bool is_better = areas.size() - i <= n_without ? count[k] < count[chosen] : need(k) > need(chosen);
             if (is_better) chosen = k;
         }
         left[chosen] -= areas[i];

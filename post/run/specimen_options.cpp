@@ -47,8 +47,8 @@ std::string asked_grains(const H5Input& file) {
     const auto elongation = options.find("elongation");
     const bool is_equiaxed = elongation == options.end() || elongation->second == "1";
     std::string text = tessellation->second;
-    for (const char* key :
-         {"grain-size", "grains", "edge", "spread", "elements-per-crystal", "element-size", "elongation", "elongation-angle"}) {
+    for (const char* key : {"grain-size", "grains", "edge", "spread", "grade", "elements-per-crystal", "element-size",
+                            "elongation", "elongation-angle"}) {
         const auto found = options.find(key);
         const bool is_left_out = is_equiaxed && std::string_view(key).starts_with("elongation");
         if (found != options.end() && !is_left_out) text += fmt::format(", {} {}", key, found->second);

@@ -285,6 +285,21 @@ TEST(Polygons, SizesAreGradedAroundAHole) {
     EXPECT_NEAR(report.polygons.diameter_variation, 0.1, 0.002);
 }
 
+// A specimen's middle must be the origin to 0.1 % of its width, also where chords of the rim differ.
+TEST(Polygons, GradedDiscsHaveTheirMiddle) {
+    Region slit = disc(0.028);
+    slit.edges = {central_slit(slit, 0.014, -0.7, "slit")};
+    for (const Region& region : {disc(0.028), slit, disc_with_flats(0.028, 0.5)}) {
+        for (const char* grading : {"along=x,from=0.5,to=1.6", "along=y,from=1.6,to=0.5"}) {
+            SpecimenRequest request = polygons(region, 250);
+            request.grading = parse_grading(grading, "--grade");
+            EXPECT_NO_THROW(validate(make_specimen(request), region.name)) << grading;
+            request.elongation = {3, -1.6};
+            EXPECT_NO_THROW(validate(make_specimen(request), region.name)) << grading;
+        }
+    }
+}
+
 // A joint at half the height divides the integral of 1/g², g from .5 to 2, by .8 to .2.
 TEST(Polygons, GradedOnesAreSharedBetweenTheSidesOfAJoint) {
     SpecimenRequest request = polygons(rectangle(0.08, 0.16), 500);
@@ -295,6 +310,18 @@ TEST(Polygons, GradedOnesAreSharedBetweenTheSidesOfAJoint) {
     EXPECT_NO_THROW(validate(s, "rectangle"));
     EXPECT_NEAR(crystals_where(s, [](Point p) { return p.y < 0; }).n, 400, 2);
     EXPECT_NEAR(crystals_where(s, [](Point p) { return p.y > 0; }).n, 100, 2);
+}
+
+// A joint cuts off a tenth. The tolerance is three standard errors of its 50 diameters, which vary by .4.
+TEST(Polygons, HaveLargeAndSmallOnesInEachPart) {
+    SpecimenRequest request = polygons(rectangle(0.08, 0.16), 500);
+    request.spread = 0.4;
+    request.region.edges = {{{-0.05, 0.064}, {0.05, 0.064}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
+    const Specimen s = make_specimen(request);
+    const AtEnd small = crystals_where(s, [](Point p) { return p.y > 0.064; });
+    const AtEnd large = crystals_where(s, [](Point p) { return p.y < 0.064; });
+    EXPECT_EQ(small.n + large.n, 500);
+    EXPECT_NEAR(small.diameter / large.diameter, 1, 3 * 0.4 / std::sqrt(50.0));
 }
 
 // Four parts for three crystals.

@@ -36,6 +36,8 @@ TEST(SpecimenOptions, AreReadFromTheConfigurationOfTheSpecimen) {
     EXPECT_FALSE(crystal_sizes(plain)) << "triangles";
     const H5Input foliated = made_with(folder, grid, options + "1.5\nelongation-angle = \"30deg\"\nmaterial = \"gneiss\"\n");
     EXPECT_EQ(asked_grains(foliated), "delaunay, grains 8, spread 0.1, elongation 1.5, elongation-angle 30deg (material gneiss)");
+    const H5Input graded = made_with(folder, grid, options + "1\ngrade = \"along=y,from=0.5,to=2\"\n");
+    EXPECT_EQ(asked_grains(graded), "delaunay, grains 8, spread 0.1, grade along=y,from=0.5,to=2");
     EXPECT_EQ(asked_grains(made_with(folder, grid, "grains = = 8")), "") << "no TOML";
     EXPECT_EQ(asked_grains(made_with(folder, grid, "")), "");
 }
