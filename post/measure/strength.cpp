@@ -18,6 +18,9 @@ namespace graincrack {
 
 namespace {
 
+/// By which the largest stress must exceed the first peak to be shown beside it: smoothing lowers a sharp peak by up to 1 %.
+constexpr double least_excess = 0.01;
+
 /// What the table tells of a run.
 struct StrengthRow {
     RunData run;
@@ -118,8 +121,15 @@ const Columns<StrengthRow>& strength_columns() {
 }
 
 std::string ending(const StrengthRow& r) {
-    const std::string& kind = r.strength.peak_kind;
-    return kind == "drop" ? "peak" : kind == "cap" ? "strain limit" : "stopped";
+    if (r.strength.has_peak()) return "peak";
+    return r.strength.peak_kind == "cap" ? "strain limit" : "stopped";
+}
+
+/// Whether the strength that is reported is a first peak, which the stress exceeds later.
+bool is_exceeded(const StrengthRow& r) { return r.strength.reported() < (1 - least_excess) * r.strength.value(); }
+
+double strain_at_strength(const StrengthRow& r) {
+    return is_exceeded(r) ? r.strength.first_peak->strain : r.strength.strain_at_peak;
 }
 
 const Columns<StrengthRow>& strength_terminal_columns() {
@@ -130,8 +140,8 @@ const Columns<StrengthRow>& strength_terminal_columns() {
                                 {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
                                 {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
                                 {"mean edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
-                                {"strength", megapascal, [](const R& r) { return r.strength.value(); }},
-                                {"at strain", percent, [](const R& r) { return r.strength.strain_at_peak; }},
+                                {"strength", megapascal, [](const R& r) { return r.strength.reported(); }},
+                                {"at strain", percent, strain_at_strength},
                                 {"ended by", none, ending},
                                 {"tensile", cracks, [](const R& r) { return whole_contacts(r.strength.tensile_cracks); }},
                                 {"shear", cracks, [](const R& r) { return whole_contacts(r.strength.shear_cracks); }}};
@@ -144,6 +154,10 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
     using namespace unit;
     Columns<R> columns = strength_terminal_columns();
     const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
+    if (any(is_exceeded)) {
+        columns.push_back(
+            {"largest", megapascal, [](const R& r) { return is_exceeded(r) ? Cell(r.strength.value()) : Cell(" "); }});
+    }
     if (any([](const R& r) { return r.header().test == "bend"; })) {
         columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
         columns.push_back({"flexural strength", megapascal, [](const R& r) { return r.strength.flexural_strength; }});
@@ -165,7 +179,7 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
         table.group(name);
         std::vector<double> strengths;
         for (const StrengthRow* r : members) {
-            strengths.push_back(r->strength.value());
+            strengths.push_back(r->strength.reported());
             table.row(cells_of(columns, *r));
         }
         if (strengths.size() < 2) continue;
@@ -210,6 +224,7 @@ Strength measure_strength(const RunData& run) {
     strength.peak_kind = peak_kind(run, curve);
     strength.first_yield = first_yield(curve);
     strength.first_peak = measure_first_peak(run, curve);
+    strength.is_confined = is_compression(run.header) && run.header.confining_pressure > 0;
     std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),
                    [&](double strain) { return stress_at_strain(curve, strain); });
     strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];

@@ -39,8 +39,8 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
         const Strength strength = measure_strength(run);
         Members& members = sets[summary_key(run)];
         members.plane = run.header.plane;  // the same in all, as settings are
-        members.strengths.push_back(strength.value());
-        if (strength.peak_kind != "drop") ++members.without_peak;
+        members.strengths.push_back(strength.reported());
+        if (!strength.has_peak()) ++members.without_peak;
     }
     std::vector<StrengthGroup> groups;
     std::optional<double> brazilian;

@@ -18,7 +18,7 @@ struct StrengthGroup {
     std::string shape;              ///< where strengths of a test are told apart by it (`distinct_shape`), else ""
     double confining_pressure = 0;  ///< Pa
     PlaneCondition plane{};
-    Sample strength;               ///< Pa; largest stresses, also of runs without a peak
+    Sample strength;               ///< Pa; as laboratories report it (`Strength::reported`), also of runs without a peak
     std::size_t without_peak = 0;  ///< number of runs
     /// Mean strength over that of the brazilian runs of the set: UCS/BTS, DTS/BTS.
     std::optional<double> ratio_to_brazilian;
