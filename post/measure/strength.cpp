@@ -18,9 +18,6 @@ namespace graincrack {
 
 namespace {
 
-/// By which the largest stress must exceed the first peak to be shown beside it: smoothing lowers a sharp peak by up to 1 %.
-constexpr double least_excess = 0.01;
-
 /// What the table tells of a run.
 struct StrengthRow {
     RunData run;
@@ -125,11 +122,8 @@ std::string ending(const StrengthRow& r) {
     return r.strength.peak_kind == "cap" ? "strain limit" : "stopped";
 }
 
-/// Whether the strength that is reported is a first peak, which the stress exceeds later.
-bool is_exceeded(const StrengthRow& r) { return r.strength.reported() < (1 - least_excess) * r.strength.value(); }
-
 double strain_at_strength(const StrengthRow& r) {
-    return is_exceeded(r) ? r.strength.first_peak->strain : r.strength.strain_at_peak;
+    return r.strength.has_earlier_peak() ? r.strength.first_peak->strain : r.strength.strain_at_peak;
 }
 
 const Columns<StrengthRow>& strength_terminal_columns() {
@@ -154,9 +148,9 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
     using namespace unit;
     Columns<R> columns = strength_terminal_columns();
     const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
-    if (any(is_exceeded)) {
-        columns.push_back(
-            {"largest", megapascal, [](const R& r) { return is_exceeded(r) ? Cell(r.strength.value()) : Cell(" "); }});
+    if (any([](const R& r) { return r.strength.has_earlier_peak(); })) {
+        columns.push_back({"largest", megapascal,
+                           [](const R& r) { return r.strength.has_earlier_peak() ? Cell(r.strength.value()) : Cell(" "); }});
     }
     if (any([](const R& r) { return r.header().test == "bend"; })) {
         columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});

@@ -30,10 +30,14 @@ struct Strength {
     /// The same by another definition; empty if the test has no such strength, as tension, Brazilian tests and bending for all
     /// but the largest.
     [[nodiscard]] std::optional<double> value(StrengthKind kind) const;
+    /// Whether the stress of a confined test exceeds its first peak later: then the first peak is what a laboratory reports.
+    [[nodiscard]] bool has_earlier_peak() const {
+        return is_confined && first_peak && first_peak->strain < strain_at_peak - smoothing_strain;
+    }
     /// What a laboratory reports: under confining pressure the first peak, if there is one; else the largest stress.
-    [[nodiscard]] double reported() const { return is_confined && first_peak ? first_peak->stress : peak_stress; }
+    [[nodiscard]] double reported() const { return has_earlier_peak() ? first_peak->stress : peak_stress; }
     /// Whether that is a peak: the stress fell behind it.
-    [[nodiscard]] bool has_peak() const { return peak_kind == "drop" || (is_confined && first_peak); }
+    [[nodiscard]] bool has_peak() const { return peak_kind == "drop" || has_earlier_peak(); }
     bool is_confined = false;             ///< a triaxial test under a pressure
     double strain_at_peak = 0;            ///< platen approach over height since the start of the test
     std::string peak_kind;                ///< see `peak_kind`
