@@ -22,6 +22,7 @@ namespace {
 struct StrengthRow {
     RunData run;
     Strength strength;
+    StrengthKind kind{};                  ///< for the terminal
     std::optional<BrazilianSplit> split;  ///< of a Brazilian test
     double loading_arc = 0;               ///< of its disc, rad
     std::optional<double> ring_strength;  ///< of a ring: the stress at its hole, Pa
@@ -30,6 +31,7 @@ struct StrengthRow {
     [[nodiscard]] const ContactParameters& contact() const { return run.header.contact; }
     /// What a checkpoint does not have yet.
     [[nodiscard]] Cell at_end(double value) const { return header().stop_reason == "checkpoint" ? Cell() : Cell(value); }
+    [[nodiscard]] bool is_of_first_peak() const { return kind != StrengthKind::largest && strength.has_earlier_peak(); }
     [[nodiscard]] double grain_steps() const {
         return static_cast<double>(header().integrations) * static_cast<double>(run.specimen.grains);
     }
@@ -42,9 +44,9 @@ struct StrengthRow {
     }
 };
 
-StrengthRow read_strength_row(const std::string& path) {
+StrengthRow read_strength_row(const std::string& path, StrengthKind kind) {
     const RunReader reader(path);
-    StrengthRow row{run_data(reader), {}, std::nullopt, 0, std::nullopt, {}};
+    StrengthRow row{run_data(reader), {}, kind, std::nullopt, 0, std::nullopt, {}};
     row.strength = measure_strength(row.run);
     const LoadCurve curve = load_curve(row.run);
     if (row.header().test == "brazilian" && row.run.specimen.shape == "ring") {
@@ -123,7 +125,7 @@ std::string ending(const StrengthRow& r) {
 }
 
 double strain_at_strength(const StrengthRow& r) {
-    return r.strength.has_earlier_peak() ? r.strength.first_peak->strain : r.strength.strain_at_peak;
+    return r.is_of_first_peak() ? r.strength.first_peak->strain : r.strength.strain_at_peak;
 }
 
 const Columns<StrengthRow>& strength_terminal_columns() {
@@ -134,7 +136,7 @@ const Columns<StrengthRow>& strength_terminal_columns() {
                                 {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
                                 {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
                                 {"mean edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
-                                {"strength", megapascal, [](const R& r) { return r.strength.reported(); }},
+                                {"strength", megapascal, [](const R& r) { return r.strength.reported(r.kind); }},
                                 {"at strain", percent, strain_at_strength},
                                 {"ended by", none, ending},
                                 {"tensile", cracks, [](const R& r) { return whole_contacts(r.strength.tensile_cracks); }},
@@ -148,9 +150,9 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
     using namespace unit;
     Columns<R> columns = strength_terminal_columns();
     const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
-    if (any([](const R& r) { return r.strength.has_earlier_peak(); })) {
-        columns.push_back({"largest", megapascal,
-                           [](const R& r) { return r.strength.has_earlier_peak() ? Cell(r.strength.value()) : Cell(" "); }});
+    if (any([](const R& r) { return r.is_of_first_peak(); })) {
+        columns.push_back(
+            {"largest", megapascal, [](const R& r) { return r.is_of_first_peak() ? Cell(r.strength.value()) : Cell(" "); }});
     }
     if (any([](const R& r) { return r.header().test == "bend"; })) {
         columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
@@ -173,7 +175,7 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
         table.group(name);
         std::vector<double> strengths;
         for (const StrengthRow* r : members) {
-            strengths.push_back(r->strength.reported());
+            strengths.push_back(r->strength.reported(r->kind));
             table.row(cells_of(columns, *r));
         }
         if (strengths.size() < 2) continue;
@@ -242,13 +244,13 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
     return true;
 }
 
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
-                          std::ostream& diagnostics) {
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
+                          StrengthKind kind) {
     std::vector<StrengthRow> rows;
     CaveatCount count;
     std::vector<std::string> doubts;
     for (const std::string& run : runs) {
-        const StrengthRow& row = rows.emplace_back(read_strength_row(run));
+        const StrengthRow& row = rows.emplace_back(read_strength_row(run, kind));
         const std::vector<Caveat> caveats = caveats_of(row.run, row.split);
         for (const Caveat& caveat : caveats) doubts.push_back(printable(row.run.name) + ": warning: " + caveat.text);
         count.add(row.run, caveats);

@@ -35,7 +35,10 @@ struct Strength {
         return is_confined && first_peak && first_peak->strain < strain_at_peak - smoothing_strain;
     }
     /// What a laboratory reports: under confining pressure the first peak, if there is one; else the largest stress.
-    [[nodiscard]] double reported() const { return has_earlier_peak() ? first_peak->stress : peak_stress; }
+    /// \param kind `largest`: the largest stress of all tests
+    [[nodiscard]] double reported(StrengthKind kind = StrengthKind::first_peak) const {
+        return has_earlier_peak() && kind != StrengthKind::largest ? first_peak->stress : peak_stress;
+    }
     /// Whether that is a peak: the stress fell behind it.
     [[nodiscard]] bool has_peak() const { return peak_kind == "drop" || has_earlier_peak(); }
     bool is_confined = false;             ///< a triaxial test under a pressure
@@ -66,8 +69,10 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
                              const std::string& what);
 
 /// Writes the table `strength`, whose columns are those of share/doc/tables.md; all runs are measured before the first row is
-/// written. \param diagnostics gets, after the table, a line for each
+/// written. \param kind of the strengths for the terminal: first peaks of confined tests, or the largest stress of all
+/// \param diagnostics gets, after the table, a line for each
 /// reason to doubt the strength of a run, and one if direct tension is stronger than the Brazilian test
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics);
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
+                          StrengthKind kind = StrengthKind::first_peak);
 
 }  // namespace graincrack

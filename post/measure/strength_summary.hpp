@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "post/measure/strength.hpp"
 #include "post/run/load_curve.hpp"
 #include "post/statistics/statistics.hpp"
 #include "post/table/table.hpp"
@@ -31,12 +32,12 @@ struct StrengthGroup {
 };
 
 /// Groups in the order brazilian, tension, then compression by rising pressure.
-/// \throws InputError if the runs are not of one material
-std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs);
+/// \param kind as of `Strength::reported` \throws InputError if the runs are not of one material
+std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs, StrengthKind kind = StrengthKind::first_peak);
 
 /// Table `strength --summary`, a row for each test, pressure and grain size.
 /// \param diagnostics gets, after the table, the caveats of the strengths, with numbers of runs
 void write_strength_summary(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
-                            std::ostream& diagnostics);
+                            std::ostream& diagnostics, StrengthKind kind = StrengthKind::first_peak);
 
 }  // namespace graincrack
