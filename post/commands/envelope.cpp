@@ -177,7 +177,7 @@ Command envelope_command() {
     };
     return make_command<Options>(
         "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, with 95 % intervals",
-        {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --capped accept"}, several_runs,
+        {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --strength largest --capped accept"}, several_runs,
         [](OptionSet set, Options& options) {
             add_format(set, options.format);
             add_envelope_options(set, options.envelope);

@@ -14,12 +14,18 @@ namespace {
 
 struct StrengthOptions {
     std::optional<TableFormat> format;
+    StrengthKind kind = StrengthKind::first_peak;
     bool summary = false;
     bool extrapolate = false;
 };
 
 void add_strength_options(OptionSet set, StrengthOptions& options) {
     add_format(set, options.format);
+    add_choice<StrengthKind>(
+        set, "--strength", options.kind,
+        {{name_of(StrengthKind::first_peak), StrengthKind::first_peak}, {name_of(StrengthKind::largest), StrengthKind::largest}},
+        "strength of a confined test in the table for the terminal and in --summary: the first peak, as "
+        "laboratories report it, or the largest stress; other tables have both");
     add_flag(set, "--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS")
         .excludes(add_flag(set, "--extrapolate", options.extrapolate,
                            "extrapolate to slow loading from the same tests at two rates (--rate-tolerance or "
@@ -36,7 +42,8 @@ Command strength_command() {
         several_runs, add_strength_options, [](const StrengthOptions& options, const Call& call) {
             const TableFormat format = format_for(options.format, call.out);
             if (options.extrapolate) return write_rate_limits(call.out, call.files, format);
-            (options.summary ? write_strength_summary : write_strength_table)(call.out, call.files, format, call.diagnostics());
+            (options.summary ? write_strength_summary : write_strength_table)(call.out, call.files, format, call.diagnostics(),
+                                                                              options.kind);
         });
 }
 

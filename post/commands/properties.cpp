@@ -10,7 +10,7 @@ namespace graincrack {
 Command properties_command() {
     struct Options {
         std::string material;
-        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+        EnvelopeOptions envelope;
         TableFormat format = TableFormat::tsv;
     };
     return make_command<Options>(
@@ -19,14 +19,12 @@ Command properties_command() {
         several_runs,
         [](OptionSet set, Options& options) {
             add_laboratory_material(set, options.material).required();
-            add_strain_limit_runs(set, options.strain_limit_runs);
+            add_envelope_options(set, options.envelope);
             add_format(set, options.format);
         },
         [](const Options& options, const Call& call) {
             const Material material = read_incomplete_material_of(call, options.material).material;
-            write_properties(
-                call.out, measure_properties(read_runs(call.files), material, {options.strain_limit_runs, StrengthKind::largest}),
-                options.format);
+            write_properties(call.out, measure_properties(read_runs(call.files), material, options.envelope), options.format);
         });
 }
 

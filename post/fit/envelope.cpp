@@ -51,6 +51,13 @@ void require_comparable(const RunData& run, const RunData& first, const Envelope
     }
 }
 
+/// The stress of a kind. A peak at whose end the test stopped, so that smoothing hides its fall, is a first peak too.
+std::optional<double> stress_of(const Strength& strength, StrengthKind kind) {
+    const std::optional<double> stress = strength.value(kind);
+    if (!stress && kind == StrengthKind::first_peak && strength.peak_kind == "drop") return strength.value();
+    return stress;
+}
+
 /// Why a compression run has no first peak, or no residual strength.
 std::string reason_left_out(const RunData& run, const Strength& strength) {
     if (!strength.first_peak) {
@@ -166,7 +173,7 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
         if (is_compression(run.header)) {
             if (first_compression != nullptr) require_comparable(run, *first_compression, options);
             if (first_compression == nullptr) first_compression = &run;
-            if (const std::optional<double> stress = strength.value(options.strength)) {
+            if (const std::optional<double> stress = stress_of(strength, options.strength)) {
                 tests.compression.push_back(
                     {run.header.confining_pressure, *stress, run.specimen.seed, strength.first_yield, strength.stress_at_marks});
             } else {

@@ -39,7 +39,7 @@ Envelope fit_envelope(std::span<const double> confining, std::span<const double>
 /// Which runs belong to an envelope, and which stress of them.
 struct EnvelopeOptions {
     StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
-    StrengthKind strength = StrengthKind::largest;  ///< of compression tests; that of others is the largest stress
+    StrengthKind strength = StrengthKind::first_peak;  ///< of compression tests; that of others is the largest stress
 };
 
 /// The strengths of a set of runs of one material, sorted by test. Pa.

@@ -13,12 +13,13 @@ void add_strain_limit_runs(OptionSet set, StrainLimitRuns& strain_limit_runs) {
 
 void add_envelope_options(OptionSet set, EnvelopeOptions& options) {
     add_strain_limit_runs(set, options.strain_limit_runs);
-    add_choice<StrengthKind>(set, "--strength", options.strength,
-                             {{name_of(StrengthKind::first_peak), StrengthKind::first_peak},
-                              {name_of(StrengthKind::largest), StrengthKind::largest},
-                              {name_of(StrengthKind::residual), StrengthKind::residual}},
-                             "which stress of a compression test is taken as its strength; runs without a first peak or residual "
-                             "strength are left out");
+    add_choice<StrengthKind>(
+        set, "--strength", options.strength,
+        {{name_of(StrengthKind::first_peak), StrengthKind::first_peak},
+         {name_of(StrengthKind::largest), StrengthKind::largest},
+         {name_of(StrengthKind::residual), StrengthKind::residual}},
+        "which stress of a compression test is taken as its strength: the first peak, as laboratories report it, "
+        "the largest or the residual one; runs without it are left out");
 }
 
 void add_trend(OptionSet set, TrendOptions& options) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "post/measure/strength.hpp"
 #include "post/run/comparable.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
@@ -13,11 +14,14 @@ namespace graincrack {
 
 namespace {
 
-void object_to_end(std::vector<Caveat>& found, const RunData& run, const LoadCurve& curve) {
-    const std::string kind = peak_kind(run, curve);
-    if (kind == "drop" || run.header.test == "program") return;  // the stages of a program need no peak
-    const std::string text = kind == "cap" ? "no peak: the test was stopped at the strain limit"
-                                           : "no peak: the test was stopped before it (" + run.header.stop_reason + ")";
+void object_to_end(std::vector<Caveat>& found, const RunData& run) {
+    if (run.header.test == "program") return;  // its stages need no peak
+    const Strength strength = measure_strength(run);
+    if (strength.has_peak()) return;
+    const std::string& kind = strength.peak_kind;
+    const std::string text =
+        kind == "cap" ? "no peak: at the strain limit the stress has not fallen behind its largest value"
+                      : "no peak: the test was stopped (" + run.header.stop_reason + ") before the stress fell behind one";
     found.push_back({"no peak", text});
 }
 
@@ -35,7 +39,7 @@ void object_to_damping(std::vector<Caveat>& found, const RunHeader& header) {
 std::vector<Caveat> caveats_of(const RunData& run, const std::optional<BrazilianSplit>& split) {
     std::vector<Caveat> found;
     if (split) found = split->caveats;
-    object_to_end(found, run, load_curve(run));
+    object_to_end(found, run);
     const std::string equilibrium = equilibrium_warning(run.header, run.history);
     if (!equilibrium.empty()) found.push_back({"far from equilibrium", equilibrium});
     object_to_damping(found, run.header);

@@ -12,7 +12,7 @@ namespace graincrack {
 /// Width of the moving mean over axial strain by which the curve is smoothed before a peak is sought.
 inline constexpr double smoothing_strain = 5e-5;
 /// A maximum P of σ1 − σ3 is the first peak if the stress falls below this share of P before it exceeds P.
-inline constexpr double first_peak_fall_to = 0.95;
+inline constexpr double first_peak_fall_to = 1 - peak_fall;
 /// Axial strains beyond the first peak: of the residual strength, of re-hardening, and the least of the latter that has a slope.
 inline constexpr double residual_strains[2] = {0.003, 0.005};
 inline constexpr double rehardening_strains[2] = {0.005, 0.01};

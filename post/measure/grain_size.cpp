@@ -49,12 +49,12 @@ std::vector<GrainSize> grain_sizes(const std::vector<RunData>& runs) {
     return grain_sizes(edges);
 }
 
-std::vector<SizedStrengths> group_strengths_by_size(const std::vector<RunData>& runs) {
+std::vector<SizedStrengths> group_strengths_by_size(const std::vector<RunData>& runs, StrengthKind kind) {
     const std::vector<GrainSize> sizes = grain_sizes(runs);
     std::vector<SizedStrengths> rows;
-    for (const StrengthGroup& test : group_strengths(runs)) {
+    for (const StrengthGroup& test : group_strengths(runs, kind)) {
         for (const GrainSize& size : sizes) {
-            for (const StrengthGroup& group : group_strengths(chosen(runs, size.runs))) {
+            for (const StrengthGroup& group : group_strengths(chosen(runs, size.runs), kind)) {
                 if (!group.is_as(test)) continue;
                 SizedStrengths row{group, sizes.size() > 1 ? size.label : "", {}};
                 for (const std::size_t i : size.runs) {

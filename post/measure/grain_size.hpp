@@ -25,6 +25,7 @@ struct SizedStrengths {
     std::vector<std::size_t> runs;  ///< indices of its members
 };
 /// In the order of `group_strengths`, and by rising size within a test. \throws InputError as `group_strengths`
-std::vector<SizedStrengths> group_strengths_by_size(const std::vector<RunData>& runs);
+std::vector<SizedStrengths> group_strengths_by_size(const std::vector<RunData>& runs,
+                                                    StrengthKind kind = StrengthKind::first_peak);
 
 }  // namespace graincrack

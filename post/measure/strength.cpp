@@ -22,6 +22,7 @@ namespace {
 struct StrengthRow {
     RunData run;
     Strength strength;
+    StrengthKind kind{};                  ///< for the terminal
     std::optional<BrazilianSplit> split;  ///< of a Brazilian test
     double loading_arc = 0;               ///< of its disc, rad
     std::optional<double> ring_strength;  ///< of a ring: the stress at its hole, Pa
@@ -30,6 +31,7 @@ struct StrengthRow {
     [[nodiscard]] const ContactParameters& contact() const { return run.header.contact; }
     /// What a checkpoint does not have yet.
     [[nodiscard]] Cell at_end(double value) const { return header().stop_reason == "checkpoint" ? Cell() : Cell(value); }
+    [[nodiscard]] bool is_of_first_peak() const { return kind != StrengthKind::largest && strength.has_earlier_peak(); }
     [[nodiscard]] double grain_steps() const {
         return static_cast<double>(header().integrations) * static_cast<double>(run.specimen.grains);
     }
@@ -42,9 +44,9 @@ struct StrengthRow {
     }
 };
 
-StrengthRow read_strength_row(const std::string& path) {
+StrengthRow read_strength_row(const std::string& path, StrengthKind kind) {
     const RunReader reader(path);
-    StrengthRow row{run_data(reader), {}, std::nullopt, 0, std::nullopt, {}};
+    StrengthRow row{run_data(reader), {}, kind, std::nullopt, 0, std::nullopt, {}};
     row.strength = measure_strength(row.run);
     const LoadCurve curve = load_curve(row.run);
     if (row.header().test == "brazilian" && row.run.specimen.shape == "ring") {
@@ -118,8 +120,12 @@ const Columns<StrengthRow>& strength_columns() {
 }
 
 std::string ending(const StrengthRow& r) {
-    const std::string& kind = r.strength.peak_kind;
-    return kind == "drop" ? "peak" : kind == "cap" ? "strain limit" : "stopped";
+    if (r.strength.has_peak()) return "peak";
+    return r.strength.peak_kind == "cap" ? "strain limit" : "stopped";
+}
+
+double strain_at_strength(const StrengthRow& r) {
+    return r.is_of_first_peak() ? r.strength.first_peak->strain : r.strength.strain_at_peak;
 }
 
 const Columns<StrengthRow>& strength_terminal_columns() {
@@ -130,8 +136,8 @@ const Columns<StrengthRow>& strength_terminal_columns() {
                                 {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
                                 {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
                                 {"mean edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
-                                {"strength", megapascal, [](const R& r) { return r.strength.value(); }},
-                                {"at strain", percent, [](const R& r) { return r.strength.strain_at_peak; }},
+                                {"strength", megapascal, [](const R& r) { return r.strength.reported(r.kind); }},
+                                {"at strain", percent, strain_at_strength},
                                 {"ended by", none, ending},
                                 {"tensile", cracks, [](const R& r) { return whole_contacts(r.strength.tensile_cracks); }},
                                 {"shear", cracks, [](const R& r) { return whole_contacts(r.strength.shear_cracks); }}};
@@ -144,6 +150,10 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
     using namespace unit;
     Columns<R> columns = strength_terminal_columns();
     const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
+    if (any([](const R& r) { return r.is_of_first_peak(); })) {
+        columns.push_back(
+            {"largest", megapascal, [](const R& r) { return r.is_of_first_peak() ? Cell(r.strength.value()) : Cell(" "); }});
+    }
     if (any([](const R& r) { return r.header().test == "bend"; })) {
         columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
         columns.push_back({"flexural strength", megapascal, [](const R& r) { return r.strength.flexural_strength; }});
@@ -165,7 +175,7 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
         table.group(name);
         std::vector<double> strengths;
         for (const StrengthRow* r : members) {
-            strengths.push_back(r->strength.value());
+            strengths.push_back(r->strength.reported(r->kind));
             table.row(cells_of(columns, *r));
         }
         if (strengths.size() < 2) continue;
@@ -210,6 +220,7 @@ Strength measure_strength(const RunData& run) {
     strength.peak_kind = peak_kind(run, curve);
     strength.first_yield = first_yield(curve);
     strength.first_peak = measure_first_peak(run, curve);
+    strength.is_confined = is_compression(run.header) && run.header.confining_pressure > 0;
     std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),
                    [&](double strain) { return stress_at_strain(curve, strain); });
     strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];
@@ -233,13 +244,13 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
     return true;
 }
 
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
-                          std::ostream& diagnostics) {
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
+                          StrengthKind kind) {
     std::vector<StrengthRow> rows;
     CaveatCount count;
     std::vector<std::string> doubts;
     for (const std::string& run : runs) {
-        const StrengthRow& row = rows.emplace_back(read_strength_row(run));
+        const StrengthRow& row = rows.emplace_back(read_strength_row(run, kind));
         const std::vector<Caveat> caveats = caveats_of(row.run, row.split);
         for (const Caveat& caveat : caveats) doubts.push_back(printable(row.run.name) + ": warning: " + caveat.text);
         count.add(row.run, caveats);

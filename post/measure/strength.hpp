@@ -30,6 +30,18 @@ struct Strength {
     /// The same by another definition; empty if the test has no such strength, as tension, Brazilian tests and bending for all
     /// but the largest.
     [[nodiscard]] std::optional<double> value(StrengthKind kind) const;
+    /// Whether the stress of a confined test exceeds its first peak later: then the first peak is what a laboratory reports.
+    [[nodiscard]] bool has_earlier_peak() const {
+        return is_confined && first_peak && first_peak->strain < strain_at_peak - smoothing_strain;
+    }
+    /// What a laboratory reports: under confining pressure the first peak, if there is one; else the largest stress.
+    /// \param kind `largest`: the largest stress of all tests
+    [[nodiscard]] double reported(StrengthKind kind = StrengthKind::first_peak) const {
+        return has_earlier_peak() && kind != StrengthKind::largest ? first_peak->stress : peak_stress;
+    }
+    /// Whether that is a peak: the stress fell behind it.
+    [[nodiscard]] bool has_peak() const { return peak_kind == "drop" || has_earlier_peak(); }
+    bool is_confined = false;             ///< a triaxial test under a pressure
     double strain_at_peak = 0;            ///< platen approach over height since the start of the test
     std::string peak_kind;                ///< see `peak_kind`
     std::optional<double> first_yield;    ///< see `first_yield`
@@ -57,8 +69,10 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
                              const std::string& what);
 
 /// Writes the table `strength`, whose columns are those of share/doc/tables.md; all runs are measured before the first row is
-/// written. \param diagnostics gets, after the table, a line for each
+/// written. \param kind of the strengths for the terminal: first peaks of confined tests, or the largest stress of all
+/// \param diagnostics gets, after the table, a line for each
 /// reason to doubt the strength of a run, and one if direct tension is stronger than the Brazilian test
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics);
+void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
+                          StrengthKind kind = StrengthKind::first_peak);
 
 }  // namespace graincrack

@@ -31,7 +31,7 @@ SummaryKey summary_key(const RunData& run) {
 
 }  // namespace
 
-std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
+std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs, StrengthKind kind) {
     std::map<SummaryKey, Members> sets;
     require_same_settings(runs, "a mean over runs");
     for (const RunData& run : runs) {
@@ -39,8 +39,8 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs) {
         const Strength strength = measure_strength(run);
         Members& members = sets[summary_key(run)];
         members.plane = run.header.plane;  // the same in all, as settings are
-        members.strengths.push_back(strength.value());
-        if (strength.peak_kind != "drop") ++members.without_peak;
+        members.strengths.push_back(strength.reported(kind));
+        if (!strength.has_peak()) ++members.without_peak;
     }
     std::vector<StrengthGroup> groups;
     std::optional<double> brazilian;
@@ -102,11 +102,11 @@ const Columns<SummaryRow>& summary_terminal_columns() {
 }  // namespace
 
 void write_strength_summary(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
-                            std::ostream& diagnostics) {
+                            std::ostream& diagnostics, StrengthKind kind) {
     CaveatCount doubts;
     std::vector<SummaryRow> rows;
     const std::vector<RunData> runs = read_doubted_runs(paths, doubts);
-    for (const SizedStrengths& sized : group_strengths_by_size(runs)) {
+    for (const SizedStrengths& sized : group_strengths_by_size(runs, kind)) {
         double edges = 0;
         for (const std::size_t i : sized.runs) edges += runs[i].specimen.mean_edge;
         rows.push_back({sized.group, edges / static_cast<double>(sized.runs.size())});

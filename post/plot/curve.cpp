@@ -75,6 +75,17 @@ double max_cracks(const RunData& run) {
     return std::max(largest(run.history[HistoryColumn::tensile_cracks]), largest(run.history[HistoryColumn::shear_cracks]));
 }
 
+/// The strength as a laboratory reports it, and a largest stress that is another one.
+std::string strength_label(const Run& run) {
+    const auto label = [](const std::string& name, double stress, double strain) {
+        return fmt::format("{} {:.4g} MPa at {:.3g} % strain", name, 1e-6 * stress, 100 * strain);
+    };
+    const std::string largest = label(peak_label(*run.data), run.curve.peak_stress(), run.curve.axial_strain[run.curve.peak]);
+    if (!(run.data->header.confining_pressure > 0) || !run.has_earlier_peak()) return largest;
+    return label("first peak", run.first_peak->stress, run.first_peak->strain) + "; largest stress" +
+           largest.substr(peak_label(*run.data).size());
+}
+
 ChartText curve_heading(const std::vector<Run>& runs, const std::string& definition) {
     const RunData& run = *runs[0].data;
     if (runs.size() > 1) {
@@ -83,8 +94,7 @@ ChartText curve_heading(const std::vector<Run>& runs, const std::string& definit
     ChartText text{test_title(run.header),
                    {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", run.specimen.seed, run.specimen.grains,
                                 run.specimen.mean_edge * 1e3, name_of(run.header.plane)),
-                    fmt::format("{} {:.4g} MPa at {:.3g} % strain", peak_label(run), 1e-6 * runs[0].curve.peak_stress(),
-                                100 * runs[0].curve.axial_strain[runs[0].curve.peak])}};
+                    strength_label(runs[0])}};
     if (!definition.empty()) text.notes.push_back(definition);
     return text;
 }

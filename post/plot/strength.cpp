@@ -35,7 +35,7 @@ std::optional<double> laboratory_of(const StrengthGroup& group, const std::optio
 std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<SizedStrengths>& rows,
                                const std::optional<Material>& material) {
     std::vector<double> values;
-    for (const RunData& run : runs) values.push_back(measure_strength(run).value() * in_megapascals);
+    for (const RunData& run : runs) values.push_back(measure_strength(run).reported() * in_megapascals);
     for (const SizedStrengths& row : rows) {
         if (const auto value = laboratory_of(row.group, material)) values.push_back(*value);
     }
@@ -61,8 +61,8 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const SizedStrengt
     for (std::size_t i = 0; i < row.runs.size(); ++i) {
         const Strength strength = measure_strength(runs[row.runs[i]]);
         const double at = x + 1.5 * half_width * ((static_cast<double>(i) + 0.5) / n - 0.5);
-        chart.points(std::vector<double>{at}, std::vector<double>{strength.value() * in_megapascals},
-                     strength.peak_kind == "drop" ? peak : no_peak);
+        chart.points(std::vector<double>{at}, std::vector<double>{strength.reported() * in_megapascals},
+                     strength.has_peak() ? peak : no_peak);
     }
 }
 

@@ -88,8 +88,8 @@ void add_moduli(std::vector<Property>& properties, const std::vector<RunData>& r
 }
 
 /// In the order of group_strengths: Brazilian, tension, compression by rising pressure.
-void add_strengths(std::vector<Property>& properties, const std::vector<RunData>& runs, const Known& known) {
-    for (const StrengthGroup& group : group_strengths(runs)) {
+void add_strengths(std::vector<Property>& properties, const std::vector<RunData>& runs, const Known& known, StrengthKind kind) {
+    for (const StrengthGroup& group : group_strengths(runs, kind)) {
         if (!group.shape.empty()) continue;  // neither a ring nor bending measures a property of the rock
         Property property;
         property.without_peak = group.without_peak;
@@ -178,7 +178,7 @@ std::vector<Property> measure_properties(const std::vector<RunData>& runs, const
     const Known known(material);
     std::vector<Property> properties;
     add_moduli(properties, runs, known);
-    add_strengths(properties, runs, known);
+    add_strengths(properties, runs, known, options.strength);
     if (have_two_pressures(runs)) add_envelope(properties, collect_envelope_tests(runs, options), known);
     return properties;
 }

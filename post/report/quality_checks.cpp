@@ -224,7 +224,7 @@ std::vector<std::pair<std::string, Runs>> columns_of(const std::vector<TestRepor
 std::string common_paragraphs(const std::vector<TestReport>& tests) {
     const Rock& rock = tests.front().data.header.rock;
     const auto without_peak =
-        std::count_if(tests.begin(), tests.end(), [](const TestReport& t) { return t.strength.peak_kind != "drop"; });
+        std::count_if(tests.begin(), tests.end(), [](const TestReport& t) { return !t.strength.has_peak(); });
     std::string paragraphs = html::paragraph(
         fmt::format("Density {} kg/m³ is an input of the material file; plane models 1 m thick; grains are elastic and do not "
                     "crush; platens are rigid.",

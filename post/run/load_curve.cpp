@@ -188,7 +188,8 @@ std::string peak_kind(const RunData& run, const LoadCurve& curve) {
     if (run.header.stop_reason == "peak drop") return "drop";
     const auto after = curve.stress.begin() + static_cast<std::ptrdiff_t>(curve.peak);
     const double lowest = *std::min_element(after, curve.stress.end());
-    if (lowest <= (1 - decisive_drop(run.header)) * curve.peak_stress()) return "drop";
+    const double deviator = curve.peak_stress() - (is_compression(run.header) ? run.header.confining_pressure : 0);
+    if (lowest <= curve.peak_stress() - peak_fall * deviator) return "drop";
     return run.header.stop_reason == "strain limit" ? "cap" : "";
 }
 

@@ -97,8 +97,11 @@ bool is_compression(const RunHeader& header);
 /// The fall behind the largest stress, as a share of it, that makes it a peak: that which ends the test, at most 0.3.
 double decisive_drop(const RunHeader& header);
 
-/// "drop" if the curve fell behind the peak by the drop that ends a test; "cap" if the test was stopped at the strain limit
-/// before that; "" for a test that was stopped otherwise, whose largest stress is no peak.
+/// The fall behind a maximum, as a share of σ1 − σ3 there, that makes it a peak.
+inline constexpr double peak_fall = 0.05;
+
+/// "drop" if the largest stress is a peak: σ1 − σ3 fell behind it by `peak_fall`, or by the drop that ended the test; "cap" if
+/// the test was stopped at the strain limit before that; "" for a test that was stopped otherwise before that.
 std::string peak_kind(const RunData& run, const LoadCurve& curve);
 
 }  // namespace graincrack

@@ -81,7 +81,9 @@ TEST(LoadCurve, PeakKindTellsDropFromCap) {
     EXPECT_EQ(kind(), "drop");
     recipe.stop_reason = "strain limit";  // reached the strain limit, but the stress had fallen by half: there was a peak
     EXPECT_EQ(kind(), "drop");
-    recipe.drop = 0.1;
+    recipe.drop = 0.051;
+    EXPECT_EQ(kind(), "drop");
+    recipe.drop = 0.049;
     EXPECT_EQ(kind(), "cap");
     recipe.drop = 0;
     EXPECT_EQ(kind(), "cap");
