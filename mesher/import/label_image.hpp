@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,11 +16,15 @@ struct LabelImage {
     /// Of text, the integer; of a PNG of greys, the grey; of a palette, the index. Of colours, 65536 red + 256 green + blue. Of
     /// what is not opaque, the last bits of that with 255 − alpha (65535 − alpha of 16 bits) in the bits above.
     std::vector<int> labels;
-    std::string format;  ///< "PNG, grey, 8 bits", "text"
+    std::string format;        ///< "PNG, grey, 8 bits", "text"
+    std::vector<int> palette;  ///< the colour of each label, as 65536 red + 256 green + blue, where a palette or few greys say it
+    bool are_colours = false;  ///< whether labels are colours themselves
 
     [[nodiscard]] int at(int column, int row) const {
         return labels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
     }
+    /// The colour that a label is shown in; none of text, of greys of 16 bits and of what is not opaque.
+    [[nodiscard]] std::optional<int> colour_of(int label) const;
 };
 
 inline constexpr std::size_t most_pixels = 100'000'000;

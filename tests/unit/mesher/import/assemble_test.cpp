@@ -17,7 +17,7 @@ namespace {
 
 Specimen specimen_of(ImportedMesh mesh, const Placement& placement = {}, std::vector<std::string>* notes = nullptr) {
     std::vector<std::string> unused;
-    return assemble(std::move(mesh), placement, "file", notes == nullptr ? unused : *notes);
+    return assemble(std::move(mesh), placement, CrystalChoice::elastic, "file", notes == nullptr ? unused : *notes);
 }
 
 std::string assembly_message(ImportedMesh mesh, const Placement& placement = {}) {
@@ -58,7 +58,7 @@ TEST(Assemble, MakesContactsPartsAndCracks) {
     request.file = "file";
     request.placement.scale = 0.01;
     std::vector<std::string> notes;
-    const Specimen s = assemble(import_mesh(test::msh_41, request), request.placement, "file", notes);
+    const Specimen s = assemble(import_mesh(test::msh_41, request), request.placement, request.crystals, "file", notes);
     EXPECT_EQ(s.shape, "rectangle");
     EXPECT_DOUBLE_EQ(s.width, 0.02);
     EXPECT_DOUBLE_EQ(s.height, 0.01);
