@@ -135,12 +135,12 @@ std::string pixel_format(int colour_type, int bits) {
     return fmt::format("PNG, {}, {} bit{}", kind, bits, bits == 1 ? "" : "s");
 }
 
-/// The colours of labels that are shades of grey or numbers of a palette.
-std::vector<int> colours_of_labels(const PngReader& png) {
+/// The colours of labels that are shades of grey or numbers of a palette. \param bits of a sample in the file
+std::vector<int> colours_of_labels(const PngReader& png, int bits) {
     if (png.colour_type() == PNG_COLOR_TYPE_PALETTE) return png.palette();
     std::vector<int> colours;
-    if (png.colour_type() != PNG_COLOR_TYPE_GRAY || png.bits() == 16) return colours;
-    const int n = 1 << png.bits();
+    if (png.colour_type() != PNG_COLOR_TYPE_GRAY || bits == 16) return colours;
+    const int n = 1 << bits;
     for (int i = 0; i < n; ++i) colours.push_back(255 * i / (n - 1) * 0x010101);
     return colours;
 }
@@ -160,7 +160,7 @@ LabelImage read_png(std::string_view bytes, const std::string& name) {
     }
     require(png.transform());
     LabelImage image{static_cast<int>(png.width()), static_cast<int>(png.height()), {}, pixel_format(type, bits), {}};
-    image.palette = colours_of_labels(png);
+    image.palette = colours_of_labels(png, bits);
     image.are_colours = type == PNG_COLOR_TYPE_RGB || type == PNG_COLOR_TYPE_RGB_ALPHA;
     const std::size_t row_bytes = png.row_bytes();
     const std::size_t pixel_bytes = row_bytes / png.width();

@@ -16,8 +16,9 @@ struct LabelImage {
     /// Of text, the integer; of a PNG of greys, the grey; of a palette, the index. Of colours, 65536 red + 256 green + blue. Of
     /// what is not opaque, the last bits of that with 255 − alpha (65535 − alpha of 16 bits) in the bits above.
     std::vector<int> labels;
-    std::string format;        ///< "PNG, grey, 8 bits", "text"
-    std::vector<int> palette;  ///< the colour of each label, as 65536 red + 256 green + blue, where a palette or few greys say it
+    std::string format;  ///< "PNG, grey, 8 bits", "text"
+    /// The colours of labels that are numbers of a palette or greys of up to 8 bits, as 65536 red + 256 green + blue.
+    std::vector<int> palette = {};
     bool are_colours = false;  ///< whether labels are colours themselves
 
     [[nodiscard]] int at(int column, int row) const {
