@@ -81,6 +81,11 @@ int run(int argc, char** argv) {
 
     // A mesh from elsewhere
     if (options->imported) {
+        if (!options->imported->new_key.empty()) {
+            const std::vector<std::string> labels = write_new_key(*options->imported);
+            if (options->dry_run || !is_quiet) print(options->dry_run ? std::cout : std::cerr, labels);
+            return 0;
+        }
         Import mesh = import_specimen(*options->imported);
         if (material) take_fabric(material->fabric, !mesh.has_phases(), options->request);
         give_fabric(mesh, options->request.phases, options->request.strength, options->request.seed);

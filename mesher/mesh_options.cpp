@@ -27,7 +27,8 @@ constexpr const char* examples =
     "  graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 "
     "--strength-modulus 5 -o minerals.h5\n"
     "  graincrack-mesh import section.msh --scale 1mm -o section.h5\n"
-    "  graincrack-mesh import thin-section.png --pixel-size 0.1mm --phase-key minerals.tsv -o section.h5";
+    "  graincrack-mesh import thin-section.png --write-key minerals.tsv\n"
+    "  graincrack-mesh import thin-section.png --pixel-size 0.1mm --phase-key minerals.tsv --crystals break -o section.h5";
 
 /// What the options of a kind of specimens set; kinds share them.
 struct KindOptions {
@@ -366,10 +367,25 @@ void add_import(OptionSet set, ImportRequest& request) {
         "default: entity, or element where there is one entity only",
         "element|entity|physical", "");
     add_value(
+        set, "--crystals",
+        [&request](const std::string& text) {
+            static const std::vector<std::pair<std::string, CrystalChoice>> choices{{"elastic", CrystalChoice::elastic},
+                                                                                    {"break", CrystalChoice::breaking}};
+            request.crystals = chosen(choices, text, "--crystals", "elastic or break");
+        },
+        "crystals of several elements: elastic (the elements deform together, as those of voronoi polygons), or break (the "
+        "elements are grains within their crystal, as those of trigon polygons); default: elastic",
+        "elastic|break", "");
+    add_value(
         set, "--phase-key", [&request](const std::string& text) { request.phase_key = text; },
-        "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset) and phase; default: "
-        "names of physical groups and elsets",
+        "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset; number or colour as "
+        "#c03020 of a label) and phase; default: names of physical groups and elsets",
         "FILE", "");
+    add_value(
+        set, "--write-key", [&request](const std::string& text) { request.new_key = text; },
+        "write a key with all labels of a picture, their colours, areas and pieces, whose phases are to be named, and make no "
+        "specimen; - for stdout",
+        "FILE|-", "");
     add_value(
         set, "--pixel-size",
         [&request](const std::string& text) {
@@ -462,6 +478,9 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     if (import_set.is_called()) {
         check(options.request.phases);
         check(options.request.strength);
+        if (!imported.new_key.empty() && !options.output.empty()) {
+            throw UsageError("--write-key: makes no specimen; leave -o out, and name the phases in the key first");
+        }
         options.imported = imported;
     } else {
         options.moved = make_cuts(cuts, options.request);
@@ -470,7 +489,8 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;
     options.configuration = line.effective_configuration();
-    if (options.output.empty() && !options.dry_run) {
+    const bool writes_key = options.imported && !options.imported->new_key.empty();
+    if (options.output.empty() && !options.dry_run && !writes_key) {
         throw UsageError("-o: missing; give the specimen file to write, or - for stdout");
     }
     return options;

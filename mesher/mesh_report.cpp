@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mesher/assemblage/counts.hpp"
+#include "mesher/fabric/crystals.hpp"
 #include "share/base/units.hpp"
 #include "share/file/notch.hpp"
 
@@ -102,6 +103,7 @@ std::vector<std::string> describe_polygons(const Specimen& specimen, const Speci
     }
     if (request.grading) lines.push_back(grading_line(*request.grading, "diameters", p.graded_diameter, p.wanted_diameter));
     if (report.n_flaws > 0) lines.push_back(flaw_line(specimen, report));
+    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("  note: " + note);
     return lines;
 }
 
@@ -140,6 +142,7 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
                                     format_length(*request.notch), format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
     }
     if (!request.region.edges.empty() || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
+    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("  note: " + note);
     if (report.n_flaws + request.region.loops.size() > 1 && report.sizes.min_angle < smallest_angle) {
         lines.push_back(
             "  note: holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short");

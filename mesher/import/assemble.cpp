@@ -45,6 +45,24 @@ void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std
                                 placement.origin ? "the point that was given" : "the middle of its extent"));
 }
 
+/// Makes a grain of each triangle. \return the crystal of each grain, which was its grain
+std::vector<int> make_crystals(ImportedMesh& mesh, const std::string& name) {
+    if (mesh.triangles.size() == mesh.phase_of_grain.size()) {
+        throw InputError(
+            name +
+            ": --crystals break: each crystal is one element, so that nothing can break within it; smaller elements, "
+            "another --grain, or --crystals elastic is needed");
+    }
+    std::vector<int> crystals = std::move(mesh.grain_of_triangle);
+    std::vector<std::string> phases;
+    for (const int crystal : crystals) {
+        mesh.grain_of_triangle.push_back(static_cast<int>(phases.size()));
+        phases.push_back(mesh.phase_of_grain[static_cast<std::size_t>(crystal)]);
+    }
+    mesh.phase_of_grain = std::move(phases);
+    return crystals;
+}
+
 PlaneMesh plane_mesh_of(ImportedMesh& mesh, std::vector<Side> sides) {
     PlaneMesh plane;
     std::vector<int> body_with(mesh.points.size(), -1);  ///< the last body that has a point
@@ -71,14 +89,14 @@ PlaneMesh plane_mesh_of(ImportedMesh& mesh, std::vector<Side> sides) {
 }
 
 /// Phases that grains have, those with an order first.
-void give_phases(Specimen& specimen, const std::vector<int>& crystal_of_grain, const ImportedMesh& mesh,
+void give_phases(Specimen& specimen, const std::vector<int>& imported_grain, const ImportedMesh& mesh,
                  std::vector<std::string>& notes) {
-    const auto name_of = [&](std::size_t crystal) {
-        return mesh.phase_of_grain[crystal].empty() ? "rock" : mesh.phase_of_grain[crystal];
+    const auto name_of = [&](std::size_t grain) {
+        return mesh.phase_of_grain[grain].empty() ? "rock" : mesh.phase_of_grain[grain];
     };
     std::vector<std::string> found;
-    for (std::size_t crystal = 0; crystal < mesh.phase_of_grain.size(); ++crystal) {
-        if (std::find(found.begin(), found.end(), name_of(crystal)) == found.end()) found.push_back(name_of(crystal));
+    for (std::size_t grain = 0; grain < mesh.phase_of_grain.size(); ++grain) {
+        if (std::find(found.begin(), found.end(), name_of(grain)) == found.end()) found.push_back(name_of(grain));
     }
     std::vector<std::string>& names = specimen.phase_names;
     names.clear();
@@ -90,7 +108,7 @@ void give_phases(Specimen& specimen, const std::vector<int>& crystal_of_grain, c
     }
     if (names.size() > max_phases) throw InputError(fmt::format("{} phases; at most {} fit", names.size(), max_phases));
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
-        const auto phase = std::find(names.begin(), names.end(), name_of(static_cast<std::size_t>(crystal_of_grain[g])));
+        const auto phase = std::find(names.begin(), names.end(), name_of(static_cast<std::size_t>(imported_grain[g])));
         specimen.grain_phase[g] = static_cast<std::uint8_t>(phase - names.begin());
     }
     const auto unnamed = std::count(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end(), "");
@@ -114,11 +132,14 @@ void tell_bodies(const Specimen& specimen, std::vector<std::string>& notes) {
 
 }  // namespace
 
-Specimen assemble(ImportedMesh mesh, const Placement& placement, const std::string& name, std::vector<std::string>& notes) {
+Specimen assemble(ImportedMesh mesh, const Placement& placement, CrystalChoice crystals, const std::string& name,
+                  std::vector<std::string>& notes) {
     if (placement.scale != 1) {
         for (Point& p : mesh.points) p = placement.scale * p;
     }
     clean(mesh, name);
+    std::vector<int> crystal_of_element;
+    if (crystals == CrystalChoice::breaking) crystal_of_element = make_crystals(mesh, name);
     notes.insert(notes.end(), mesh.notes.begin(), mesh.notes.end());
     Outline outline = outline_of(mesh, placement.shape, name, notes);
     const double size = std::max(outline.width, outline.height);
@@ -128,15 +149,20 @@ Specimen assemble(ImportedMesh mesh, const Placement& placement, const std::stri
     }
     place(mesh, outline, placement, notes);
 
-    std::vector<int> crystal_of_grain;
-    Specimen specimen = separate_bodies(plane_mesh_of(mesh, std::move(outline.sides)), &crystal_of_grain);
+    std::vector<int> imported_grain;
+    Specimen specimen = separate_bodies(plane_mesh_of(mesh, std::move(outline.sides)), &imported_grain);
     specimen.shape = outline.shape;
     specimen.width = outline.width;
     specimen.height = outline.height;
     specimen.loading_arc = outline.loading_arc;
     specimen.tessellation = "imported";
     specimen.part_names = std::move(outline.part_names);
-    give_phases(specimen, crystal_of_grain, mesh, notes);
+    give_phases(specimen, imported_grain, mesh, notes);
+    if (crystals == CrystalChoice::breaking) {
+        for (const int element : imported_grain) {
+            specimen.grain_crystal.push_back(crystal_of_element[static_cast<std::size_t>(element)]);
+        }
+    }
     specimen.statistics = statistics_of(specimen);
     tell_bodies(specimen, notes);
     validate(specimen, name);

@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
 #include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
@@ -22,7 +19,7 @@ namespace {
 
 constexpr double off_chord = 1e-3;  ///< of a middle node, over its side: the area changes by less
 constexpr double off_plane = 1e-9;  ///< of z, over the extent: round-off of a written number
-constexpr std::size_t longest_shown_name = 40;
+constexpr std::size_t longest_plain_name = 40;
 
 /// Numbers of nodes as indices, and elements of indices.
 class Reader {
@@ -145,60 +142,11 @@ std::string phase_of_file(const FileMesh& file, const FileElement& element) {
 
 std::string plain_name(const std::string& name) {
     std::string plain;
-    for (const char c : name.substr(0, longest_shown_name)) {
+    for (const char c : name.substr(0, longest_plain_name)) {
         const auto byte = static_cast<unsigned char>(c);
         plain += byte < 128 && (std::isalnum(byte) != 0 || c == '-') ? static_cast<char>(std::tolower(byte)) : '_';
     }
     return plain;
-}
-
-PhaseKey::PhaseKey(const std::string& path) : path_(path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(path + ": cannot be read; a table with the columns key and phase is needed");
-    std::string line;
-    for (std::size_t number = 1; std::getline(file, line); ++number) {
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        if (line.empty() || line.front() == '#') continue;
-        const std::size_t tab = line.find('\t');
-        const std::string name = line.substr(0, tab);
-        const std::string phase = tab == std::string::npos ? "" : line.substr(tab + 1);
-        if (phases_.empty() && name == "key" && phase == "phase") continue;
-        if (phase.empty() || phase.size() > longest_shown_name ||
-            phase.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
-            throw InputError(
-                fmt::format("{}: line {}: \"{}\" is no row; a key, a tab and the name of a phase (a-z, 0-9, _) are needed", path,
-                            number, printable(line.substr(0, longest_shown_name))));
-        }
-        if (!phases_.emplace(name, phase).second) {
-            throw InputError(
-                fmt::format("{}: line {}: {} has a phase already", path, number, printable(name.substr(0, longest_shown_name))));
-        }
-        order_.push_back(phase);
-    }
-    if (phases_.empty()) throw InputError(path + ": no rows; a table with the columns key and phase is needed");
-}
-
-std::string PhaseKey::phase(const std::vector<std::string>& names) const {
-    for (const std::string& name : names) {
-        const auto found = phases_.find(name);
-        if (found != phases_.end()) return found->second;
-    }
-    throw InputError(
-        fmt::format("{}: no row for {}; each grain needs one", path_, printable(names.front().substr(0, longest_shown_name))));
-}
-
-std::map<int, std::string> PhaseKey::phase_by_number() const {
-    std::map<int, std::string> phases;
-    for (const auto& [name, phase] : phases_) {
-        int number = 0;
-        const auto result = std::from_chars(name.data(), name.data() + name.size(), number);
-        if (result.ec != std::errc{} || result.ptr != name.data() + name.size()) {
-            throw InputError(fmt::format("{}: the key \"{}\" is no label; of pictures keys are integers", path_,
-                                         printable(name.substr(0, longest_shown_name))));
-        }
-        phases[number] = phase;
-    }
-    return phases;
 }
 
 ImportedMesh imported_mesh(const FileMesh& file, std::optional<GrainChoice> grains, const PhaseKey& key,

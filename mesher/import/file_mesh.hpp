@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesher/import/imported_mesh.hpp"
+#include "mesher/import/phase_key.hpp"
 
 namespace graincrack::mesher {
 
@@ -36,26 +37,6 @@ struct FileMesh {
     std::map<std::int64_t, std::int64_t> group_of_entity;  ///< of Neper
     std::string without_groups;                            ///< what to say if nothing gives the phases
     std::vector<std::string> notes;
-};
-
-/// Phases by what a file calls them: names or numbers of physical groups, groups, elsets or labels.
-class PhaseKey {
-public:
-    PhaseKey() = default;
-    /// A table with the columns `key` and `phase`. \throws InputError naming the file and the line
-    explicit PhaseKey(const std::string& path);
-    [[nodiscard]] bool is_given() const { return !path_.empty(); }
-    /// The phase of the first of the names that has one. \throws InputError if there is none
-    [[nodiscard]] std::string phase(const std::vector<std::string>& names) const;
-    /// Those of labels. \throws InputError for a key that is none
-    [[nodiscard]] std::map<int, std::string> phase_by_number() const;
-    /// In the order of the table.
-    [[nodiscard]] const std::vector<std::string>& phases() const { return order_; }
-
-private:
-    std::string path_;
-    std::map<std::string, std::string> phases_;
-    std::vector<std::string> order_;
 };
 
 /// A name as one of a phase, a part or a flaw: small letters, digits, _ and, between them, -.

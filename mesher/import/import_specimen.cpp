@@ -6,9 +6,12 @@
 #include <numbers>
 #include <numeric>
 
+#include "mesher/fabric/crystals.hpp"
+#include "mesher/import/label_table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/sha256.hpp"
 #include "share/base/units.hpp"
+#include "share/file/output_file.hpp"
 
 namespace graincrack::mesher {
 
@@ -45,8 +48,16 @@ Import import_specimen(const ImportRequest& request) {
     import.digest = sha256_of(bytes);
     ImportedMesh mesh = import_mesh(bytes, request);
     import.format = mesh.format;
-    import.specimen = assemble(std::move(mesh), request.placement, request.file == "-" ? "stdin" : request.file, import.notes);
+    import.labels = std::move(mesh.labels);
+    import.specimen = assemble(std::move(mesh), request.placement, request.crystals, request.file == "-" ? "stdin" : request.file,
+                               import.notes);
     return import;
+}
+
+std::vector<std::string> write_new_key(const ImportRequest& request) {
+    const std::vector<LabelRow> rows = picture_labels(read_bytes(request.file), request);
+    write_whole_file(request.new_key, key_of_labels(rows, request.file == "-" ? "stdin" : request.file));
+    return describe_labels(rows);
 }
 
 void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, std::uint64_t seed) {
@@ -54,17 +65,23 @@ void give_fabric(Import& import, const PhaseRequest& phases, const StrengthReque
     if (!phases.fractions.empty() && import.has_phases()) {
         throw UsageError("--phases: the file says of what phases its grains are; leave the option out, or give --phase-key");
     }
-    std::vector<int> grains(import.specimen.n_grains());
-    std::iota(grains.begin(), grains.end(), 0);
-    assign_phases(import.specimen, grains, phases);
-    assign_strength_factors(import.specimen, grains, 0, strength);
+    const bool can_break = !import.specimen.grain_crystal.empty();
+    std::vector<int> crystals = import.specimen.grain_crystal;
+    if (!can_break) {
+        crystals.resize(import.specimen.n_grains());
+        std::iota(crystals.begin(), crystals.end(), 0);
+    }
+    assign_phases(import.specimen, crystals, phases);
+    assign_strength_factors(import.specimen, crystals, 0, strength);
+    if (can_break) name_crystals(import.specimen, crystals);
 }
 
 std::vector<std::string> describe(const Import& import) {
     const Specimen& specimen = import.specimen;
     const MeshStatistics& s = specimen.statistics;
     std::vector<std::string> lines{
-        fmt::format("{} of {} grains from {}: {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape,
+        fmt::format("{} of {}{} grains from {}: {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape,
+                    specimen.grain_crystal.empty() ? "" : fmt::format("{} crystals of ", number_of_crystals(specimen)),
                     specimen.n_grains(), import.format, specimen.n_nodes(), specimen.n_elements(), specimen.n_contacts(),
                     specimen.n_boundary_edges()),
         fmt::format("  {} wide, {} high; edge mean {}, CV {:.4f}, min {}, max {}; smallest angle {:.1f} deg, psi6 {:.3f}",
@@ -80,10 +97,14 @@ std::vector<std::string> describe(const Import& import) {
         }
         lines.push_back(line);
     }
+    if (!import.labels.empty()) {
+        for (const std::string& line : describe_labels(import.labels)) lines.push_back(line);
+    }
     if (specimen.n_elements() == specimen.n_grains() && s.psi6 > preferred) {
         lines.push_back(
             "  note: edges have preferred directions (psi6), which steer cracks; Gmsh's Mesh.Algorithm = 5 makes meshes without");
     }
+    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("  note: " + note);
     for (const std::string& note : import.notes) lines.push_back("  note: " + note);
     return lines;
 }

@@ -16,6 +16,7 @@ struct Import {
     Specimen specimen;
     std::string digest;              ///< SHA-256 of the file
     std::string format;              ///< "Gmsh 4.1, binary"
+    std::vector<LabelRow> labels;    ///< of a picture
     std::vector<std::string> notes;  ///< what was decided, a line each
 
     /// Whether the file says of what phases its grains are.
@@ -25,8 +26,11 @@ struct Import {
 /// Reads a file and makes it a specimen. \throws InputError naming the file, what was found and what would be right
 Import import_specimen(const ImportRequest& request);
 
-/// Gives the grains phases, if the file has none, and scattered strengths. \throws UsageError if the file has phases and others
-/// are requested
+/// Writes a key of the labels of a picture, whose phases are to be named, to a file. \return the labels, a line each
+std::vector<std::string> write_new_key(const ImportRequest& request);
+
+/// Gives the crystals phases, if the file has none, and scattered strengths, and names the contacts within them. \throws
+/// UsageError if the file has phases and others are requested
 void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, std::uint64_t seed);
 
 /// What came out, a line each. Lengths in mm, angles in degrees.

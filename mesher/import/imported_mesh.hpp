@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/import/label_table.hpp"
 #include "mesher/plane/geometry.hpp"
 #include "mesher/plane/triangulation.hpp"
 
@@ -26,6 +27,7 @@ struct ImportedMesh {
     std::vector<std::string> phase_of_grain;  ///< "" where the file does not say
     std::vector<std::string> phases;          ///< order of their numbers; others follow as they appear
     std::vector<NamedLine> lines;
+    std::vector<LabelRow> labels;    ///< of a picture
     std::string format;              ///< "Gmsh 4.1, binary", for the report
     std::vector<std::string> notes;  ///< what was passed over or decided, a line each
 };

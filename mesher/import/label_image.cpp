@@ -67,6 +67,15 @@ public:
     [[nodiscard]] int colour_type() const { return png_get_color_type(png_, info_); }
     [[nodiscard]] std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
     [[nodiscard]] int passes() const { return passes_; }
+    /// The colours of a palette, none without one.
+    [[nodiscard]] std::vector<int> palette() const {
+        png_colorp colours = nullptr;
+        int n = 0;
+        if (png_get_PLTE(png_, info_, &colours, &n) == 0) return {};
+        std::vector<int> palette;
+        for (int i = 0; i < n; ++i) palette.push_back(colours[i].red << 16 | colours[i].green << 8 | colours[i].blue);
+        return palette;
+    }
     [[nodiscard]] std::string message() const { return printable(message_.data()); }
 
 private:
@@ -126,6 +135,16 @@ std::string pixel_format(int colour_type, int bits) {
     return fmt::format("PNG, {}, {} bit{}", kind, bits, bits == 1 ? "" : "s");
 }
 
+/// The colours of labels that are shades of grey or numbers of a palette. \param bits of a sample in the file
+std::vector<int> colours_of_labels(const PngReader& png, int bits) {
+    if (png.colour_type() == PNG_COLOR_TYPE_PALETTE) return png.palette();
+    std::vector<int> colours;
+    if (png.colour_type() != PNG_COLOR_TYPE_GRAY || bits == 16) return colours;
+    const int n = 1 << bits;
+    for (int i = 0; i < n; ++i) colours.push_back(255 * i / (n - 1) * 0x010101);
+    return colours;
+}
+
 LabelImage read_png(std::string_view bytes, const std::string& name) {
     PngReader png(bytes);
     const auto require = [&](bool good) {
@@ -140,7 +159,9 @@ LabelImage read_png(std::string_view bytes, const std::string& name) {
                          ": the PNG has colours of 16 bits; colours of 8 bits, greys of 8 or 16 bits or a palette are needed");
     }
     require(png.transform());
-    LabelImage image{static_cast<int>(png.width()), static_cast<int>(png.height()), {}, pixel_format(type, bits)};
+    LabelImage image{static_cast<int>(png.width()), static_cast<int>(png.height()), {}, pixel_format(type, bits), {}};
+    image.palette = colours_of_labels(png, bits);
+    image.are_colours = type == PNG_COLOR_TYPE_RGB || type == PNG_COLOR_TYPE_RGB_ALPHA;
     const std::size_t row_bytes = png.row_bytes();
     const std::size_t pixel_bytes = row_bytes / png.width();
     const auto add_row = [&](const unsigned char* row) {
@@ -208,6 +229,13 @@ LabelImage read_text(std::string_view text, const std::string& name) {
 }
 
 }  // namespace
+
+std::optional<int> LabelImage::colour_of(int label) const {
+    constexpr int n_colours = 1 << 24;
+    if (are_colours) return label >= 0 && label < n_colours ? std::optional(label) : std::nullopt;
+    if (label < 0 || label >= static_cast<int>(palette.size())) return std::nullopt;
+    return palette[static_cast<std::size_t>(label)];
+}
 
 LabelImage read_label_image(std::string_view bytes, const std::string& name) {
     return bytes.starts_with(png_signature) ? read_png(bytes, name) : read_text(bytes, name);

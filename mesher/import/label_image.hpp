@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,10 +17,15 @@ struct LabelImage {
     /// what is not opaque, the last bits of that with 255 − alpha (65535 − alpha of 16 bits) in the bits above.
     std::vector<int> labels;
     std::string format;  ///< "PNG, grey, 8 bits", "text"
+    /// The colours of labels that are numbers of a palette or greys of up to 8 bits, as 65536 red + 256 green + blue.
+    std::vector<int> palette = {};
+    bool are_colours = false;  ///< whether labels are colours themselves
 
     [[nodiscard]] int at(int column, int row) const {
         return labels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
     }
+    /// The colour that a label is shown in; none of text, of greys of 16 bits and of what is not opaque.
+    [[nodiscard]] std::optional<int> colour_of(int label) const;
 };
 
 inline constexpr std::size_t most_pixels = 100'000'000;

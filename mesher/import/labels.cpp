@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "mesher/import/label_boundaries.hpp"
@@ -99,6 +101,36 @@ RefinedMesh triangles_of(const LabelNetwork& network, double element, const std:
 
 std::string count(int n, const std::string& one, const std::string& many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
 
+/// What a key has phases for and the picture does not have.
+std::vector<std::string> notes_on_key(const std::vector<LabelRow>& rows, const PhaseKey::OfLabels& phases) {
+    std::set<int> labels;
+    std::set<int> colours;
+    for (const LabelRow& row : rows) {
+        labels.insert(row.label);
+        if (row.colour) colours.insert(*row.colour);
+    }
+    std::vector<std::string> notes;
+    for (const auto& [label, phase] : phases.by_number) {
+        if (labels.count(label) > 0) continue;
+        notes.push_back(fmt::format("no grain has the label {} of the phase {}", label, phase));
+    }
+    for (const auto& [colour, phase] : phases.by_colour) {
+        if (colours.count(colour) > 0) continue;
+        notes.push_back(fmt::format("no grain has the colour {} of the phase {}", colour_text(colour), phase));
+    }
+    return notes;
+}
+
+/// Each label needs a phase, if any has one.
+void check_phases(const std::vector<LabelRow>& rows, const PhaseKey::OfLabels& phases, const std::string& name) {
+    if (phases.by_number.empty() && phases.by_colour.empty()) return;
+    for (const LabelRow& row : rows) {
+        if (!row.phase.empty()) continue;
+        throw InputError(fmt::format("{}: the label {}{} has no phase; the key needs a row with a phase for each label", name,
+                                     row.label, row.colour ? fmt::format(" ({})", colour_text(*row.colour)) : ""));
+    }
+}
+
 std::vector<std::string> notes_on_pieces(const LabelPieces& pieces, const LabelOptions& options) {
     std::vector<std::string> notes;
     if (pieces.joined > 0) {
@@ -111,15 +143,15 @@ std::vector<std::string> notes_on_pieces(const LabelPieces& pieces, const LabelO
                         pieces.labels_in_pieces == 1 ? "1 label is" : fmt::format("{} labels are", pieces.labels_in_pieces),
                         pieces.added_by_pieces));
     }
-    for (const auto& [label, phase] : options.phase_by_label) {
-        const bool is_there =
-            std::find(pieces.label_of_piece.begin(), pieces.label_of_piece.end(), label) != pieces.label_of_piece.end();
-        if (!is_there) notes.push_back(fmt::format("no grain has the label {} of the phase {}", label, phase));
-    }
     return notes;
 }
 
 }  // namespace
+
+std::vector<LabelRow> labels_of(std::string_view bytes, const LabelOptions& options, const std::string& name) {
+    const LabelImage image = read_label_image(bytes, name);
+    return label_rows(image, label_pieces(image, options.smallest_piece, name), options.phases, name);
+}
 
 ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, const std::string& name) {
     check_options(options);
@@ -129,10 +161,13 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
         const LabelImage image = read_label_image(bytes, name);
         imported.format = fmt::format("labels, {}, {} × {} pixels", image.format, image.width, image.height);
         pieces = label_pieces(image, options.smallest_piece, name);
+        imported.labels = label_rows(image, pieces, options.phases, name);
     }
+    check_phases(imported.labels, options.phases, name);
     const double pixel = options.pixel_size;
     const double element = element_in_pixels(pieces, options, name);
     imported.notes = notes_on_pieces(pieces, options);
+    for (std::string& note : notes_on_key(imported.labels, options.phases)) imported.notes.push_back(std::move(note));
 
     LabelBoundaries boundaries = label_boundaries(pieces);
     const int joined_junctions =
@@ -156,13 +191,9 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
                     options.jagged ? "along pixels" : "smoothed", format_quantity(element * pixel, Dimension::length, 3),
                     format_quantity(shortest_side(mesh) * pixel, Dimension::length, 3), smallest_angle(mesh)));
 
-    for (const int label : pieces.label_of_piece) {
-        const auto phase = options.phase_by_label.find(label);
-        if (phase == options.phase_by_label.end() && !options.phase_by_label.empty()) {
-            throw InputError(fmt::format("{}: the label {} has no phase; the key needs a row for each label", name, label));
-        }
-        imported.phase_of_grain.push_back(phase == options.phase_by_label.end() ? "" : phase->second);
-    }
+    std::map<int, std::string> phase_of_label;
+    for (const LabelRow& row : imported.labels) phase_of_label[row.label] = row.phase;
+    for (const int label : pieces.label_of_piece) imported.phase_of_grain.push_back(phase_of_label.at(label));
     imported.lines = outline(mesh, pieces.width, pieces.height);
     imported.triangles = std::move(mesh.triangles);
     imported.grain_of_triangle = std::move(mesh.region_of_triangle);

@@ -50,6 +50,24 @@ ImportedMesh with_grains(ImportedMesh mesh, std::optional<GrainChoice> grains, c
     return mesh;
 }
 
+std::string name_of_file(const ImportRequest& request) { return request.file == "-" ? "stdin" : request.file; }
+
+MeshFormat known_format(std::string_view bytes, const ImportRequest& request) {
+    const std::string name = name_of_file(request);
+    if (bytes.size() > std::numeric_limits<std::int32_t>::max()) throw InputError(name + ": larger than 2 GB, which is not read");
+    const auto format = request.format ? request.format : format_of(bytes);
+    if (!format) throw InputError(fmt::format("{}: begins with \"{}\"; {}", name, beginning(bytes), known_formats));
+    return *format;
+}
+
+LabelOptions label_options(const ImportRequest& request, const PhaseKey& key) {
+    LabelOptions options = request.labels;
+    if (key.is_given()) options.phases = key.of_labels();
+    return options;
+}
+
+PhaseKey key_of(const ImportRequest& request) { return request.phase_key.empty() ? PhaseKey{} : PhaseKey(request.phase_key); }
+
 }  // namespace
 
 std::string read_bytes(const std::string& file) {
@@ -66,23 +84,31 @@ std::string read_bytes(const std::string& file) {
     return bytes;
 }
 
+std::vector<LabelRow> picture_labels(std::string_view bytes, const ImportRequest& request) {
+    const std::string name = name_of_file(request);
+    if (known_format(bytes, request) != MeshFormat::labels) {
+        throw UsageError("--write-key: " + name + " is no picture; the key of a mesh has the names or numbers of its groups");
+    }
+    return labels_of(bytes, label_options(request, key_of(request)), name);
+}
+
 ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
-    const std::string name = request.file == "-" ? "stdin" : request.file;
-    if (bytes.size() > std::numeric_limits<std::int32_t>::max()) throw InputError(name + ": larger than 2 GB, which is not read");
-    const PhaseKey key = request.phase_key.empty() ? PhaseKey{} : PhaseKey(request.phase_key);
-    const auto format = request.format ? request.format : format_of(bytes);
-    if (!format) throw InputError(fmt::format("{}: begins with \"{}\"; {}", name, beginning(bytes), known_formats));
-    if (*format == MeshFormat::labels && !(request.labels.pixel_size > 0)) {
+    const std::string name = name_of_file(request);
+    if (request.crystals == CrystalChoice::breaking && request.grains == GrainChoice::element) {
+        throw UsageError(
+            "--crystals break: with --grain element each element is a crystal, so that none can break; leave one out");
+    }
+    const PhaseKey key = key_of(request);
+    const MeshFormat format = known_format(bytes, request);
+    if (format == MeshFormat::labels && !(request.labels.pixel_size > 0)) {
         throw UsageError("--pixel-size: missing; a picture needs the length of a pixel's side, as 0.1mm");
     }
-    if (*format != MeshFormat::labels && request.labels.pixel_size > 0) {
+    if (format != MeshFormat::labels && request.labels.pixel_size > 0) {
         throw UsageError("--pixel-size: " + name + " is no picture; give --scale for the unit of a mesh");
     }
-    switch (*format) {
+    switch (format) {
         case MeshFormat::labels: {
-            LabelOptions options = request.labels;
-            options.phase_by_label = key.phase_by_number();
-            ImportedMesh mesh = import_labels(bytes, options, name);
+            ImportedMesh mesh = import_labels(bytes, label_options(request, key), name);
             mesh.phases = key.phases();
             return with_grains(std::move(mesh), request.grains, name);
         }

@@ -59,7 +59,8 @@ std::string asked_grains(const H5Input& file) {
 
 std::optional<CrystalSizes> crystal_sizes(const H5Input& file) {
     const auto tessellation = file.attribute_or<std::string>(schema::specimen_group, "tessellation", "");
-    if ((tessellation != "voronoi" && tessellation != "trigon") || !file.has(schema::grain_area.path)) return std::nullopt;
+    const bool has_crystals = tessellation == "voronoi" || tessellation == "trigon" || file.has(schema::grain_crystal.path);
+    if (!has_crystals || !file.has(schema::grain_area.path)) return std::nullopt;
     const auto areas = file.read<double>(schema::grain_area.path);
     std::vector<std::int32_t> crystals;
     if (file.has(schema::grain_crystal.path)) crystals = file.read<std::int32_t>(schema::grain_crystal.path);

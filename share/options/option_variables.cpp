@@ -19,7 +19,7 @@ constexpr const char* option_list =
     "--confining-pressure --contact-cohesion --contact-friction-angle --contact-law "
     "--contact-normal-stiffness --contact-open-shear-strength --contact-residual-cohesion "
     "--contact-residual-friction-angle --contact-residual-tensile-strength --contact-shear-stiffness "
-    "--contact-tensile-strength --coupling --crack-event --crack-mode --damping --damping-form --diameter "
+    "--contact-tensile-strength --coupling --crack-event --crack-mode --crystals --damping --damping-form --diameter "
     "--diameters --digest --discard-checkpoint --dpi --dry-run --edge --element-size --elements-per-crystal --elements-per-edge "
     "--elongation "
     "--elongation-angle "
@@ -42,7 +42,7 @@ constexpr const char* option_list =
     "--summary "
     "--table --tessellation "
     "--target --threads --time "
-    "--time-step-fraction --title --unit --vector --verbose --walltime --width --x --x-limits --y --y-limits";
+    "--time-step-fraction --title --unit --vector --verbose --walltime --width --write-key --x --x-limits --y --y-limits";
 
 std::string option_of(std::string_view variable) {
     std::string option(variable.substr(prefix.size()));

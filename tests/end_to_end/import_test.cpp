@@ -91,6 +91,8 @@ TEST(Import, SaysWhatItFound) {
         "  20 mm wide, 10 mm high; edge mean 15.2 mm, CV 0.0000, min 15.2 mm, max 15.2 mm; smallest angle 45.0 deg, psi6 0.143\n"
         "  parts of the boundary: bottom 20 mm, right 10 mm, top 20 mm, left 10 mm\n"
         "  phases by area: group_1 0.5000, group_2 0.5000\n"
+        "  note: 0.89 crystals of the mean diameter across the smaller extent of 10 mm: with fewer than 10 a strength depends on "
+        "single crystals and is no material's\n"
         "  note: moved by (-10 mm, -5 mm), so that the middle of its extent is the origin\n");
     const std::string source = shell.must("sha256sum " + meshes + "two-squares-neper.msh | cut -d ' ' -f 1");
     EXPECT_NE(shell.must("graincrack-post info s.h5").find("imported_from            SHA-256 " + source), std::string::npos);
@@ -115,6 +117,53 @@ TEST(Import, APictureBecomesGrainsWithMinerals) {
     EXPECT_NE(jagged.out.find("boundaries along pixels"), std::string::npos) << jagged.err;
 }
 
+// A picture in four colours, of which one knows no numbers: its key is written, named and read, and its grains break.
+TEST(Import, APictureInColoursBecomesCrystalsThatBreak) {
+    const Shell shell;
+    const std::string picture = meshes + "four-minerals.png";
+    const std::string labels = shell.must("graincrack-mesh import " + picture + " --write-key key.tsv --dry-run");
+    EXPECT_NE(labels.find("  #f0b4a0        31.79 %      10\n"), std::string::npos) << labels;
+    EXPECT_EQ(n_lines(labels), 5);
+    const std::string dry = shell.must("graincrack-mesh import " + picture + " --pixel-size 0.5mm --dry-run");
+    EXPECT_NE(dry.find(labels), std::string::npos) << dry;
+    EXPECT_EQ(shell.must("graincrack-mesh import " + picture + " --write-key - --quiet"), content_of(shell.file("key.tsv")));
+    const std::string call = "graincrack-mesh import " + picture + " --pixel-size 0.5mm --phase-key key.tsv --element-size 3mm ";
+    const Outcome unnamed = shell.run(call + "--dry-run");
+    EXPECT_EQ(unnamed.exit_code, 3);
+    EXPECT_NE(unnamed.err.find("key.tsv: no phase is named yet"), std::string::npos) << unnamed.err;
+    shell.must(
+        "sed -i 's/^\\(#c03020\t\\)?/\\1quartz/; s/^\\(#f0b4a0\t\\)?/\\1k_feldspar/; s/^\\(#ffffff\t\\)?/\\1plagioclase/' "
+        "key.tsv");
+    const Outcome unfinished = shell.run(call + "--dry-run");
+    EXPECT_EQ(unfinished.exit_code, 3);
+    EXPECT_NE(unfinished.err.find("the label 3 (#102030) has no phase; "), std::string::npos) << unfinished.err;
+
+    shell.must("sed -i 's/^\\(#102030\t\\)?/\\1mica/' key.tsv");
+    const Outcome made = shell.run(call + "--crystals break -o s.h5");
+    EXPECT_NE(made.err.find("rectangle of 34 crystals of 490 grains from labels"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("  note: 4.1 crystals of the mean diameter across the smaller extent of 30 mm: "), std::string::npos)
+        << made.err;
+    const std::string info = shell.must("graincrack-post info --check s.h5");
+    EXPECT_NE(info.find("  crystals                 34\n"), std::string::npos) << info;
+    EXPECT_NE(info.find("  tessellation             imported\n"), std::string::npos) << info;
+    shell.must(
+        "graincrack-post material with augig-granite --set phases.from=granite >minerals.toml\n"
+        "graincrack-solve uniaxial s.h5 --material minerals.toml --rate 100mm/s --max-strain 0.004 --quiet -o run.h5\n"
+        "graincrack-post cracks run.h5 --quiet -o cracks");
+    const std::string classes = shell.must("graincrack-post classes run.h5 --quiet");
+    for (const char* mineral : {"quartz", "k_feldspar", "plagioclase", "mica"}) {
+        EXPECT_NE(classes.find("\twithin_" + std::string(mineral) + "\t"), std::string::npos) << classes;
+    }
+    EXPECT_EQ(n_lines(content_of(shell.file("cracks/crystals.tsv"))), 1 + 34);
+
+    // The numbers of the palette are the same labels.
+    shell.must("printf '0\\tquartz\\n1\\tk_feldspar\\n2\\tplagioclase\\n3\\tmica\\n' >key.tsv");
+    shell.must(call + "--crystals break --quiet -o numbers.h5");
+    const H5Input colours(shell.file("s.h5"));
+    const H5Input numbers(shell.file("numbers.h5"));
+    for (const char* group : {"/nodes", "/elements"}) expect_same_arrays(colours, numbers, group);
+}
+
 TEST(Import, RefusesInOneLine) {
     const Shell shell;
     shell.must(
@@ -129,10 +178,13 @@ TEST(Import, RefusesInOneLine) {
         {squares + " --origin 1", 2, "--origin: \"1\" is not understood; give X,Y as 40mm,80mm"},
         {squares + " --scale 0mm", 2, "--scale: "},
         {squares + " --phase-key key.tsv", 3, "key.tsv: no row for 1; each grain needs one"},
+        {squares + " --crystals brittle", 2, "--crystals: \"brittle\" is not known; elastic or break fits"},
+        {squares + " --crystals break --grain element", 2, "--crystals break: with --grain element each element is a crystal"},
         {squares + " --phases a=0.5,b=0.5", 2, "--phases: the file says of what phases its grains are"},
         {squares + " --edge 4mm", 2, "--edge"},
         {squares + " --pixel-size 1mm", 2, "--pixel-size: "},
         {"labels.txt", 2, "--pixel-size: missing; a picture needs the length of a pixel's side, as 0.1mm"},
+        {"labels.txt --write-key new.tsv", 2, "--write-key: makes no specimen; leave -o out"},
         {"x.png --pixel-size 1mm", 3, "x.png: begins with"},
         {"- </dev/null", 3, "stdin: empty: the program before wrote nothing; see its message"},
     };

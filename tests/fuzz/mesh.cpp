@@ -1,4 +1,4 @@
-// Meshes of other programs, in every format, up to the specimen.
+// Meshes of other programs, in every format, up to the specimen; of odd sizes with crystals that break.
 #include "mesher/import/import_specimen.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
@@ -6,5 +6,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     using namespace graincrack;
     mesher::ImportRequest request;
     request.file = fuzz::written(fuzz::text_of(bytes, size), ".mesh");
-    return fuzz::one_input([&] { static_cast<void>(mesher::describe(mesher::import_specimen(request))); });
+    if (size % 2 == 1) request.crystals = mesher::CrystalChoice::breaking;
+    return fuzz::one_input([&] {
+        mesher::Import import = mesher::import_specimen(request);
+        mesher::give_fabric(import, {}, {}, 1);
+        static_cast<void>(mesher::describe(import));
+    });
 }

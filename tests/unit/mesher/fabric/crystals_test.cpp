@@ -44,6 +44,35 @@ TEST(Crystals, ContactsWithinThemAreOfTheClassOfTheirPhase) {
     EXPECT_EQ(phase_of_within_class("joint"), "");
 }
 
+TEST(Crystals, FlawsWithinThemStayFlaws) {
+    Specimen s;
+    const std::vector<int> crystals = make_crystals(s);
+    s.flaw_names = {"joint"};
+    s.contact_flaw.assign(s.n_contacts(), 1);
+    s.contact_kind.assign(s.n_contacts(), static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
+    name_crystals(s, crystals);
+    validate(s, "s.h5");
+    EXPECT_EQ(s.contact_flaw, (std::vector<std::uint8_t>{1, 1, 1}));
+    for (const std::uint8_t kind : s.contact_kind) EXPECT_EQ(kind, static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
+}
+
+TEST(Crystals, FewAcrossASpecimenAreNoted) {
+    // Triangles of a grid of n columns have the diameter of half a square: 0.8 of its side.
+    const Specimen many = test::one_diagonal_grid(9, 18, 0.09, 0.18);
+    EXPECT_EQ(note_on_few_crystals(many), "");
+    Specimen few = test::one_diagonal_grid(7, 14, 0.07, 0.14);
+    few.tessellation = "delaunay";
+    EXPECT_EQ(
+        note_on_few_crystals(few),
+        "8.8 grains of the mean diameter across the smaller extent of 70 mm: with fewer than 10 a strength depends on single "
+        "grains and is no material's");
+    // Pairs of triangles are crystals of a square.
+    Specimen pairs = test::one_diagonal_grid(9, 18, 0.09, 0.18);
+    for (std::size_t g = 0; g < pairs.n_grains(); ++g) pairs.grain_crystal.push_back(static_cast<std::int32_t>(g / 2));
+    EXPECT_EQ(number_of_crystals(pairs), pairs.n_grains() / 2);
+    EXPECT_EQ(note_on_few_crystals(pairs).substr(0, 12), "8 crystals o");
+}
+
 TEST(Crystals, ContactsOnFlawsKeepTheirClass) {
     Specimen s;
     const std::vector<int> crystals = make_crystals(s);

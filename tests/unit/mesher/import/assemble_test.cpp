@@ -6,10 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/fabric/crystals.hpp"
 #include "mesher/import/clean_mesh.hpp"
 #include "mesher/import/import_specimen.hpp"
 #include "mesher/import/outline.hpp"
 #include "share/base/error.hpp"
+#include "share/file/specimen_validation.hpp"
 #include "tests/unit/mesher/import/mesh_files.hpp"
 
 namespace graincrack::mesher {
@@ -17,7 +19,7 @@ namespace {
 
 Specimen specimen_of(ImportedMesh mesh, const Placement& placement = {}, std::vector<std::string>* notes = nullptr) {
     std::vector<std::string> unused;
-    return assemble(std::move(mesh), placement, "file", notes == nullptr ? unused : *notes);
+    return assemble(std::move(mesh), placement, CrystalChoice::elastic, "file", notes == nullptr ? unused : *notes);
 }
 
 std::string assembly_message(ImportedMesh mesh, const Placement& placement = {}) {
@@ -58,7 +60,7 @@ TEST(Assemble, MakesContactsPartsAndCracks) {
     request.file = "file";
     request.placement.scale = 0.01;
     std::vector<std::string> notes;
-    const Specimen s = assemble(import_mesh(test::msh_41, request), request.placement, "file", notes);
+    const Specimen s = assemble(import_mesh(test::msh_41, request), request.placement, request.crystals, "file", notes);
     EXPECT_EQ(s.shape, "rectangle");
     EXPECT_DOUBLE_EQ(s.width, 0.02);
     EXPECT_DOUBLE_EQ(s.height, 0.01);
@@ -100,6 +102,60 @@ TEST(Assemble, PiecesOfAGrainAreGrains) {
     const Specimen s = specimen_of(mesh, {}, &notes);
     EXPECT_EQ(s.n_grains(), 3U);
     EXPECT_EQ(notes, std::vector<std::string>{"grains of several pieces: 1 further piece is a grain of its own"});
+}
+
+TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
+    ImportedMesh mesh = squares();
+    mesh.phase_of_grain = {"quartz", "mica"};
+    // Along the diagonal of the left square, inside of its crystal.
+    const Triangle& t = mesh.triangles[0];
+    mesh.lines.push_back({t[2], t[0], "flaw-vein-broken"});
+    Import import;
+    import.specimen = assemble(mesh, {}, CrystalChoice::breaking, "file", import.notes);
+    give_fabric(import, {}, {}, 1);
+    const Specimen& s = import.specimen;
+    validate(s, "file");
+    EXPECT_EQ(s.n_grains(), 4U);
+    EXPECT_EQ(s.tessellation, "imported");
+    ASSERT_EQ(s.grain_crystal.size(), 4U);
+    for (std::size_t g = 0; g < s.n_grains(); ++g) {
+        double x = 0;
+        for (const std::int32_t node : s.element_nodes[g]) x += s.node_position[static_cast<std::size_t>(node)][0] / 3;
+        EXPECT_EQ(s.grain_crystal[g], x < 0 ? 0 : 1);
+        EXPECT_EQ(s.phase_names[s.grain_phase[g]], x < 0 ? "quartz" : "mica");
+    }
+    EXPECT_EQ(s.flaw_names, (std::vector<std::string>{"vein", "within_quartz", "within_mica"}));
+    ASSERT_EQ(s.n_contacts(), 3U);
+    std::vector<std::pair<int, int>> contacts;  // kind and class of flaws
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) contacts.emplace_back(s.contact_kind[c], s.contact_flaw[c]);
+    std::sort(contacts.begin(), contacts.end());
+    EXPECT_EQ(contacts, (std::vector<std::pair<int, int>>{{0, 0}, {1, 1}, {2, 3}}));
+}
+
+TEST(Assemble, CrystalsOfOneElementDoNotBreak) {
+    std::vector<std::string> notes;
+    try {
+        assemble(fan(12, 1), {}, CrystalChoice::breaking, "fan.msh", notes);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "fan.msh: --crystals break: each crystal is one element, so that nothing can break within it; smaller "
+                     "elements, another --grain, or --crystals elastic is needed");
+    }
+}
+
+TEST(Assemble, PhasesAreDrawnForCrystalsThatBreak) {
+    ImportRequest request;
+    request.file = "file";
+    request.crystals = CrystalChoice::breaking;
+    Import import;
+    import.specimen = assemble(import_mesh(test::neper_tess, request), {}, request.crystals, "file", import.notes);
+    PhaseRequest phases;
+    phases.fractions = {{"quartz", 0.5}, {"mica", 0.5}};
+    give_fabric(import, phases, {}, 1);
+    validate(import.specimen, "file");  // a crystal is of one phase
+    EXPECT_EQ(number_of_crystals(import.specimen), 2U);
+    EXPECT_EQ(import.specimen.flaw_names, (std::vector<std::string>{"within_quartz", "within_mica"}));
 }
 
 TEST(Assemble, TellsBodiesThatDoNotTouch) {

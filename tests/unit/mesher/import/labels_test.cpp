@@ -92,12 +92,12 @@ bool has_note(const ImportedMesh& mesh, const std::string& part) {
 TEST(Labels, StandUprightInMetres) {
     LabelOptions options = options_of(1);
     options.pixel_size = 5e-6;
-    options.phase_by_label = {{7, "quartz"}, {9, "mica"}, {8, "feldspar"}};
+    options.phases.by_number = {{7, "quartz"}, {9, "mica"}, {8, "feldspar"}};
     const ImportedMesh mesh = import_labels(picture(4, 2, [](int, int row) { return row == 0 ? 7 : 8; }), options, "section");
     EXPECT_EQ(mesh.format, "labels, text, 4 × 2 pixels");
     EXPECT_EQ(mesh.phase_of_grain, (std::vector<std::string>{"quartz", "feldspar"}));
     EXPECT_TRUE(has_note(mesh, "no grain has the label 9 of the phase mica"));
-    options.phase_by_label.erase(8);
+    options.phases.by_number.erase(8);
     EXPECT_THROW(import_labels("7\n8\n", options, "section"), InputError);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         Point sum;

@@ -14,6 +14,7 @@ struct PngKind {
     int colour_type = PNG_COLOR_TYPE_GRAY;
     int bits = 8;
     bool interlaced = false;
+    std::vector<png_color> palette = {};  ///< empty: shades of grey
 };
 
 inline int channels_of(int colour_type) {
@@ -25,7 +26,8 @@ inline int channels_of(int colour_type) {
     }
 }
 
-/// The bytes of a PNG with such samples, row by row from the top; a palette has 256 shades of grey, of fewer bits as many as fit.
+/// The bytes of a PNG with such samples, row by row from the top; a palette has 256 shades of grey, of fewer bits as many as fit,
+/// unless it is given.
 inline std::string png_of(int width, int height, const std::vector<int>& samples, const PngKind& kind = {}) {
     std::string bytes;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -38,8 +40,8 @@ inline std::string png_of(int width, int height, const std::vector<int>& samples
                  kind.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     if (kind.colour_type == PNG_COLOR_TYPE_PALETTE) {
-        std::vector<png_color> palette;
-        for (int i = 0; i < 1 << kind.bits; ++i) {
+        std::vector<png_color> palette = kind.palette;
+        for (int i = 0; kind.palette.empty() && i < 1 << kind.bits; ++i) {
             const auto shade = static_cast<png_byte>(i);
             palette.push_back({shade, shade, shade});
         }
