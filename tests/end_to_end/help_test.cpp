@@ -41,7 +41,8 @@ TEST(Help, ExamplesOfTheMesherRun) {
     shell.must("cp " + folder + "vein.msh section.msh; cp " + folder + "thin-section.png .; cp " + folder +
                "thin-section.tsv minerals.tsv");
     for (const std::string& example : examples) shell.must(example);
-    EXPECT_EQ(shell.names(), "disc.h5\nlabels.tsv\nminerals.h5\nminerals.tsv\nsection.h5\nsection.msh\nspecimen.h5\nthin-section.png\n");
+    EXPECT_EQ(shell.names(),
+              "disc.h5\nlabels.tsv\nminerals.h5\nminerals.tsv\nsection.h5\nsection.msh\nspecimen.h5\nthin-section.png\n");
 }
 
 TEST(Help, ExamplesOfTheSolverAreRight) {
