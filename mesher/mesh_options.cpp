@@ -27,7 +27,7 @@ constexpr const char* examples =
     "  graincrack-mesh rectangle --width 40mm --height 80mm --edge 3mm --phases quartz=0.3,feldspar=0.6,mica=0.1 "
     "--strength-modulus 5 -o minerals.h5\n"
     "  graincrack-mesh import section.msh --scale 1mm -o section.h5\n"
-    "  graincrack-mesh import thin-section.png --write-key minerals.tsv\n"
+    "  graincrack-mesh import thin-section.png --write-key labels.tsv\n"
     "  graincrack-mesh import thin-section.png --pixel-size 0.1mm --phase-key minerals.tsv --crystals break -o section.h5";
 
 /// What the options of a kind of specimens set; kinds share them.

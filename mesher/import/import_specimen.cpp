@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <numeric>
 
@@ -55,6 +56,13 @@ Import import_specimen(const ImportRequest& request) {
 }
 
 std::vector<std::string> write_new_key(const ImportRequest& request) {
+    // Phases that were named by hand are not to be lost.
+    if (request.new_key != request.phase_key && std::filesystem::is_regular_file(request.new_key)) {
+        throw UsageError(
+            fmt::format("--write-key: {0} is there already; give another name, or --phase-key {0} too, whose phases the "
+                        "new key then has",
+                        request.new_key));
+    }
     const std::vector<LabelRow> rows = picture_labels(read_bytes(request.file), request);
     write_whole_file(request.new_key, key_of_labels(rows, request.file == "-" ? "stdin" : request.file));
     return describe_labels(rows);

@@ -27,6 +27,7 @@ struct Import {
 Import import_specimen(const ImportRequest& request);
 
 /// Writes a key of the labels of a picture, whose phases are to be named, to a file. \return the labels, a line each
+/// \throws UsageError if there is such a file, which is not the key of the request
 std::vector<std::string> write_new_key(const ImportRequest& request);
 
 /// Gives the crystals phases, if the file has none, and scattered strengths, and names the contacts within them. \throws

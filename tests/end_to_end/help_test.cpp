@@ -36,12 +36,13 @@ std::vector<std::string> examples_of(const std::string& help) {
 TEST(Help, ExamplesOfTheMesherRun) {
     const Shell shell;
     const auto examples = examples_of(shell.must("graincrack-mesh --help"));
-    ASSERT_EQ(examples.size(), 5u);
+    ASSERT_EQ(examples.size(), 6u);
     const std::string folder = GRAINCRACK_SOURCE "/share/doc/import/";
     shell.must("cp " + folder + "vein.msh section.msh; cp " + folder + "thin-section.png .; cp " + folder +
                "thin-section.tsv minerals.tsv");
     for (const std::string& example : examples) shell.must(example);
-    EXPECT_EQ(shell.names(), "disc.h5\nminerals.h5\nminerals.tsv\nsection.h5\nsection.msh\nspecimen.h5\nthin-section.png\n");
+    EXPECT_EQ(shell.names(),
+              "disc.h5\nlabels.tsv\nminerals.h5\nminerals.tsv\nsection.h5\nsection.msh\nspecimen.h5\nthin-section.png\n");
 }
 
 TEST(Help, ExamplesOfTheSolverAreRight) {

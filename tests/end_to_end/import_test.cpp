@@ -156,6 +156,14 @@ TEST(Import, APictureInColoursBecomesCrystalsThatBreak) {
     }
     EXPECT_EQ(n_lines(content_of(shell.file("cracks/crystals.tsv"))), 1 + 34);
 
+    // A key that was named is not lost.
+    const std::string key = content_of(shell.file("key.tsv"));
+    const Outcome again = shell.run("graincrack-mesh import " + picture + " --write-key key.tsv");
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_NE(again.err.find("--write-key: key.tsv is there already; "), std::string::npos) << again.err;
+    shell.must("graincrack-mesh import " + picture + " --phase-key key.tsv --write-key key.tsv --quiet");
+    EXPECT_EQ(content_of(shell.file("key.tsv")), key);
+
     // The numbers of the palette are the same labels.
     shell.must("printf '0\\tquartz\\n1\\tk_feldspar\\n2\\tplagioclase\\n3\\tmica\\n' >key.tsv");
     shell.must(call + "--crystals break --quiet -o numbers.h5");

@@ -61,6 +61,10 @@ TEST(SpecimenOptions, PolygonsAreMeasured) {
     // Areas of 3 : 1 have diameters of √3 : 1, whose coefficient of variation is (√3 − 1)/(√3 + 1).
     EXPECT_NEAR(sizes->variation, (std::sqrt(3) - 1) / (std::sqrt(3) + 1), 1e-14);
     EXPECT_EQ(sizes->elements, 8);
+    blocks.tessellation = "imported";
+    EXPECT_EQ(crystal_sizes(made_with(folder, blocks, ""))->n, 2U);
+    blocks.grain_crystal.clear();
+    EXPECT_FALSE(crystal_sizes(made_with(folder, blocks, "")));
 }
 
 }  // namespace
