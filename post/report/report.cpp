@@ -14,7 +14,6 @@
 #include "post/cracks/rosette.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/grain_size.hpp"
-#include "post/measure/strength_summary.hpp"
 #include "post/plot/cracks.hpp"
 #include "post/plot/curve.hpp"
 #include "post/plot/energy.hpp"
@@ -27,6 +26,7 @@
 #include "post/report/html.hpp"
 #include "post/report/minerals.hpp"
 #include "post/report/quality_checks.hpp"
+#include "post/report/seed_groups.hpp"
 #include "post/report/test_report.hpp"
 #include "post/run/comparable.hpp"
 #include "post/run/crystals.hpp"
@@ -46,11 +46,12 @@ using html::number;
 /// Everything the page is made of.
 struct Content {
     std::vector<TestReport> tests;
-    std::vector<RunData> curves;  ///< the same runs, whose histories count the cracks of the label
-    html::Figures mesh;           ///< of specimens
-    std::string grains;           ///< that were asked for and made
-    std::string maps;             ///< figures of the first run of each series
-    Minerals minerals;            ///< of these specimens and runs
+    std::vector<SeedGroup> groups;  ///< of the tests
+    std::vector<RunData> curves;    ///< the same runs, whose histories count the cracks of the label
+    html::Figures mesh;             ///< of specimens
+    std::string grains;             ///< that were asked for and made
+    std::string maps;               ///< figures of the first run of each series
+    Minerals minerals;              ///< of these specimens and runs
     std::vector<SizedEnvelope> envelopes;
     std::string envelope_note;
 };
@@ -158,23 +159,10 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
         progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
     }
     progress.finish();
+    content.groups = seed_groups(content.tests);
     add_maps(content, runs, options);
     add_envelopes(content, options.strain_limit_runs);
     return content;
-}
-
-std::string key_figures(const Content& content) {
-    html::Table table(
-        {"test", "plane", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
-    for (const SizedStrengths& row : group_strengths_by_size(data_of(content))) {
-        const StrengthGroup& g = row.group;
-        const Estimate& mean = g.strength.mean;
-        table.row({name_of_row(row), std::string(name_of(g.plane)), std::to_string(g.strength.n),
-                   number(mean.value * 1e-6) + (g.strength.deviation ? " (" + number(*g.strength.deviation * 1e-6, 2) + ")" : ""),
-                   mean.low ? number(*mean.low * 1e-6) + " to " + number(*mean.high * 1e-6) : "", std::to_string(g.without_peak),
-                   g.ratio_to_brazilian ? number(*g.ratio_to_brazilian, 3) : ""});
-    }
-    return table.str();
 }
 
 std::string run_table(const Content& content) {
@@ -201,7 +189,7 @@ std::string run_table(const Content& content) {
                                      std::to_string(t.data.specimen.seed),
                                      std::to_string(t.data.specimen.grains),
                                      number(t.data.specimen.mean_edge * 1e3, 3),
-                                     number(t.strength.value() * 1e-6),
+                                     number(strength_of(t) * 1e-6),
                                      t.strength.peak_kind,
                                      number(100 * t.strength.strain_at_peak, 3),
                                      t.strength.first_yield ? number(*t.strength.first_yield * 1e-6) : "",
@@ -270,6 +258,46 @@ std::string envelope_section(const Content& content) {
         });
     }
     return (figures.empty() ? "" : figures.str()) + content.envelope_note;
+}
+
+/// The first run of each group of runs that share a chart with the first compression test, or with the first test.
+std::vector<std::size_t> runs_of_first_chart(const Content& content) {
+    const auto compression = std::find_if(content.groups.begin(), content.groups.end(),
+                                          [](const SeedGroup& group) { return is_compression(group.first().data.header); });
+    const SeedGroup& shown = compression == content.groups.end() ? content.groups.front() : *compression;
+    std::vector<std::size_t> runs;
+    for (const SeedGroup& group : content.groups) {
+        if (kind_of(group.first().data) != kind_of(shown.first().data)) continue;
+        runs.push_back(static_cast<std::size_t>(&group.first() - content.tests.data()));
+    }
+    return runs;
+}
+
+/// The curve, the cracks and the envelope at a glance.
+std::string first_figures(const Content& content, const std::vector<std::string>& runs, const ReportOptions& options) {
+    html::FirstFigures figures;
+    const std::vector<std::size_t> shown = runs_of_first_chart(content);
+    figures.add(shown.size() < content.tests.size() ? "stress and strain of the first run of each kind" : "stress and strain",
+                "curves", [&](const PictureStyle& style) {
+                    std::vector<RunData> curves;
+                    for (const std::size_t i : shown) curves.push_back(content.curves[i]);
+                    return draw_curves(curves, {}, definition_of(options.label.of(curves.front().header)), {}, style);
+                });
+    const RunReader run(runs[shown.front()]);
+    if (run.n_frames() > 0) {
+        figures.add("micro-cracks by the end of " + content.tests[shown.front()].data.name, "maps",
+                    [&](const PictureStyle& style) {
+                        return draw_cracks(run, {"last", std::nullopt, 1, options.label}, style);
+                    });
+    }
+    if (!content.envelopes.empty()) {
+        const SizedEnvelope& envelope = content.envelopes.front();
+        figures.add("Mohr circles and envelopes" + (envelope.size.empty() ? "" : ", " + envelope.size), "envelope",
+                    [&](const PictureStyle& style) {
+                        return draw_envelope(envelope.tests, content.tests.front().data.header.material, {}, style);
+                    });
+    }
+    return figures.str();
 }
 
 /// A row of a parameter of all contacts, or a cell for each class where they differ.
@@ -353,10 +381,13 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     std::string body = "<h1>" + html::escaped(title) + "</h1>\n<p class=\"lead\">Numerical tests by Graincrack; contact law " +
                        html::escaped(header.contact_law) +
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
+    body += first_figures(content, runs, options);
+    body += html::section("laboratory", material ? "Against the laboratory" : "Properties",
+                          comparison(content.groups, content.envelopes, material));
     body +=
-        html::section("figures", "Key figures and curves",
-                      key_figures(content) + caveat_paragraphs(content) + run_table(content) + curve_figures(content, options));
-    body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelopes, material));
+        html::section("means", "Means of runs that differ by their seed alone",
+                      group_table(content.groups) + caveat_paragraphs(content) + html::details("Each run", run_table(content)));
+    body += html::section("curves", "Strengths and curves", curve_figures(content, options));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("envelope", "Envelope", envelope_section(content));
     body += html::section("maps", "Cracks, directions, energy, thresholds", content.maps);
