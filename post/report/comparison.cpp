@@ -59,11 +59,14 @@ int decimals_of(double value) {
     return value == 0 ? 0 : std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
 }
 
+std::string unit_text(const Target& target) { return target.kind.unit.empty() ? "" : "\u00a0" + target.kind.unit; }
+
 std::string laboratory_cell(const LaboratoryProperty& property) {
     if (!property.is_measured()) return "";
     const double si = property.target.kind.si;
     const char* const mark = property.has_own_deviation ? "" : "*";
-    return number(property.target.value / si) + " ± " + number(property.target.deviation / si, 3) + mark;
+    return number(property.target.value / si) + " ± " + number(property.target.deviation / si, 2) + mark +
+           unit_text(property.target);
 }
 
 std::string difference_cell(const Target& target, double computed) {
@@ -72,9 +75,12 @@ std::string difference_cell(const Target& target, double computed) {
     return fmt::format("{:+.{}f}", difference / target.kind.si, decimals_of(target.value / target.kind.si));
 }
 
-std::string computed_cell(const Sample& sample, double factor) {
-    if (sample.n == 1) return number(sample.mean.value * factor) + "\n1 run";
-    return mean_cell(sample, factor) + fmt::format("\n{} runs", sample.n);
+/// "132.4 MPa\n125 to 140 (4 runs)"
+std::string computed_cell(const Sample& sample, const Target& target) {
+    const double si = target.kind.si;
+    std::string text = number(sample.mean.value / si) + unit_text(target) + "\n";
+    if (sample.mean.low) text += number(*sample.mean.low / si) + " to " + number(*sample.mean.high / si) + " ";
+    return text + "(" + counted(sample.n, "run") + ")";
 }
 
 /// The rows of the table, and what they count.
@@ -92,22 +98,22 @@ public:
             is_tested = true;
             const Agreement agreement = property.is_measured() ? agreement_of(target, *sample) : Agreement::unknown;
             usual_deviation_ = usual_deviation_ || (property.is_measured() && !property.has_own_deviation);
-            row({group.with_specimen(property.name_with_unit()), laboratory_cell(property),
-                 computed_cell(*sample, 1 / target.kind.si),
+            row({group.with_specimen(property.name()), laboratory_cell(property), computed_cell(*sample, target),
                  property.is_measured() ? difference_cell(target, sample->mean.value) : "", name_of(agreement),
                  name_of(property.origin)},
                 agreement);
         }
         if (is_tested || !property.is_measured()) return;
-        untested_.push_back({property.name_with_unit(), laboratory_cell(property), "not tested"});
+        untested_.push_back({property.name(), laboratory_cell(property), "not tested"});
         usual_deviation_ = usual_deviation_ || !property.has_own_deviation;
     }
     /// A number of a fit through several tests. \param laboratory SI
-    void add(const std::string& label, const Estimate& value, const std::optional<double>& laboratory, double factor,
+    void add(const std::string& label, const Estimate& value, const std::optional<double>& laboratory, const ColumnUnit& unit,
              PropertyOrigin origin) {
-        std::string computed = number(value.value * factor);
-        if (value.low) computed += "\n" + number(*value.low * factor) + " to " + number(*value.high * factor);
-        row({label, laboratory ? number(*laboratory * factor) : "", computed + "\nline through all",
+        const std::string shown = "\u00a0" + std::string(unit.name == "deg" ? "°" : unit.name);
+        std::string computed = number(value.value * unit.factor) + shown + "\n";
+        if (value.low) computed += number(*value.low * unit.factor) + " to " + number(*value.high * unit.factor) + " ";
+        row({label, laboratory ? number(*laboratory * unit.factor) + shown : "", computed + "(line)",
              laboratory ? fmt::format("{:+.1f}\u00a0%", 100 * (value.value / *laboratory - 1)) : "", "", name_of(origin)},
             Agreement::unknown);
     }
@@ -119,9 +125,9 @@ public:
 
 private:
     static std::vector<std::string> columns(bool with_laboratory) {
-        const std::string computed = "computed (s.d.)\n95\u00a0% interval of the mean";
+        const std::string computed = "computed: mean,\n95\u00a0% interval";
         if (!with_laboratory) return {"property", computed};
-        return {"property", "laboratory\n± deviation", computed, "difference", "within the deviation", "fitted or predicted"};
+        return {"property", "laboratory\n± deviation", computed, "difference", "within or outside", "fitted or predicted"};
     }
     void row(std::vector<std::string> cells, Agreement agreement) {
         if (!with_laboratory_) cells = {cells[0], cells[2]};
@@ -134,12 +140,13 @@ private:
             const auto found = counts_.find(agreement);
             return found == counts_.end() ? std::size_t{0} : found->second;
         };
-        const std::size_t within = count(Agreement::within);
-        const std::size_t compared = within + count(Agreement::outside) + count(Agreement::undecided);
-        if (compared == 0) return "";
-        return html::paragraph(fmt::format("{} of {} compared values {} within the laboratory's deviation.", within, compared,
-                                           within == 1 ? "is" : "are"),
-                               "lead");
+        std::string counts;
+        for (const Agreement agreement : {Agreement::within, Agreement::outside, Agreement::undecided}) {
+            if (count(agreement) == 0) continue;
+            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count(agreement), name_of(agreement));
+        }
+        return counts.empty() ? ""
+                              : html::paragraph("Beside the laboratory's values and their deviations: " + counts + ".", "lead");
     }
     [[nodiscard]] std::string explanation() const {
         std::string text;
@@ -171,8 +178,8 @@ void add_envelope_rows(ComparisonTable& table, const std::vector<SizedEnvelope>&
                                                                            : PropertyOrigin::predicted;
     for (const SizedEnvelope& each : envelopes) {
         const std::string size = each.size.empty() ? "" : ", " + each.size;
-        table.add("cohesion C, MPa" + size, each.envelope.cohesion, laboratory("cohesion"), in_megapascals, origin);
-        table.add("friction angle φ, °" + size, each.envelope.friction_angle, laboratory("friction_angle"), in_degrees, origin);
+        table.add("cohesion C" + size, each.envelope.cohesion, laboratory("cohesion"), unit::megapascal, origin);
+        table.add("friction angle φ" + size, each.envelope.friction_angle, laboratory("friction_angle"), unit::degree, origin);
     }
 }
 

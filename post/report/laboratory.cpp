@@ -9,6 +9,7 @@
 
 #include "post/fit/mohr_coulomb.hpp"
 #include "post/report/html.hpp"
+#include "post/table/number.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack {
@@ -25,7 +26,7 @@ const std::map<std::string, std::string>& laboratory_names() {
                                                           {"brazilian", "Brazilian tensile strength"},
                                                           {"direct_tension", "direct tensile strength"},
                                                           {"uniaxial", "UCS"},
-                                                          {"first_peak", "strength"},
+                                                          {"first_peak", "σ1"},
                                                           {"crack_initiation", "crack initiation CI"},
                                                           {"crack_damage", "crack damage CD"}};
     return names;
@@ -34,7 +35,6 @@ const std::map<std::string, std::string>& laboratory_names() {
 std::string laboratory_name(const Target& target) {
     const auto found = laboratory_names().find(target.kind.name);
     std::string name = found == laboratory_names().end() ? target.kind.symbol : found->second;
-    if (target.kind.name == "first_peak") name = "σ1";
     if (target.confining_pressure > 0) name += fmt::format(" at σ3 = {:.7g} MPa", target.confining_pressure * 1e-6);
     return name;
 }
@@ -95,6 +95,12 @@ std::optional<Target> fitted_target(const std::string& key) {
     return std::nullopt;
 }
 
+/// A number with four digits; any other text as it is.
+std::string rounded(const std::string& text) {
+    const auto value = parse_number(text);
+    return value ? html::number(*value) : text;
+}
+
 }  // namespace
 
 std::string name_of(PropertyOrigin origin) {
@@ -110,10 +116,6 @@ std::string name_of(PropertyOrigin origin) {
 bool LaboratoryProperty::is_measured() const { return std::isfinite(target.value); }
 
 std::string LaboratoryProperty::name() const { return laboratory_name(target); }
-
-std::string LaboratoryProperty::name_with_unit() const {
-    return name() + (target.kind.unit.empty() ? "" : ", " + target.kind.unit);
-}
 
 std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,
                                                       const std::vector<double>& pressures) {
@@ -156,7 +158,7 @@ bool has_fitted_confined_strength(const std::optional<Material>& material) {
 std::string fitted_table(const std::optional<Material>& material) {
     if (!material || material->fitted.empty()) return "";
     // As the calibration writes it: "122 MPa; 124.6 (117.59 to 131.62) on 6 new specimens".
-    static const std::regex form(R"(([^;]*); (\S+)(?: \(([^)]*)\))? on (\d+) new specimens?)");
+    static const std::regex form(R"(([^;]*); (\S+)(?: \((\S+) to (\S+)\))? on (\d+) new specimens?)");
     struct Row {
         std::size_t order;
         double pressure;
@@ -171,7 +173,9 @@ std::string fitted_table(const std::optional<Material>& material) {
         row.cells.push_back(target ? laboratory_name(*target) : words);
         std::smatch found;
         if (std::regex_match(text, found, form)) {
-            for (std::size_t i = 1; i < found.size(); ++i) row.cells.push_back(found[i].str());
+            const std::string unit = target && !target->kind.unit.empty() ? "\u00a0" + target->kind.unit : "";
+            const std::string interval = found[3].matched ? rounded(found[3]) + " to " + rounded(found[4]) : "";
+            row.cells.insert(row.cells.end(), {found[1], rounded(found[2]) + unit, interval, found[5]});
         } else {
             row.cells.push_back(text);
         }

@@ -21,12 +21,11 @@ std::string name_of(PropertyOrigin origin);
 
 /// A property by the definition that targets of a calibration have.
 struct LaboratoryProperty {
-    calibrate::Target target;                          ///< its value is NaN where the laboratory has none
-    bool has_own_deviation = false;                    ///< given by [targets]; else the usual one of such a measurement
-    PropertyOrigin origin = PropertyOrigin::unknown;   ///< of the computed value
-    [[nodiscard]] bool is_measured() const;            ///< by the laboratory
-    [[nodiscard]] std::string name() const;            ///< "UCS", "σ1 at σ3 = 8 MPa", "crack initiation CI"
-    [[nodiscard]] std::string name_with_unit() const;  ///< "UCS, MPa"
+    calibrate::Target target;                         ///< its value is NaN where the laboratory has none
+    bool has_own_deviation = false;                   ///< given by [targets]; else the usual one of such a measurement
+    PropertyOrigin origin = PropertyOrigin::unknown;  ///< of the computed value
+    [[nodiscard]] bool is_measured() const;           ///< by the laboratory
+    [[nodiscard]] std::string name() const;           ///< "UCS", "σ1 at σ3 = 8 MPa", "crack initiation CI"
 };
 
 /// The targets of a material, and E, ν, strengths at the given pressures and crack thresholds, in the order of `target_kinds`.

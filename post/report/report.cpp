@@ -287,7 +287,9 @@ std::string first_figures(const Content& content, const std::vector<std::string>
     if (run.n_frames() > 0) {
         figures.add("micro-cracks by the end of " + content.tests[shown.front()].data.name, "maps",
                     [&](const PictureStyle& style) {
-                        return draw_cracks(run, {"last", std::nullopt, 1, options.label}, style);
+                        CrackMapOptions map{"last", std::nullopt, 1, options.label};
+                        map.largest_height = 0.9 * style.page_width;  // about as high as the charts beside it
+                        return draw_cracks(run, map, style);
                     });
     }
     if (!content.envelopes.empty()) {
