@@ -80,7 +80,7 @@ std::string computed_cell(const Sample& sample, const Target& target) {
     const double si = target.kind.si;
     std::string text = number(sample.mean.value / si) + unit_text(target) + "\n";
     if (sample.mean.low) text += number(*sample.mean.low / si) + " to " + number(*sample.mean.high / si) + " ";
-    return text + "(" + counted(sample.n, "run") + ")";
+    return text + fmt::format("({}\u00a0run{})", sample.n, sample.n == 1 ? "" : "s");
 }
 
 /// The rows of the table, and what they count.

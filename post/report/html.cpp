@@ -53,7 +53,7 @@ summary { cursor: pointer; font-weight: bold; }
 .study table { display: block; overflow-x: auto; }
 .study td { white-space: normal; min-width: 5ch; }
 @media (max-width: 860px) { .columns, .first.of2, .first.of3 { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
-@media (max-width: 500px) { body { padding: 12px; } table { font-size: 12.5px; } th, td { padding-right: 7px; } }
+@media (max-width: 500px) { body { padding: 12px; } table { font-size: 12px; } th, td { padding-right: 5px; } }
 @media print { body { max-width: none; padding: 0; font-size: 10pt; } table, figcaption { font-size: 9pt; }
        .columns { grid-template-columns: repeat(2, minmax(0, 1fr)); } .figures { column-count: 2; } h2, h3, summary { break-after: avoid; }
        .first.of2 { grid-template-columns: repeat(2, minmax(0, 1fr)); } .first.of3 { grid-template-columns: repeat(3, minmax(0, 1fr)); }

@@ -216,7 +216,7 @@ std::vector<std::string> caveat_lines(const Content& content) {
     return caveat_lines(content, [](const RunData&) { return true; });
 }
 
-/// Beside the key figures, their caveats.
+/// Beside strengths, their caveats.
 std::string caveat_paragraphs(const Content& content) {
     std::string paragraphs;
     for (const std::string& line : caveat_lines(content)) {
@@ -385,7 +385,7 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
     body += first_figures(content, runs, options);
     body += html::section("laboratory", material ? "Against the laboratory" : "Properties",
-                          comparison(content.groups, content.envelopes, material));
+                          caveat_paragraphs(content) + comparison(content.groups, content.envelopes, material));
     body +=
         html::section("means", "Means of runs that differ by their seed alone",
                       group_table(content.groups) + caveat_paragraphs(content) + html::details("Each run", run_table(content)));
