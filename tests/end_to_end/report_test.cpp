@@ -14,7 +14,8 @@ TEST(Report, TestsOfACalibratedGraniteStandBesideItsTargets) {
     const Shell shell;
     shell.must(
         "for seed in 1 2; do\n"
-        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 4mm --seed $seed --quiet -o $seed.h5\n"
+        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 4mm --material augig-granite-calibrated --seed $seed "
+        "--quiet -o $seed.h5\n"
         "graincrack-solve uniaxial $seed.h5 --material augig-granite-calibrated --rate-tolerance 0.006 --quiet -o u$seed.h5\n"
         "graincrack-solve triaxial $seed.h5 --confining-pressure 8MPa --material augig-granite-calibrated --rate-tolerance 0.006 "
         "--quiet -o t$seed.h5\ndone\n"

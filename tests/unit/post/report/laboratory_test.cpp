@@ -47,8 +47,9 @@ TEST(LaboratoryProperties, WithoutTargetsAreThoseOfTheLaboratory) {
     EXPECT_NEAR(property_of(all, "Poisson's ratio ν").target.deviation, 0.015, 1e-12);
     EXPECT_FALSE(property_of(all, "crack initiation CI").is_measured());
     EXPECT_EQ(name_of(property_of(all, "UCS").origin), "");
-    for (const LaboratoryProperty& each : laboratory_properties(std::nullopt, {8e6}))
+    for (const LaboratoryProperty& each : laboratory_properties(std::nullopt, {8e6})) {
         EXPECT_FALSE(each.is_measured()) << each.name();
+    }
 }
 
 TEST(LaboratoryProperties, ATargetWithoutAnythingToFitIsNoErrorAndAWrongOneIs) {
