@@ -264,7 +264,7 @@ Agreement agreement_of(const Target& target, const Sample& computed) {
 }
 
 std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<SizedEnvelope>& envelopes,
-                       const std::optional<Material>& material) {
+                       const std::optional<Material>& material, const std::string& caveats) {
     ComparisonTable table(material.has_value());
     bool has_envelopes = false;
     for (const LaboratoryProperty& property : laboratory_properties(material, tested_pressures(groups))) {
@@ -274,12 +274,14 @@ std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<S
         }
         table.add(property, groups);
     }
-    std::string text = table.str();
+    std::string text = table.str() + caveats;
     if (!material) {
         text += html::paragraph("With --material FILE the laboratory's values of that material stand beside these.");
     } else if (material->fitted.empty()) {
         text += html::paragraph("This material has no [fitted]: no calibration says which values it was fitted to.");
     }
+    if (material)
+        text += html::paragraph("Laboratory: [targets] and [laboratory] of " + material->file.filename().string() + ".");
     text += html::paragraph(
         "CI: stress at 1 % of the cracks counted at the peak. CD: stress at which the area of the specimen, gauged over its "
         "central half, begins to grow. E and ν: chord to half the peak.");

@@ -33,8 +33,8 @@ Agreement agreement_of(const calibrate::Target& target, const Sample& computed);
 
 /// The table property, laboratory, computed, difference, agreement, origin; a row for each group of runs that has the property.
 /// Properties of the laboratory without a test among the runs are "not tested". Below, other definitions of crack initiation, and
-/// [fitted] of the material. \param envelopes of the grain sizes that have one
+/// [fitted] of the material. \param envelopes of the grain sizes that have one \param caveats paragraphs for below the table
 std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<SizedEnvelope>& envelopes,
-                       const std::optional<Material>& material);
+                       const std::optional<Material>& material, const std::string& caveats = "");
 
 }  // namespace graincrack

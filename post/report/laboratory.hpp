@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "post/calibrate/target.hpp"
+#include "share/file/run_header.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack {
@@ -27,6 +28,10 @@ struct LaboratoryProperty {
     [[nodiscard]] bool is_measured() const;           ///< by the laboratory
     [[nodiscard]] std::string name() const;           ///< "UCS", "σ1 at σ3 = 8 MPa", "crack initiation CI"
 };
+
+/// The material that a run was made with, as its command line names it; empty if that is not found, or is another by now: its
+/// name, the elastic constants or density of its rock differ. \param words of the command line
+std::optional<Material> material_of_run(const RunHeader& header, const std::vector<std::string>& words);
 
 /// The targets of a material, and E, ν, strengths at the given pressures and crack thresholds, in the order of `target_kinds`.
 /// What [targets] lacks is filled from [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3, with b of the

@@ -1,6 +1,7 @@
 #include "post/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -146,7 +147,8 @@ void add_maps(Content& content, const std::vector<std::string>& runs, const Repo
     }
 }
 
-Content read_content(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
+/// \param options gets the material of the first run unless it has one
+Content read_content(const std::vector<std::string>& runs, ReportOptions& options, Verbosity verbosity) {
     Content content;
     Progress progress("report", verbosity);
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -160,6 +162,8 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
     }
     progress.finish();
     content.groups = seed_groups(content.tests);
+    const TestReport& first = content.tests.front();
+    if (!options.material) options.material = material_of_run(first.data.header, first.command_line);
     add_maps(content, runs, options);
     add_envelopes(content, options.strain_limit_runs);
     return content;
@@ -217,12 +221,9 @@ std::vector<std::string> caveat_lines(const Content& content) {
 }
 
 /// Beside strengths, their caveats.
-std::string caveat_paragraphs(const Content& content) {
-    std::string paragraphs;
-    for (const std::string& line : caveat_lines(content)) {
-        paragraphs += html::paragraph("Caveats of these strengths: " + line + ".");
-    }
-    return paragraphs;
+std::string caveat_paragraph(const Content& content) {
+    const std::vector<std::string> lines = caveat_lines(content);
+    return lines.empty() ? "" : html::paragraph(fmt::format("Caveats of these strengths: {}.", fmt::join(lines, "; ")));
 }
 
 std::string kind_of(const RunData& run) {
@@ -374,9 +375,10 @@ std::string provenance(const Content& content) {
 
 }  // namespace
 
-std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
-    const std::optional<Material>& material = options.material;
+std::string make_report(const std::vector<std::string>& runs, const ReportOptions& given, Verbosity verbosity) {
+    ReportOptions options = given;
     const Content content = read_content(runs, options, verbosity);
+    const std::optional<Material>& material = options.material;
     const RunHeader& header = content.tests.front().data.header;
     const std::string title =
         runs.size() == 1 ? test_title(header) : fmt::format("{}: {} tests", header.material, content.tests.size());
@@ -385,10 +387,10 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
     body += first_figures(content, runs, options);
     body += html::section("laboratory", material ? "Against the laboratory" : "Properties",
-                          caveat_paragraphs(content) + comparison(content.groups, content.envelopes, material));
+                          comparison(content.groups, content.envelopes, material, caveat_paragraph(content)));
     body +=
         html::section("means", "Means of runs that differ by their seed alone",
-                      group_table(content.groups) + caveat_paragraphs(content) + html::details("Each run", run_table(content)));
+                      group_table(content.groups) + caveat_paragraph(content) + html::details("Each run", run_table(content)));
     body += html::section("curves", "Strengths and curves", curve_figures(content, options));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("envelope", "Envelope", envelope_section(content));

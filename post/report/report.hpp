@@ -13,7 +13,7 @@
 namespace graincrack {
 
 struct ReportOptions {
-    std::optional<Material> material = {};  ///< for laboratory values and fractions of phases
+    std::optional<Material> material = {};  ///< for laboratory values and fractions of phases; default: that of the first run
     StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
     CrackLabelChoice label = {};  ///< of the cracks in maps, roses and curves
 };

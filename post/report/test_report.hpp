@@ -51,6 +51,7 @@ struct TestReport {
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;
+    std::vector<std::string> command_line;  ///< words
 };
 
 /// Evaluates a run for the report. \throws InputError if it cannot be read or evaluated

@@ -46,6 +46,9 @@ TEST(Report, TestsOfACalibratedGraniteStandBesideItsTargets) {
     EXPECT_NE(page.find("<td>UCS</td><td>122 MPa</td><td>124.6\u00a0MPa</td><td>117.6 to 131.6</td><td>6</td>"),
               std::string::npos);
     EXPECT_EQ(page.find("compressive_strength"), std::string::npos);
+    // The runs name their material.
+    shell.must("graincrack-post report u1.h5 --quiet -o alone.html");
+    EXPECT_NE(row_of(content_of(shell.file("alone.html")), "UCS").find("<td>122 ± 6.1\u00a0MPa</td>"), std::string::npos);
     // The first screen: curve, cracks, envelope.
     EXPECT_NE(page.substr(0, page.find("<h2")).find("class=\"first of3\""), std::string::npos);
 }

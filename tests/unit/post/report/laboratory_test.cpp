@@ -68,6 +68,24 @@ TEST(LaboratoryProperties, ATargetWithoutAnythingToFitIsNoErrorAndAWrongOneIs) {
         [&] { (void)laboratory_properties(material_with("crack_damage = {vale = \"99 MPa\"}"), {}); }, {"rock.toml", "vale"});
 }
 
+TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {
+    const Material granite = read_material("augig-granite");
+    RunHeader header;
+    header.material = granite.name;
+    header.rock = granite.rock;
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"graincrack-solve", "--material", "augig-granite"},
+                                                  {"graincrack-solve", "--material=augig-granite"}}) {
+        const auto found = material_of_run(header, words);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->file, granite.file);
+    }
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "none.toml"}));
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material"}));
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve"}));
+    header.rock.density += 1;
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "augig-granite"}));
+}
+
 TEST(FittedTable, HasTheWordsOfALaboratory) {
     const std::string table = fitted_table(read_material("augig-granite-calibrated"));
     EXPECT_NE(table.find("<td>UCS</td><td>122 MPa</td><td>124.6\u00a0MPa</td><td>117.6 to 131.6</td><td>6</td>"),
