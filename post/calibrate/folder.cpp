@@ -55,9 +55,7 @@ std::string material_text(const Material& rock, const Decision& decision, const 
     text += "\n[fitted]  # property: what it was fitted to, and what new specimens have\n";
     for (const Outcome& o : decision.outcomes) {
         if (o.target.use != Use::fit || !o.ours) continue;
-        std::string key = o.target.name();
-        if (!o.target.kind.fitted_key.empty()) key.replace(0, o.target.kind.name.size(), o.target.kind.fitted_key);
-        text += fmt::format("{} = \"{}; {} on {} new specimens\"\n", key, o.target.text(o.target.value),
+        text += fmt::format("{} = \"{}; {} on {} new specimens\"\n", o.target.fitted_name(), o.target.text(o.target.value),
                             with_interval(o.ours->mean, o.target.kind.si), o.ours->n);
     }
     return text;

@@ -72,6 +72,10 @@ std::string pressure_text(double pascal) { return pascal > 0 ? fmt::format("{:.7
 
 std::string Target::name() const { return kind.name + (confining_pressure > 0 ? "_" + pressure_text(confining_pressure) : ""); }
 
+std::string Target::fitted_name() const {
+    return fmt::format("{}{}", kind.fitted_key.empty() ? kind.name : kind.fitted_key, name().substr(kind.name.size()));
+}
+
 std::string Target::symbol() const {
     return kind.symbol + (confining_pressure > 0 ? fmt::format(" at {:.7g} MPa", confining_pressure / MPa) : "");
 }
@@ -79,6 +83,8 @@ std::string Target::symbol() const {
 std::string Target::test() const {
     return kind.test != "compression" ? kind.test : confining_pressure > 0 ? "triaxial" : "uniaxial";
 }
+
+double Target::usual_deviation() const { return kind.deviation * (kind.absolute ? 1 : value); }
 
 std::string Target::text(double value_in_si) const {
     return fmt::format("{:.4g}{}{}", value_in_si / kind.si, kind.unit.empty() ? "" : " ", kind.unit);
@@ -120,8 +126,6 @@ double laboratory_slope(const Material& rock) {
                     rock.file.string()));
 }
 
-double usual_deviation(const Target& target) { return target.kind.deviation * (target.kind.absolute ? 1 : target.value); }
-
 std::vector<Target> laboratory_targets(const Material& rock, double pressure, const std::vector<double>& predicted_pressures) {
     std::vector<Target> targets;
     const auto add = [&](const std::string& name, double confining, double value, Use use) {
@@ -129,7 +133,7 @@ std::vector<Target> laboratory_targets(const Material& rock, double pressure, co
         Target& target = targets.back();
         target.confining_pressure = confining;
         target.value = value;
-        target.deviation = usual_deviation(target);
+        target.deviation = target.usual_deviation();
         target.use = use;
     };
     const double ucs = needed(rock, "compressive_strength");
@@ -175,8 +179,7 @@ double disagreement(const Material& rock) {
     return 2 * cohesion->second * std::sqrt(mohr_coulomb_slope(angle->second)) / ucs->second - 1;
 }
 
-std::vector<Target> targets_of(const Material& rock, const TomlFile& file, double confining_pressure,
-                               const std::vector<double>& predicted_pressures) {
+std::vector<Target> given_targets(const TomlFile& file) {
     std::vector<Target> targets;
     for (const TomlSection& section : file.sections) {
         if (section.name.front() != "targets" || section.name.size() < 2) continue;
@@ -189,7 +192,7 @@ std::vector<Target> targets_of(const Material& rock, const TomlFile& file, doubl
         if (std::isnan(target.value) && target.use == Use::fit) {
             throw InputError(fmt::format("{}: value is missing; only a target with use = \"predict\" needs none", where));
         }
-        if (std::isnan(target.deviation)) target.deviation = usual_deviation(target);
+        if (std::isnan(target.deviation)) target.deviation = target.usual_deviation();
         if (target.deviation < 0) target.deviation *= -target.value;
         targets.push_back(target);
     }
@@ -200,6 +203,12 @@ std::vector<Target> targets_of(const Material& rock, const TomlFile& file, doubl
                             file.file, entry.line, entry.key));
         }
     }
+    return targets;
+}
+
+std::vector<Target> targets_of(const Material& rock, const TomlFile& file, double confining_pressure,
+                               const std::vector<double>& predicted_pressures) {
+    const std::vector<Target> targets = given_targets(file);
     if (targets.empty()) return laboratory_targets(rock, confining_pressure, predicted_pressures);
     if (std::none_of(targets.begin(), targets.end(), [](const Target& t) { return t.use == Use::fit; })) {
         throw InputError(fmt::format("{}: [targets] has none to be fitted", file.file));

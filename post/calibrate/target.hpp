@@ -47,17 +47,22 @@ struct Target {
     double deviation = 0;           ///< of the measured value, SI; also how far the confirmation may be off
     Use use = Use::fit;
 
-    [[nodiscard]] std::string name() const;    ///< "first_peak_8MPa"
-    [[nodiscard]] std::string symbol() const;  ///< "first peak at 8 MPa"
-    [[nodiscard]] std::string test() const;    ///< brazilian, tension, uniaxial, triaxial
+    [[nodiscard]] std::string name() const;         ///< "first_peak_8MPa"
+    [[nodiscard]] std::string fitted_name() const;  ///< of the same in [fitted]: "confined_strength_8MPa"
+    [[nodiscard]] std::string symbol() const;       ///< "first peak at 8 MPa"
+    [[nodiscard]] std::string test() const;         ///< brazilian, tension, uniaxial, triaxial
     /// Met by scaling the grains.
     [[nodiscard]] bool is_elastic() const { return kind.name == "young_modulus" || kind.name == "poisson_ratio"; }
+    [[nodiscard]] double usual_deviation() const;  ///< of its value, by its kind
     [[nodiscard]] double log_deviation() const { return deviation / value; }
     [[nodiscard]] std::string text(double value_in_si) const;  ///< with the unit: "8.8 MPa"
 };
 
 /// A target of the name, without a value. \throws InputError naming `where` if there is none
 Target target_of(const std::string& name, const std::string& where);
+
+/// The rows of [targets]; none without that table. \throws InputError naming file and key of what is wrong
+std::vector<Target> given_targets(const TomlFile& file);
 
 /// The rows of [targets]; without that table the laboratory's values: E, ν, Brazilian and uniaxial strength, and the first peak
 /// at a confining pressure on the line σ1 = UCS + b σ3, with b of the friction angle, or of cohesion and UCS; predicted are the

@@ -5,6 +5,7 @@
 #include "post/options/common_options.hpp"
 #include "post/report/report.hpp"
 #include "share/file/output_file.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -18,7 +19,9 @@ Command report_command() {
         "report", "report of one test or of a set of tests as a self-contained HTML page",
         {"uniaxial.h5 -o page.html", "uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite -o page.html"}, several_runs,
         [](OptionSet set, Options& options) {
-            add_laboratory_material(set, options.material);
+            add_text(set, "--material", options.material,
+                     "material with the laboratory values and targets to compare with; default: that of the first run, if it "
+                     "is found where the run names it");
             add_strain_limit_runs(set, options.report.strain_limit_runs);
             add_crack_label(set, options.report.label);
             add_output(set, options.page, "page: .html");

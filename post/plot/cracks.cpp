@@ -154,7 +154,7 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
                                 specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
                     fmt::format("law {}, fracture energy {}", header.contact_law, header.fracture_energy_choice),
                     standing_label(now, stress_name(scene.data), scene.options.magnification)}};
-    MapView map(specimen, std::move(shot.places), text, {scene.style});
+    MapView map(specimen, std::move(shot.places), text, {scene.style, scene.options.largest_height});
     std::vector<LegendEntry> legend{
         {Stroke{palette::tensile, 6}, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
         {Stroke{palette::shear, 6}, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};

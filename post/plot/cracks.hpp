@@ -20,6 +20,7 @@ struct CrackMapOptions {
     double magnification = 1;    ///< of the displacements
     CrackLabelChoice label = {};
     std::vector<std::string> classes = {};  ///< of the contacts whose cracks are drawn, as `contacts_of_classes` reads them
+    double largest_height = 1400;           ///< of a single map without its texts, pixels of the page
 };
 
 /// \throws InputError, UsageError as `choose_frames`, `read_labelled_cracks` and `contacts_of_classes`

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
+#include <map>
+#include <set>
 
-#include "post/measure/grain_size.hpp"
 #include "post/report/html.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
@@ -14,167 +15,281 @@ namespace graincrack {
 
 namespace {
 
+using calibrate::Target;
 using html::number;
-using ValueOfTest = std::function<std::optional<double>(const TestReport&)>;
 
-/// The runs of one grain size.
-struct SizedTests {
-    std::string size;  ///< "edge 5 mm"; empty if all are of one size
-    std::vector<const TestReport*> tests;
-};
-
-std::vector<SizedTests> by_size(const std::vector<TestReport>& tests) {
-    std::vector<double> edges;
-    for (const TestReport& t : tests) edges.push_back(t.data.specimen.mean_edge);
-    const std::vector<GrainSize> sizes = grain_sizes(edges);
-    std::vector<SizedTests> sets;
-    for (const GrainSize& size : sizes) {
-        SizedTests set{sizes.size() > 1 ? size.label : "", {}};
-        for (const std::size_t i : size.runs) set.tests.push_back(&tests[i]);
-        sets.push_back(std::move(set));
+std::vector<double> tested_pressures(const std::vector<SeedGroup>& groups) {
+    std::set<double> pressures;
+    for (const SeedGroup& group : groups) {
+        const RunHeader& header = group.first().data.header;
+        if (header.test == "triaxial") pressures.insert(header.confining_pressure);
     }
-    return sets;
+    return {pressures.begin(), pressures.end()};
 }
 
-std::string with_size(const std::string& label, const std::string& size) { return size.empty() ? label : label + ", " + size; }
-
-/// Rows of one of the tables.
-class ComparisonColumn {
-public:
-    explicit ComparisonColumn(const std::optional<Material>& material)
-        : material_(material),
-          table_({"quantity", "model\u00a0(s.d.;\u00a0n)\n95\u00a0%\u00a0interval", "laboratory", "difference"}) {}
-
-    /// Samples over runs, a row for each grain size. \param key of [laboratory], "" for none \param factor from SI to the unit
-    /// of the row
-    void add(const std::string& label, const std::vector<SizedTests>& sets, const ValueOfTest& value, const std::string& key,
-             double factor) {
-        for (const SizedTests& set : sets) {
-            std::vector<double> values;
-            for (const TestReport* t : set.tests) {
-                if (const auto v = value(*t)) values.push_back(*v);
-            }
-            if (values.empty()) continue;
-            const Sample s = sample(values);
-            std::string mean = number(s.mean.value * factor);
-            mean += s.deviation ? fmt::format(" ({}; {})", number(*s.deviation * factor, 2), s.n) : " (1 run)";
-            row(with_size(label, set.size), mean, s.mean, key, factor);
-        }
-    }
-    /// A fit over the set.
-    void add(const std::string& label, const Estimate& value, const std::string& key, double factor) {
-        row(label, number(value.value * factor), value, key, factor);
-    }
-    [[nodiscard]] bool empty() const { return table_.empty(); }
-    [[nodiscard]] std::string str(const std::string& heading, const std::string& note = "") const {
-        return "<div><h3>" + html::escaped(heading) + "</h3>" +
-               (table_.empty() ? html::paragraph("nothing in this set") : table_.str()) +
-               (note.empty() ? "" : html::paragraph(note)) + "</div>\n";
-    }
-
-private:
-    void row(const std::string& label, std::string mean, const Estimate& value, const std::string& key, double factor) {
-        if (value.low) mean += "\n" + number(*value.low * factor, 4) + " to " + number(*value.high * factor, 4);
-        std::string laboratory;
-        std::string difference;
-        if (material_ && material_->laboratory.count(key) > 0) {
-            const double measured = material_->laboratory.at(key);
-            laboratory = number(measured * factor);
-            difference = fmt::format("{:+.1f} %", 100 * (value.value / measured - 1));
-        }
-        table_.row({label, mean, laboratory, difference});
-    }
-    const std::optional<Material>& material_;
-    html::Table table_;
-};
-
-ValueOfTest strength_of(const std::string& test, double confining) {
-    return [=](const TestReport& t) -> std::optional<double> {
-        const bool is_asked = t.data.header.test == test && t.data.header.confining_pressure == confining;
-        if (!is_asked || !distinct_shape(t.data).empty()) return std::nullopt;
-        return t.strength.value();
-    };
-}
-
-std::vector<double> pressures(const std::vector<TestReport>& tests) {
-    std::vector<double> values;
-    for (const TestReport& t : tests) {
-        const double p = t.data.header.confining_pressure;
-        if (t.data.header.test == "triaxial" && std::find(values.begin(), values.end(), p) == values.end()) values.push_back(p);
-    }
-    std::sort(values.begin(), values.end());
-    return values;
-}
-
-/// Where a row belongs: the column of its property.
-using ComparisonColumnOf = std::function<ComparisonColumn&(const std::string& property)>;
-
-void add_compared_strengths(const ComparisonColumnOf& column, const std::vector<TestReport>& tests,
-                            const std::vector<SizedTests>& sets, const std::vector<SizedEnvelope>& envelopes) {
-    column("tensile_strength").add("σt, Brazilian, MPa", sets, strength_of("brazilian", 0), "tensile_strength", in_megapascals);
-    column("compressive_strength").add("UCS, MPa", sets, strength_of("uniaxial", 0), "compressive_strength", in_megapascals);
-    for (const double p : pressures(tests)) {
-        column(fmt::format("confined_strength_{:g}MPa", p * in_megapascals))
-            .add(fmt::format("σ1 at {} MPa, MPa", number(p * in_megapascals)), sets, strength_of("triaxial", p), "",
-                 in_megapascals);
-    }
-    for (const SizedEnvelope& each : envelopes) {  // follows from UCS and strengths under pressure
-        column("envelope").add(with_size("C, MPa", each.size), each.envelope.cohesion, "cohesion", in_megapascals);
-        column("envelope").add(with_size("φ, °", each.size), each.envelope.friction_angle, "friction_angle", in_degrees);
-    }
-    column("direct_tensile_strength").add("direct tensile strength, MPa", sets, strength_of("tension", 0), "", in_megapascals);
-}
-
-void add_compared_moduli(const ComparisonColumnOf& column, const std::vector<SizedTests>& sets) {
-    const auto uniaxial = [](const ValueOfTest& value) {
-        return [value](const TestReport& t) { return t.data.header.test == "uniaxial" ? value(t) : std::nullopt; };
-    };
+/// Values by the kind of their target; what a report does not measure is not there.
+const std::map<std::string, ValueOfTest>& values_by_kind() {
     const auto modulus = [](double ElasticPair::*member) {
         return [member](const TestReport& t) { return t.moduli ? std::optional(t.moduli->chord.*member) : std::nullopt; };
     };
-    column("young_modulus")
-        .add("E, chord to ½ peak, GPa", sets, uniaxial(modulus(&ElasticPair::young_modulus)), "young_modulus", 1e-9);
-    column("poisson_ratio").add("ν, chord to ½ peak", sets, uniaxial(modulus(&ElasticPair::poisson_ratio)), "poisson_ratio", 1);
-    column("crack_initiation")
-        .add("crack initiation (1 % of cracks), MPa", sets, uniaxial([](const TestReport& t) { return t.initiation; }), "",
-             in_megapascals);
+    const auto strength = [](StrengthKind kind) { return [kind](const TestReport& t) { return t.strength.value(kind); }; };
+    static const std::map<std::string, ValueOfTest> values{
+        {"young_modulus", modulus(&ElasticPair::young_modulus)},
+        {"poisson_ratio", modulus(&ElasticPair::poisson_ratio)},
+        {"brazilian", strength_of},
+        {"direct_tension", strength_of},
+        {"uniaxial", strength_of},
+        {"first_peak", strength_of},
+        {"largest", strength(StrengthKind::largest)},
+        {"residual", strength(StrengthKind::residual)},
+        {"drop", [](const TestReport& t) { return t.strength.first_peak ? t.strength.first_peak->drop : std::nullopt; }},
+        {"crack_initiation", [](const TestReport& t) { return t.initiation; }},
+        {"crack_damage", [](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }},
+        {"tensile_share",
+         [](const TestReport& t) {
+             const double all = t.by_sign_at_peak.tensile + t.by_sign_at_peak.shear;
+             return all > 0 ? std::optional(t.by_sign_at_peak.tensile / all) : std::nullopt;
+         }},
+        {"strain_at_peak", [](const TestReport& t) { return t.strength.strain_at_peak; }}};
+    return values;
+}
+
+/// Digits after the point that a value has with four significant digits.
+int decimals_of(double value) {
+    return value == 0 ? 0 : std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
+}
+
+std::string unit_text(const Target& target) { return target.kind.unit.empty() ? "" : "\u00a0" + target.kind.unit; }
+
+std::string laboratory_cell(const LaboratoryProperty& property) {
+    if (!property.is_measured()) return "";
+    const double si = property.target.kind.si;
+    const char* const mark = property.has_own_deviation ? "" : "*";
+    return number(property.target.value / si) + " ± " + number(property.target.deviation / si, 2) + mark +
+           unit_text(property.target);
+}
+
+std::string difference_cell(const Target& target, double computed) {
+    const double difference = computed - target.value;
+    if (!target.kind.absolute) return fmt::format("{:+.1f}\u00a0%", 100 * difference / target.value);
+    return fmt::format("{:+.{}f}", difference / target.kind.si, decimals_of(target.value / target.kind.si));
+}
+
+/// "132.4 MPa\n125 to 140 (4 runs)"
+std::string computed_cell(const Sample& sample, const Target& target) {
+    const double si = target.kind.si;
+    std::string text = number(sample.mean.value / si) + unit_text(target) + "\n";
+    if (sample.mean.low) text += number(*sample.mean.low / si) + " to " + number(*sample.mean.high / si) + " ";
+    return text + fmt::format("({}\u00a0run{})", sample.n, sample.n == 1 ? "" : "s");
+}
+
+/// The rows of the table, and what they count.
+class ComparisonTable {
+public:
+    explicit ComparisonTable(bool with_laboratory) : with_laboratory_(with_laboratory), table_(columns(with_laboratory)) {}
+
+    /// A row for each group that has the property; "not tested" for a value of the laboratory that no group has.
+    void add(const LaboratoryProperty& property, const std::vector<SeedGroup>& groups) {
+        const Target& target = property.target;
+        bool is_tested = false;
+        for (const SeedGroup& group : groups) {
+            const auto sample = group.sample_of([&](const TestReport& t) { return value_of(t, target); });
+            if (!sample) continue;
+            is_tested = true;
+            const Agreement agreement = property.is_measured() ? agreement_of(target, *sample) : Agreement::unknown;
+            usual_deviation_ = usual_deviation_ || (property.is_measured() && !property.has_own_deviation);
+            row({group.with_specimen(property.name()), laboratory_cell(property), computed_cell(*sample, target),
+                 property.is_measured() ? difference_cell(target, sample->mean.value) : "", name_of(agreement),
+                 name_of(property.origin)},
+                agreement);
+        }
+        if (is_tested || !property.is_measured()) return;
+        untested_.push_back({property.name(), laboratory_cell(property), "not tested"});
+        usual_deviation_ = usual_deviation_ || !property.has_own_deviation;
+    }
+    /// A number of a fit through several tests. \param laboratory SI
+    void add(const std::string& label, const Estimate& value, const std::optional<double>& laboratory, const ColumnUnit& unit,
+             PropertyOrigin origin) {
+        const std::string shown = "\u00a0" + std::string(unit.name == "deg" ? "°" : unit.name);
+        std::string computed = number(value.value * unit.factor) + shown + "\n";
+        if (value.low) computed += number(*value.low * unit.factor) + " to " + number(*value.high * unit.factor) + " ";
+        row({label, laboratory ? number(*laboratory * unit.factor) + shown : "", computed + "(line)",
+             laboratory ? fmt::format("{:+.1f}\u00a0%", 100 * (value.value / *laboratory - 1)) : "", "", name_of(origin)},
+            Agreement::unknown);
+    }
+    [[nodiscard]] std::string str() const {
+        html::Table whole = table_;
+        for (const auto& cells : untested_) whole.row(cells, "untested");
+        return summary() + whole.str() + explanation();
+    }
+
+private:
+    static std::vector<std::string> columns(bool with_laboratory) {
+        const std::string computed = "computed: mean,\n95\u00a0% interval";
+        if (!with_laboratory) return {"property", computed};
+        return {"property", "laboratory\n± deviation", computed, "difference", "within or outside", "fitted or predicted"};
+    }
+    void row(std::vector<std::string> cells, Agreement agreement) {
+        if (!with_laboratory_) cells = {cells[0], cells[2]};
+        table_.row(std::move(cells), name_of(agreement));
+        ++counts_[agreement];
+    }
+    /// How many properties agree, as one sentence.
+    [[nodiscard]] std::string summary() const {
+        const auto count = [&](Agreement agreement) {
+            const auto found = counts_.find(agreement);
+            return found == counts_.end() ? std::size_t{0} : found->second;
+        };
+        std::string counts;
+        for (const Agreement agreement : {Agreement::within, Agreement::outside, Agreement::undecided}) {
+            if (count(agreement) == 0) continue;
+            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count(agreement), name_of(agreement));
+        }
+        return counts.empty() ? ""
+                              : html::paragraph("Beside the laboratory's values and their deviations: " + counts + ".", "lead");
+    }
+    [[nodiscard]] std::string explanation() const {
+        std::string text;
+        if (counts_.count(Agreement::undecided) > 0) {
+            text += html::paragraph(
+                "Undecided: the mean is outside, but its 95 % interval reaches the deviation; more seeds decide.");
+        }
+        if (usual_deviation_) {
+            text += html::paragraph("* The material gives no deviation of this value: the usual one of such a measurement.");
+        }
+        return text;
+    }
+    bool with_laboratory_;
+    html::Table table_;
+    std::vector<std::vector<std::string>> untested_;
+    std::map<Agreement, std::size_t> counts_;
+    bool usual_deviation_ = false;
+};
+
+void add_envelope_rows(ComparisonTable& table, const std::vector<SizedEnvelope>& envelopes,
+                       const std::optional<Material>& material) {
+    const auto laboratory = [&](const std::string& key) -> std::optional<double> {
+        if (!material || material->laboratory.count(key) == 0) return std::nullopt;
+        return material->laboratory.at(key);
+    };
+    // The line follows from UCS and strengths under pressure.
+    const PropertyOrigin origin = !material || material->fitted.empty()    ? PropertyOrigin::unknown
+                                  : has_fitted_confined_strength(material) ? PropertyOrigin::fitted
+                                                                           : PropertyOrigin::predicted;
+    for (const SizedEnvelope& each : envelopes) {
+        const std::string size = each.size.empty() ? "" : ", " + each.size;
+        table.add("cohesion C" + size, each.envelope.cohesion, laboratory("cohesion"), unit::megapascal, origin);
+        table.add("friction angle φ" + size, each.envelope.friction_angle, laboratory("friction_angle"), unit::degree, origin);
+    }
+}
+
+bool stands_before_envelope(const LaboratoryProperty& property) {
+    constexpr std::array names{"young_modulus", "poisson_ratio", "brazilian", "direct_tension", "uniaxial", "first_peak"};
+    return std::find(names.begin(), names.end(), property.target.kind.name) != names.end();
+}
+
+/// Crack initiation and damage of uniaxial tests by other definitions than that of the targets. Definitions whose values are
+/// equal to three digits share a row.
+std::string other_thresholds(const std::vector<SeedGroup>& groups) {
+    struct Definition {
+        std::string name;
+        ValueOfTest of;
+    };
+    std::vector<Definition> definitions{
+        {"CI by crack strain",
+         [](const TestReport& t) { return t.thresholds ? t.thresholds->initiation_by_crack_strain : std::nullopt; }},
+        {"CI by lateral strain",
+         [](const TestReport& t) { return t.thresholds ? t.thresholds->initiation_by_lateral_response : std::nullopt; }}};
     for (std::size_t level = 0; level < std::tuple_size_v<InitiationByDamage>; ++level) {
         constexpr const char* percents[] = {"10", "50", "90"};
-        column("crack_initiation")
-            .add(fmt::format("crack initiation (1 % of points damaged by {} %), MPa", percents[level]), sets,
-                 uniaxial([level](const TestReport& t) { return t.initiation_by_damage[level]; }), "", in_megapascals);
+        definitions.push_back({fmt::format("CI by 1 % of the points damaged by {} %", percents[level]),
+                               [level](const TestReport& t) { return t.initiation_by_damage[level]; }});
     }
-    column("crack_damage")
-        .add("crack damage (2D volume), MPa", sets,
-             uniaxial([](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }), "",
-             in_megapascals);
+    definitions.push_back({"CD by volume, as if the third direction widened too",
+                           [](const TestReport& t) { return t.thresholds ? t.pseudo_thresholds->damage : std::nullopt; }});
+    std::vector<std::pair<std::string, std::string>> rows;  // names, value
+    for (const SeedGroup& group : groups) {
+        if (group.first().data.header.test != "uniaxial") continue;
+        const std::size_t first = rows.size();
+        for (const Definition& definition : definitions) {
+            const auto sample = group.sample_of(definition.of);
+            if (!sample) continue;
+            std::string value = number(sample->mean.value * in_megapascals, 3);
+            if (sample->mean.low) {
+                value += fmt::format(" ({} to {})", number(*sample->mean.low * in_megapascals, 3),
+                                     number(*sample->mean.high * in_megapascals, 3));
+            }
+            const auto same = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(first), rows.end(),
+                                           [&](const auto& row) { return row.second == value; });
+            if (same == rows.end()) {
+                rows.emplace_back(group.with_specimen(definition.name), value);
+            } else {
+                same->first += "\n" + definition.name;
+            }
+        }
+    }
+    if (rows.empty()) return "";
+    html::Table table({"definition", "stress, MPa (95\u00a0% interval)"});
+    for (const auto& [name, value] : rows) table.row({name, value});
+    return html::details("Other definitions of crack initiation and damage", table.str());
 }
 
 }  // namespace
 
-std::string comparison_columns(const std::vector<TestReport>& tests, const std::vector<SizedEnvelope>& envelopes,
-                               const std::optional<Material>& material) {
-    ComparisonColumn fitted(material);
-    ComparisonColumn others(material);
-    const FittedProperties known = material ? material->fitted : FittedProperties{};
-    const bool line_is_fitted =
-        std::any_of(known.begin(), known.end(), [](const auto& p) { return p.first.starts_with("confined_strength"); });
-    const ComparisonColumnOf column_of = [&](const std::string& property) -> ComparisonColumn& {
-        return known.count(property) > 0 || (property == "envelope" && line_is_fitted) ? fitted : others;
-    };
-    const std::vector<SizedTests> sets = by_size(tests);
-    add_compared_strengths(column_of, tests, sets, envelopes);
-    add_compared_moduli(column_of, sets);
-    if (known.empty()) {
-        return "<div class=\"columns\">\n" +
-               others.str("Results",
-                          "This material has no [fitted], so it is not known what was fitted and what is a prediction.") +
-               "</div>\n";
+std::optional<double> value_of(const TestReport& test, const Target& target) {
+    const RunHeader& header = test.data.header;
+    const bool is_asked = header.test == target.test() &&
+                          std::abs(header.confining_pressure - target.confining_pressure) <= 1e-6 * target.confining_pressure;
+    if (!is_asked || !distinct_shape(test.data).empty()) return std::nullopt;
+    const auto found = values_by_kind().find(target.kind.name);
+    return found == values_by_kind().end() ? std::nullopt : found->second(test);
+}
+
+std::string name_of(Agreement agreement) {
+    switch (agreement) {
+        case Agreement::within: return "within";
+        case Agreement::outside: return "outside";
+        case Agreement::undecided: return "undecided";
+        case Agreement::unknown: break;
     }
-    std::string note = "The calibration:";
-    for (const auto& [property, text] : known) note += fmt::format(" {}: {}.", property, text);
-    return "<div class=\"columns\">\n" + fitted.str("Fitted by the calibration", note) + others.str("Predicted, not fitted") +
-           "</div>\n";
+    return "";
+}
+
+Agreement agreement_of(const Target& target, const Sample& computed) {
+    const double off = std::abs(computed.mean.value - target.value);
+    if (!std::isfinite(off) || !std::isfinite(target.deviation)) return Agreement::unknown;
+    if (off <= target.deviation) return Agreement::within;
+    const double half = computed.mean.high ? *computed.mean.high - computed.mean.value : 0;
+    return off - half > target.deviation ? Agreement::outside : Agreement::undecided;
+}
+
+std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<SizedEnvelope>& envelopes,
+                       const std::optional<Material>& material, const std::string& caveats) {
+    ComparisonTable table(material.has_value());
+    bool has_envelopes = false;
+    for (const LaboratoryProperty& property : laboratory_properties(material, tested_pressures(groups))) {
+        if (!has_envelopes && !stands_before_envelope(property)) {
+            add_envelope_rows(table, envelopes, material);
+            has_envelopes = true;
+        }
+        table.add(property, groups);
+    }
+    std::string text = table.str() + caveats;
+    if (!material) {
+        text += html::paragraph("With --material FILE the laboratory's values of that material stand beside these.");
+    } else if (material->fitted.empty()) {
+        text += html::paragraph("This material has no [fitted]: no calibration says which values it was fitted to.");
+    }
+    if (material)
+        text += html::paragraph("Laboratory: [targets] and [laboratory] of " + material->file.filename().string() + ".");
+    text += html::paragraph(
+        "CI: stress at 1 % of the cracks counted at the peak. CD: stress at which the area of the specimen, gauged over its "
+        "central half, begins to grow. E and ν: chord to half the peak.");
+    text += other_thresholds(groups);
+    if (const std::string fitted = fitted_table(material); !fitted.empty()) {
+        text += "<h3>What the calibration fitted</h3>\n" + fitted;
+    }
+    return text;
 }
 
 }  // namespace graincrack

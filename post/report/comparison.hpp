@@ -1,11 +1,12 @@
-// The two columns of a report: what was fitted, what was predicted.
+// The properties of the runs of a report beside those of the laboratory.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "post/fit/envelope.hpp"
-#include "post/report/test_report.hpp"
+#include "post/report/laboratory.hpp"
+#include "post/report/seed_groups.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack {
@@ -17,10 +18,23 @@ struct SizedEnvelope {
     Envelope envelope;
 };
 
-/// Fitted: what [fitted] of the material names. Predicted: everything else. One column if the material has no [fitted].
-/// Each with mean, standard deviation, 95 % interval and, if a material is given, the laboratory's value.
-/// Each grain size has rows of its own. \param envelopes of the grain sizes that have one
-std::string comparison_columns(const std::vector<TestReport>& tests, const std::vector<SizedEnvelope>& envelopes,
-                               const std::optional<Material>& material);
+/// A property by the definition of its target, SI; empty if the run is of another test or does not have it.
+std::optional<double> value_of(const TestReport& test, const calibrate::Target& target);
+
+/// Whether computed values agree with the laboratory's.
+enum class Agreement {
+    unknown,    ///< nothing to compare, or no deviation of the laboratory's value
+    within,     ///< the mean is within the deviation
+    outside,    ///< the value of one run, or the whole 95 % interval of the mean, is beyond the deviation
+    undecided,  ///< the mean is beyond the deviation, its interval reaches it
+};
+std::string name_of(Agreement agreement);
+Agreement agreement_of(const calibrate::Target& target, const Sample& computed);
+
+/// The table property, laboratory, computed, difference, agreement, origin; a row for each group of runs that has the property.
+/// Properties of the laboratory without a test among the runs are "not tested". Below, other definitions of crack initiation, and
+/// [fitted] of the material. \param envelopes of the grain sizes that have one \param caveats paragraphs for below the table
+std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<SizedEnvelope>& envelopes,
+                       const std::optional<Material>& material, const std::string& caveats = "");
 
 }  // namespace graincrack

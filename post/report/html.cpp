@@ -41,11 +41,23 @@ figure.middle { margin-left: auto; margin-right: auto; }
 figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
 figcaption { font-size: 14px; color: #555; margin-top: 4px; }
 img { max-width: 100%; }
+.first { display: grid; gap: 0 24px; align-items: start; margin: 14px 0 0; }
+.first.of2 { grid-template-columns: repeat(2, minmax(0, 1fr)); }
+.first.of3 { grid-template-columns: repeat(3, minmax(0, 1fr)); }
+.first a { color: inherit; }
+tr.within td:nth-child(5) { color: #00694b; font-weight: bold; }
+tr.outside td:nth-child(5) { color: #a83c00; font-weight: bold; }
+tr.untested td { color: #666; }
+details { margin: 8px 0; }
+summary { cursor: pointer; font-weight: bold; }
 .study table { display: block; overflow-x: auto; }
 .study td { white-space: normal; min-width: 5ch; }
-@media (max-width: 860px) { .columns { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
+@media (max-width: 860px) { .columns, .first.of2, .first.of3 { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
+@media (max-width: 500px) { body { padding: 12px; } table { font-size: 12px; } th, td { padding-right: 5px; } }
 @media print { body { max-width: none; padding: 0; font-size: 10pt; } table, figcaption { font-size: 9pt; }
-       .columns { grid-template-columns: repeat(2, minmax(0, 1fr)); } .figures { column-count: 2; } h2, h3 { break-after: avoid; }
+       .columns { grid-template-columns: repeat(2, minmax(0, 1fr)); } .figures { column-count: 2; } h2, h3, summary { break-after: avoid; }
+       .first.of2 { grid-template-columns: repeat(2, minmax(0, 1fr)); } .first.of3 { grid-template-columns: repeat(3, minmax(0, 1fr)); }
+       details::details-content { content-visibility: visible; } .wide { overflow: visible; }
        figure, tr, .kind { break-inside: avoid; } }
 )css";
 
@@ -82,8 +94,8 @@ std::string Table::str() const {
     std::string out = fmt::format("<div class=\"wide\"><table{}>\n<tr>", wraps_ ? " class=\"long\"" : "");
     for (const std::string& column : columns_) out += "<th>" + escaped(column) + "</th>";
     out += "</tr>\n";
-    for (const auto& row : rows_) {
-        out += "<tr>";
+    for (const auto& [row, kind] : rows_) {
+        out += kind.empty() ? "<tr>" : "<tr class=\"" + kind + "\">";
         for (std::size_t i = 0; i < row.size(); ++i) {
             const bool last_of_few = i + 1 == row.size() && row.size() < columns_.size();
             out += last_of_few ? fmt::format("<td colspan=\"{}\">", columns_.size() - i) : "<td>";
@@ -94,10 +106,12 @@ std::string Table::str() const {
     return out + "</table></div>\n";
 }
 
-PictureStyle figure_style(bool wide) {
+PictureStyle figure_style(bool wide) { return figure_style_of(wide ? 1110 : 540); }
+
+PictureStyle figure_style_of(double pixels) {
     constexpr double pixels_of_letters = 13.5;  // as in tables
     PictureStyle style;
-    style.page_width = std::round((wide ? 1110 : 540) * letters::text / pixels_of_letters);
+    style.page_width = std::round(pixels * letters::text / pixels_of_letters);
     return style;
 }
 
@@ -123,11 +137,28 @@ std::string Figures::under(const std::string& heading) const {
     return "<div class=\"kind\"><h3>" + escaped(heading) + "</h3>\n" + str() + "</div>\n";
 }
 
+std::string FirstFigures::str() const {
+    if (figures_.empty()) return "";
+    std::string content;
+    for (const Figure& each : figures_) {
+        const Drawing drawing = each.draw(figure_style_of(figures_.size() < 3 ? 480 : 350));
+        content += fmt::format("<figure>{}<figcaption><a href=\"#{}\">{}</a></figcaption></figure>\n",
+                               image(drawing, each.caption), each.place, escaped(each.caption));
+    }
+    return fmt::format("<div class=\"first of{}\">\n{}</div>\n", figures_.size(), content);
+}
+
 std::string section(const std::string& id, const std::string& heading, const std::string& content) {
     return fmt::format("<h2 id=\"{}\">{}</h2>\n{}", id, escaped(heading), content);
 }
 
-std::string paragraph(const std::string& text) { return "<p>" + escaped(text) + "</p>\n"; }
+std::string paragraph(const std::string& text, const std::string& kind) {
+    return (kind.empty() ? "<p>" : "<p class=\"" + kind + "\">") + escaped(text) + "</p>\n";
+}
+
+std::string details(const std::string& summary, const std::string& content) {
+    return "<details><summary>" + escaped(summary) + "</summary>\n" + content + "</details>\n";
+}
 
 std::string page(const std::string& title, const std::string& body) {
     return fmt::format(

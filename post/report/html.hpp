@@ -19,20 +19,27 @@ class Table {
 public:
     /// \param wraps long cells are broken into lines
     explicit Table(std::vector<std::string> columns, bool wraps = false) : columns_(std::move(columns)), wraps_(wraps) {}
-    void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+    /// \param kind of the row, for the style sheet; "" for none
+    void row(std::vector<std::string> cells, std::string kind = "") { rows_.push_back({std::move(cells), std::move(kind)}); }
     /// A row whose second cell holds for all other columns.
-    void row_for_all(const std::string& first, const std::string& second) { rows_.push_back({first, second}); }
+    void row_for_all(const std::string& first, const std::string& second) { rows_.push_back({{first, second}, ""}); }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
     [[nodiscard]] std::string str() const;
 
 private:
+    struct Row {
+        std::vector<std::string> cells;
+        std::string kind;
+    };
     std::vector<std::string> columns_;
-    std::vector<std::vector<std::string>> rows_;
+    std::vector<Row> rows_;
     bool wraps_;
 };
 
 /// The page of a picture in one column of the report, or across both: its letters are as large as those of tables.
 PictureStyle figure_style(bool wide = false);
+/// The same of a picture that is so many pixels wide on a screen.
+PictureStyle figure_style_of(double pixels);
 /// Where a figure stands among others.
 enum class FigurePlace { column, across, middle };
 /// A picture with a caption: as SVG, or, where many shapes would make that long, as PNG.
@@ -61,9 +68,30 @@ private:
     std::vector<Figure> figures_;
 };
 
+/// The figures that a report begins with, up to three side by side, one below the other where the window is narrow.
+class FirstFigures {
+public:
+    /// \param place of the section with more of it
+    void add(const std::string& caption, const std::string& place, std::function<Drawing(const PictureStyle&)> draw) {
+        figures_.push_back({caption, place, std::move(draw)});
+    }
+    [[nodiscard]] std::string str() const;
+
+private:
+    struct Figure {
+        std::string caption;
+        std::string place;
+        std::function<Drawing(const PictureStyle&)> draw;
+    };
+    std::vector<Figure> figures_;
+};
+
 /// A section with a heading; `id` is its place for links.
 std::string section(const std::string& id, const std::string& heading, const std::string& content);
-std::string paragraph(const std::string& text);
+/// \param kind for the style sheet; "" for none
+std::string paragraph(const std::string& text, const std::string& kind = "");
+/// What is shown when its summary is clicked, and in a print.
+std::string details(const std::string& summary, const std::string& content);
 
 /// The whole page.
 std::string page(const std::string& title, const std::string& body);

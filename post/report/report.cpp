@@ -1,6 +1,7 @@
 #include "post/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -14,7 +15,6 @@
 #include "post/cracks/rosette.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/grain_size.hpp"
-#include "post/measure/strength_summary.hpp"
 #include "post/plot/cracks.hpp"
 #include "post/plot/curve.hpp"
 #include "post/plot/energy.hpp"
@@ -27,6 +27,7 @@
 #include "post/report/html.hpp"
 #include "post/report/minerals.hpp"
 #include "post/report/quality_checks.hpp"
+#include "post/report/seed_groups.hpp"
 #include "post/report/test_report.hpp"
 #include "post/run/comparable.hpp"
 #include "post/run/crystals.hpp"
@@ -46,11 +47,12 @@ using html::number;
 /// Everything the page is made of.
 struct Content {
     std::vector<TestReport> tests;
-    std::vector<RunData> curves;  ///< the same runs, whose histories count the cracks of the label
-    html::Figures mesh;           ///< of specimens
-    std::string grains;           ///< that were asked for and made
-    std::string maps;             ///< figures of the first run of each series
-    Minerals minerals;            ///< of these specimens and runs
+    std::vector<SeedGroup> groups;  ///< of the tests
+    std::vector<RunData> curves;    ///< the same runs, whose histories count the cracks of the label
+    html::Figures mesh;             ///< of specimens
+    std::string grains;             ///< that were asked for and made
+    std::string maps;               ///< figures of the first run of each series
+    Minerals minerals;              ///< of these specimens and runs
     std::vector<SizedEnvelope> envelopes;
     std::string envelope_note;
 };
@@ -145,7 +147,8 @@ void add_maps(Content& content, const std::vector<std::string>& runs, const Repo
     }
 }
 
-Content read_content(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
+/// \param options gets the material of the first run unless it has one
+Content read_content(const std::vector<std::string>& runs, ReportOptions& options, Verbosity verbosity) {
     Content content;
     Progress progress("report", verbosity);
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -158,23 +161,12 @@ Content read_content(const std::vector<std::string>& runs, const ReportOptions& 
         progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
     }
     progress.finish();
+    content.groups = seed_groups(content.tests);
+    const TestReport& first = content.tests.front();
+    if (!options.material) options.material = material_of_run(first.data.header, first.command_line);
     add_maps(content, runs, options);
     add_envelopes(content, options.strain_limit_runs);
     return content;
-}
-
-std::string key_figures(const Content& content) {
-    html::Table table(
-        {"test", "plane", "runs", "strength, MPa (s.d.)", "95 % interval of the mean", "without peak", "over Brazilian"});
-    for (const SizedStrengths& row : group_strengths_by_size(data_of(content))) {
-        const StrengthGroup& g = row.group;
-        const Estimate& mean = g.strength.mean;
-        table.row({name_of_row(row), std::string(name_of(g.plane)), std::to_string(g.strength.n),
-                   number(mean.value * 1e-6) + (g.strength.deviation ? " (" + number(*g.strength.deviation * 1e-6, 2) + ")" : ""),
-                   mean.low ? number(*mean.low * 1e-6) + " to " + number(*mean.high * 1e-6) : "", std::to_string(g.without_peak),
-                   g.ratio_to_brazilian ? number(*g.ratio_to_brazilian, 3) : ""});
-    }
-    return table.str();
 }
 
 std::string run_table(const Content& content) {
@@ -201,7 +193,7 @@ std::string run_table(const Content& content) {
                                      std::to_string(t.data.specimen.seed),
                                      std::to_string(t.data.specimen.grains),
                                      number(t.data.specimen.mean_edge * 1e3, 3),
-                                     number(t.strength.value() * 1e-6),
+                                     number(strength_of(t) * 1e-6),
                                      t.strength.peak_kind,
                                      number(100 * t.strength.strain_at_peak, 3),
                                      t.strength.first_yield ? number(*t.strength.first_yield * 1e-6) : "",
@@ -228,13 +220,10 @@ std::vector<std::string> caveat_lines(const Content& content) {
     return caveat_lines(content, [](const RunData&) { return true; });
 }
 
-/// Beside the key figures, their caveats.
-std::string caveat_paragraphs(const Content& content) {
-    std::string paragraphs;
-    for (const std::string& line : caveat_lines(content)) {
-        paragraphs += html::paragraph("Caveats of these strengths: " + line + ".");
-    }
-    return paragraphs;
+/// Beside strengths, their caveats.
+std::string caveat_paragraph(const Content& content) {
+    const std::vector<std::string> lines = caveat_lines(content);
+    return lines.empty() ? "" : html::paragraph(fmt::format("Caveats of these strengths: {}.", fmt::join(lines, "; ")));
 }
 
 std::string kind_of(const RunData& run) {
@@ -270,6 +259,48 @@ std::string envelope_section(const Content& content) {
         });
     }
     return (figures.empty() ? "" : figures.str()) + content.envelope_note;
+}
+
+/// The first run of each group of runs that share a chart with the first compression test, or with the first test.
+std::vector<std::size_t> runs_of_first_chart(const Content& content) {
+    const auto compression = std::find_if(content.groups.begin(), content.groups.end(),
+                                          [](const SeedGroup& group) { return is_compression(group.first().data.header); });
+    const SeedGroup& shown = compression == content.groups.end() ? content.groups.front() : *compression;
+    std::vector<std::size_t> runs;
+    for (const SeedGroup& group : content.groups) {
+        if (kind_of(group.first().data) != kind_of(shown.first().data)) continue;
+        runs.push_back(static_cast<std::size_t>(&group.first() - content.tests.data()));
+    }
+    return runs;
+}
+
+/// The curve, the cracks and the envelope at a glance.
+std::string first_figures(const Content& content, const std::vector<std::string>& runs, const ReportOptions& options) {
+    html::FirstFigures figures;
+    const std::vector<std::size_t> shown = runs_of_first_chart(content);
+    figures.add(shown.size() < content.tests.size() ? "stress and strain of the first run of each kind" : "stress and strain",
+                "curves", [&](const PictureStyle& style) {
+                    std::vector<RunData> curves;
+                    for (const std::size_t i : shown) curves.push_back(content.curves[i]);
+                    return draw_curves(curves, {}, definition_of(options.label.of(curves.front().header)), {}, style);
+                });
+    const RunReader run(runs[shown.front()]);
+    if (run.n_frames() > 0) {
+        figures.add("micro-cracks by the end of " + content.tests[shown.front()].data.name, "maps",
+                    [&](const PictureStyle& style) {
+                        CrackMapOptions map{"last", std::nullopt, 1, options.label};
+                        map.largest_height = 0.9 * style.page_width;  // about as high as the charts beside it
+                        return draw_cracks(run, map, style);
+                    });
+    }
+    if (!content.envelopes.empty()) {
+        const SizedEnvelope& envelope = content.envelopes.front();
+        figures.add("Mohr circles and envelopes" + (envelope.size.empty() ? "" : ", " + envelope.size), "envelope",
+                    [&](const PictureStyle& style) {
+                        return draw_envelope(envelope.tests, content.tests.front().data.header.material, {}, style);
+                    });
+    }
+    return figures.str();
 }
 
 /// A row of a parameter of all contacts, or a cell for each class where they differ.
@@ -344,19 +375,23 @@ std::string provenance(const Content& content) {
 
 }  // namespace
 
-std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity) {
-    const std::optional<Material>& material = options.material;
+std::string make_report(const std::vector<std::string>& runs, const ReportOptions& given, Verbosity verbosity) {
+    ReportOptions options = given;
     const Content content = read_content(runs, options, verbosity);
+    const std::optional<Material>& material = options.material;
     const RunHeader& header = content.tests.front().data.header;
     const std::string title =
         runs.size() == 1 ? test_title(header) : fmt::format("{}: {} tests", header.material, content.tests.size());
     std::string body = "<h1>" + html::escaped(title) + "</h1>\n<p class=\"lead\">Numerical tests by Graincrack; contact law " +
                        html::escaped(header.contact_law) +
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
+    body += first_figures(content, runs, options);
+    body += html::section("laboratory", material ? "Against the laboratory" : "Properties",
+                          comparison(content.groups, content.envelopes, material, caveat_paragraph(content)));
     body +=
-        html::section("figures", "Key figures and curves",
-                      key_figures(content) + caveat_paragraphs(content) + run_table(content) + curve_figures(content, options));
-    body += html::section("columns", "Against the laboratory", comparison_columns(content.tests, content.envelopes, material));
+        html::section("means", "Means of runs that differ by their seed alone",
+                      group_table(content.groups) + caveat_paragraph(content) + html::details("Each run", run_table(content)));
+    body += html::section("curves", "Strengths and curves", curve_figures(content, options));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("envelope", "Envelope", envelope_section(content));
     body += html::section("maps", "Cracks, directions, energy, thresholds", content.maps);

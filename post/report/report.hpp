@@ -13,15 +13,15 @@
 namespace graincrack {
 
 struct ReportOptions {
-    std::optional<Material> material = {};  ///< for laboratory values and fractions of phases
+    std::optional<Material> material = {};  ///< for laboratory values and fractions of phases; default: that of the first run
     StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
     CrackLabelChoice label = {};  ///< of the cracks in maps, roses and curves
 };
 
-/// The page: key figures, fitted and predicted, quality checks, curves, envelope, maps, energy balance, parameters, provenance.
-/// Runs are read one after the other; of each test and confining pressure the first run has maps. An envelope is drawn only of
-/// runs with peaks, unless runs stopped at the strain limit are accepted. \throws InputError if a run cannot
-/// be read or evaluated, or if the runs are not of one material
+/// The page: curve, crack map and envelope at a glance; properties against the laboratory; means over seeds; curves, quality
+/// checks, envelope, maps, energy balance, parameters, provenance. Runs are read one after the other; of each test and confining
+/// pressure the first run has maps. An envelope is drawn only of runs with peaks, unless runs stopped at the strain limit are
+/// accepted. \throws InputError if a run cannot be read or evaluated, or if the runs are not of one material
 std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity);
 
 }  // namespace graincrack

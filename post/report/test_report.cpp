@@ -65,6 +65,7 @@ TestReport read_test_report(const RunReader& run) {
     report.class_names = contact_class_names(specimen);
     if (is_compression(header)) {
         report.thresholds = measure_thresholds(report.curve, VolumeKind::plane);
+        report.pseudo_thresholds = measure_thresholds(report.curve, VolumeKind::pseudo_3d);
         report.initiation = initiation_by_count(report.data, report.curve);
         report.initiation_by_damage = initiation_by_damage(report.data, report.curve, log);
     }
@@ -73,6 +74,7 @@ TestReport read_test_report(const RunReader& run) {
     report.caveats = caveats_of(report.data, split);
     const auto& times = report.data.history[HistoryColumn::time];
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
+    report.by_sign_at_peak = count_other_labels(log, header.crack_event, times[report.curve.peak]).front();
     report.at_end = balance_cracks(cracks, times.back());
     report.broken = count_modes(log, {CrackEvent::broken, CrackModeRule::sign}, times.back());
     report.branches = count_branches(log);
@@ -80,6 +82,9 @@ TestReport read_test_report(const RunReader& run) {
     report.contact_zone_length =
         fpz::contact_zone_length(header.rock, header.plane, header.contact.fracture_energy, header.contact.tensile_strength);
     report.provenance = provenance_of(run.file());
+    if (run.file().has(schema::provenance_group) && run.file().has_attribute(schema::provenance_group, "command_line")) {
+        report.command_line = run.file().attribute<std::vector<std::string>>(schema::provenance_group, "command_line");
+    }
     return report;
 }
 

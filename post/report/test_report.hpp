@@ -37,18 +37,21 @@ struct TestReport {
     std::optional<Moduli> moduli;
     fpz::AssemblageModuli predicted;
     GrainModuli grains;
-    std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunHeader::fabric`
-    std::optional<Thresholds> thresholds;  ///< 2D, compression tests
-    std::optional<double> initiation;      ///< by crack count, Pa
+    std::vector<std::string> class_names;         ///< of the contacts, in the order of `RunHeader::fabric`
+    std::optional<Thresholds> thresholds;         ///< 2D, compression tests
+    std::optional<Thresholds> pseudo_thresholds;  ///< the same by the pseudo-3D volume
+    std::optional<double> initiation;             ///< by crack count, Pa
     InitiationByDamage initiation_by_damage;
     std::vector<Caveat> caveats;  ///< caveats of the strength
     CrackBalance at_peak;         ///< by the event of the run
     CrackBalance at_end;
+    ModeCounts by_sign_at_peak;  ///< by the event of the run and the sign of the opening then
     FailureBranches branches;
     ModeCounts broken;                        ///< by the end, by the sign of the opening then
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;
+    std::vector<std::string> command_line;  ///< words
 };
 
 /// Evaluates a run for the report. \throws InputError if it cannot be read or evaluated

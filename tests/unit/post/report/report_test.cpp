@@ -33,6 +33,11 @@ protected:
     static void expect_texts(const std::string& page, const std::vector<std::string>& words) {
         for (const std::string& each : words) EXPECT_NE(page.find(each), std::string::npos) << each;
     }
+    /// The cells of the row of a table that begins with a text.
+    static std::string row_of(const std::string& page, const std::string& first) {
+        const std::size_t from = page.find("<td>" + first + "</td>");
+        return from == std::string::npos ? "" : page.substr(from, page.find("</tr>", from) - from);
+    }
     /// Each attribute points into the page or carries its data.
     static void expect_own_references(const std::string& page, const std::string& attribute) {
         for (std::size_t i = page.find(attribute); i != std::string::npos; i = page.find(attribute, i + 1)) {
@@ -74,7 +79,8 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
                                    run("b.h5", recipe("brazilian", 9e6))},
                                   {read_material("augig-granite"), StrainLimitRuns::refuse});
-    for (const char* id : {"figures", "columns", "quality-checks", "envelope", "maps", "mesh", "inputs", "provenance"}) {
+    for (const char* id :
+         {"laboratory", "means", "curves", "quality-checks", "envelope", "maps", "mesh", "inputs", "provenance"}) {
         expect_texts(html, {"<h2 id=\"" + std::string(id) + "\">"});
     }
     // Namespaces of SVG are names, not addresses that are fetched.
@@ -82,8 +88,10 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     expect_own_references(html, "href=\"");
     EXPECT_EQ(html.find("<script"), std::string::npos);
     EXPECT_EQ(html.find("@import"), std::string::npos);
-    // Laboratory: σt 8.8, UCS 122 MPa.
-    expect_texts(html, {"<td>8.8</td><td>+2.3 %</td>", "<td>122</td><td>-1.6 %</td>", "Mohr–Coulomb", "13.3", "no potential",
+    // Laboratory: σt 8.8, UCS 122 MPa with the usual deviation of 5 %; σ1 at 4 MPa on the line UCS + b σ3, b = 8.93.
+    expect_texts(html, {"<td>8.8 ± 0.44*\u00a0MPa</td><td>9\u00a0MPa\n(1\u00a0run)</td><td>+2.3\u00a0%</td><td>within</td>",
+                        "<td>122 ± 6.1*\u00a0MPa</td><td>120\u00a0MPa\n(1\u00a0run)</td><td>-1.6\u00a0%</td><td>within</td>",
+                        "<td>σ1 at σ3 = 4 MPa</td><td>157.7 ± 7.9*\u00a0MPa</td>", "Mohr–Coulomb", "13.3", "no potential",
                         "0.2\u00a0%", "Density 2650 kg/m³"});
     EXPECT_EQ(html.substr(0, 15), "<!DOCTYPE html>");
     EXPECT_EQ(html.find(">nan"), std::string::npos);
@@ -91,22 +99,40 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
 
 TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
     const std::vector<std::string> runs{run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 8e6))};
-    expect_texts(page(runs, {read_material("augig-granite"), StrainLimitRuns::refuse}),
-                 {"<h3>Results</h3>", "This material has no [fitted]"});
+    expect_texts(page(runs, {read_material("augig-granite"), StrainLimitRuns::refuse}), {"This material has no [fitted]"});
     std::ifstream file(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
     const std::string calibrated = folder_.file("calibrated.toml");
-    std::ofstream(calibrated) << file.rdbuf() << "\n[fitted]\nconfined_strength_8MPa = \"193 MPa; 190 on 30 new specimens\"\n";
+    std::ofstream(calibrated) << file.rdbuf()
+                              << "\n[fitted]\nconfined_strength_8MPa = \"193 MPa; 190.123 on 30 new specimens\"\n";
     const std::string html = page(runs, {read_material(calibrated), StrainLimitRuns::refuse});
-    expect_texts(html, {"190 on 30 new specimens"});
-    const std::size_t fitted = html.find("<h3>Fitted by the calibration</h3>");
-    const std::size_t predicted = html.find("<h3>Predicted, not fitted</h3>");
-    ASSERT_LT(fitted, predicted);
-    const std::string first = html.substr(fitted, predicted - fitted);
-    const std::string second = html.substr(predicted, html.find("</section>", predicted) - predicted);
-    EXPECT_NE(first.find("σ1 at 8 MPa"), std::string::npos);
-    EXPECT_EQ(first.find("UCS, MPa"), std::string::npos);
-    EXPECT_NE(second.find("UCS, MPa"), std::string::npos);
-    EXPECT_EQ(second.find("σ1 at 8 MPa"), std::string::npos);
+    // As the laboratory calls it, without keys.
+    expect_texts(html, {"<td>σ1 at σ3 = 8 MPa</td><td>193 MPa</td><td>190.1\u00a0MPa</td><td>–</td><td>30</td>"});
+    EXPECT_EQ(html.find("confined_strength"), std::string::npos);
+    EXPECT_TRUE(row_of(html, "σ1 at σ3 = 8 MPa").ends_with("<td>fitted</td>")) << row_of(html, "σ1 at σ3 = 8 MPa");
+    EXPECT_TRUE(row_of(html, "UCS").ends_with("<td>predicted</td>")) << row_of(html, "UCS");
+}
+
+TEST_F(Report, BeginsWithACurveCracksAndTheEnvelopeIfThereIsOne) {
+    const std::vector<std::string> runs{run("b.h5", recipe("brazilian", 9e6)), run("u.h5", recipe("uniaxial", 120e6)),
+                                        run("u2.h5", recipe("uniaxial", 130e6)), run("t.h5", recipe("triaxial", 160e6, 8e6))};
+    const std::string whole = page(runs);
+    const std::string three = whole.substr(0, whole.find("<h2"));
+    expect_texts(three, {"class=\"first of3\"", "stress and strain of the first run of each kind", "micro-cracks by the end of",
+                         "u.h5", "Mohr circles"});
+    const std::string unconfined = page({runs[0], runs[1]});
+    const std::string two = unconfined.substr(0, unconfined.find("<h2"));
+    expect_texts(two, {"class=\"first of2\""});
+    EXPECT_EQ(two.find("Mohr circles"), std::string::npos);
+}
+
+TEST_F(Report, SeedsOfATestHaveAMeanWithItsInterval) {
+    std::vector<std::string> runs;
+    for (const double peak : {119e6, 120e6, 121e6}) {
+        runs.push_back(run(fmt::format("u{}.h5", runs.size()), recipe("uniaxial", peak)));
+    }
+    // 120 ± t(0.975, 2)/√3
+    expect_texts(page(runs),
+                 {"<td>uniaxial</td><td>strain</td><td>3</td><td>120 (1)\n117.5 to 122.5</td>", "<summary>Each run</summary>"});
 }
 
 TEST_F(Report, MineralsStandByPhaseAndClass) {
@@ -132,7 +158,7 @@ TEST_F(Report, ManyRunsShareAColumnOfChecksWithTheirRange) {
     // The energy balance residual is the same in all, separated contacts are half of the cracks; a warning names its run.
     expect_texts(html, {"<th>Brazilian (5 runs)</th></tr>", "<td>0.2\u00a0%</td></tr>", "<td>2 to ",
                         "open cracks never span 0.8 D (5 of 5 runs)",
-                        "Caveats of these strengths: Brazilian: open cracks never span 0.8 D (5 of 5 runs)."});
+                        "Caveats of these strengths: ", "Brazilian: open cracks never span 0.8 D (5 of 5 runs)"});
     EXPECT_EQ(html.find("<th>b4</th>"), std::string::npos);
     runs.resize(2);
     expect_texts(page(runs), {"<th>Brazilian (2 runs)</th>"});
@@ -147,7 +173,7 @@ TEST_F(Report, GrainSizesHaveRowsAndColumnsOfTheirOwnAndWhatIsTheSameStandsOnce)
     const std::string fine = edge(recipe("uniaxial", 1e6).specimen.statistics.mean_edge);
     const std::string twice = edge(coarse.specimen.statistics.mean_edge);
     expect_texts(html, {"<td>" + fine + "</td>", "<td>" + twice + "</td>", "<th>" + fine + "</th><th>" + twice + "</th>",
-                        "UCS, MPa, edge ", "(not resolved: below one edge)</td>", "<td>contact law</td><td colspan=\"3\">"});
+                        "<td>UCS, edge ", "(not resolved: below one edge)</td>", "<td>contact law</td><td colspan=\"3\">"});
     std::size_t maps = 0;
     for (std::size_t i = html.find("cracks before, at and after"); i != std::string::npos;
          i = html.find("cracks before, at and after", i + 1)) {

@@ -1,0 +1,211 @@
+#include "post/report/laboratory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <regex>
+
+#include "post/fit/mohr_coulomb.hpp"
+#include "post/report/html.hpp"
+#include "post/table/number.hpp"
+#include "share/base/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+using calibrate::Target;
+using calibrate::Use;
+
+/// What a laboratory calls the kinds of targets; others have their symbol.
+const std::map<std::string, std::string>& laboratory_names() {
+    static const std::map<std::string, std::string> names{{"young_modulus", "Young's modulus E"},
+                                                          {"poisson_ratio", "Poisson's ratio ν"},
+                                                          {"brazilian", "Brazilian tensile strength"},
+                                                          {"direct_tension", "direct tensile strength"},
+                                                          {"uniaxial", "UCS"},
+                                                          {"first_peak", "σ1"},
+                                                          {"crack_initiation", "crack initiation CI"},
+                                                          {"crack_damage", "crack damage CD"}};
+    return names;
+}
+
+std::string laboratory_name(const Target& target) {
+    const auto found = laboratory_names().find(target.kind.name);
+    std::string name = found == laboratory_names().end() ? target.kind.symbol : found->second;
+    if (target.confining_pressure > 0) name += fmt::format(" at σ3 = {:.7g} MPa", target.confining_pressure * 1e-6);
+    return name;
+}
+
+std::optional<double> entry_of(const Material& material, const std::string& key) {
+    const auto found = material.laboratory.find(key);
+    return found == material.laboratory.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// UCS + b σ3; empty without UCS or b.
+std::optional<double> confined_strength_of(const Material& material, double pressure) {
+    const auto ucs = entry_of(material, "compressive_strength");
+    const auto angle = entry_of(material, "friction_angle");
+    const auto cohesion = entry_of(material, "cohesion");
+    if (!ucs || (!angle && !cohesion)) return std::nullopt;
+    const double slope = angle ? mohr_coulomb_slope(*angle) : std::pow(*ucs / (2 * *cohesion), 2);
+    return *ucs + slope * pressure;
+}
+
+/// What [laboratory] has of a property.
+std::optional<double> laboratory_entry(const Material& material, const Target& target) {
+    if (target.kind.name == "first_peak") return confined_strength_of(material, target.confining_pressure);
+    static const std::map<std::string, std::string> keys{{"young_modulus", "young_modulus"},
+                                                         {"poisson_ratio", "poisson_ratio"},
+                                                         {"brazilian", "tensile_strength"},
+                                                         {"uniaxial", "compressive_strength"}};
+    const auto key = keys.find(target.kind.name);
+    return key == keys.end() ? std::nullopt : entry_of(material, key->second);
+}
+
+std::size_t order_of(const Target& target) {
+    const auto& kinds = calibrate::target_kinds();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& each) { return each.name == target.kind.name; });
+    return static_cast<std::size_t>(kind - kinds.begin());
+}
+
+bool has_targets(const Material& material) { return !material.file.empty() && std::filesystem::exists(material.file); }
+
+PropertyOrigin origin_of(const Material& material, const Target& target, bool is_target) {
+    if (!material.fitted.empty()) {
+        return material.fitted.count(target.fitted_name()) > 0 ? PropertyOrigin::fitted : PropertyOrigin::predicted;
+    }
+    if (!is_target) return PropertyOrigin::unknown;
+    return target.use == Use::fit ? PropertyOrigin::to_fit : PropertyOrigin::predicted;
+}
+
+/// The target that an entry of [fitted] is of; empty for a key of another program.
+std::optional<Target> fitted_target(const std::string& key) {
+    for (const calibrate::TargetKind& kind : calibrate::target_kinds()) {
+        const std::string& own = kind.fitted_key.empty() ? kind.name : kind.fitted_key;
+        if (key != own && !key.starts_with(own + "_")) continue;
+        try {
+            return calibrate::target_of(kind.name + key.substr(own.size()), key);
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+    return std::nullopt;
+}
+
+/// A number with four digits; any other text as it is.
+std::string rounded(const std::string& text) {
+    const auto value = parse_number(text);
+    return value ? html::number(*value) : text;
+}
+
+}  // namespace
+
+std::string name_of(PropertyOrigin origin) {
+    switch (origin) {
+        case PropertyOrigin::to_fit: return "to be fitted";
+        case PropertyOrigin::fitted: return "fitted";
+        case PropertyOrigin::predicted: return "predicted";
+        case PropertyOrigin::unknown: break;
+    }
+    return "";
+}
+
+bool LaboratoryProperty::is_measured() const { return std::isfinite(target.value); }
+
+std::string LaboratoryProperty::name() const { return laboratory_name(target); }
+
+std::optional<Material> material_of_run(const RunHeader& header, const std::vector<std::string>& words) {
+    constexpr std::string_view option = "--material";
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        std::string name;
+        if (words[i] == option && i + 1 < words.size()) name = words[i + 1];
+        if (words[i].starts_with(std::string(option) + "=")) name = words[i].substr(option.size() + 1);
+        if (name.empty()) continue;
+        try {
+            Material material = read_material(name);
+            const Rock& rock = material.rock;
+            const bool is_same = material.name == header.material && rock.young_modulus == header.rock.young_modulus &&
+                                 rock.poisson_ratio == header.rock.poisson_ratio && rock.density == header.rock.density;
+            return is_same ? std::optional(std::move(material)) : std::nullopt;
+        } catch (const InputError&) {
+            return std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,
+                                                      const std::vector<double>& pressures) {
+    std::vector<LaboratoryProperty> all;
+    if (material && has_targets(*material)) {
+        for (const Target& target : calibrate::given_targets(read_toml(material->file.string()))) {
+            all.push_back({target, true, origin_of(*material, target, true)});
+        }
+    }
+    std::vector<std::string> usual{"young_modulus", "poisson_ratio",    "brazilian",   "direct_tension",
+                                   "uniaxial",      "crack_initiation", "crack_damage"};
+    for (const double pressure : pressures) usual.push_back("first_peak_" + calibrate::pressure_text(pressure));
+    for (const std::string& name : usual) {
+        Target target = calibrate::target_of(name, "report");
+        target.value = NAN;
+        const bool is_there =
+            std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.target.name() == target.name(); });
+        if (is_there) continue;
+        all.push_back({target, false, material ? origin_of(*material, target, false) : PropertyOrigin::unknown});
+    }
+    for (LaboratoryProperty& property : all) {
+        const auto value = material && !property.is_measured() ? laboratory_entry(*material, property.target) : std::nullopt;
+        if (!value) continue;
+        property.target.value = *value;
+        property.target.deviation = property.target.usual_deviation();
+        property.has_own_deviation = false;
+    }
+    std::stable_sort(all.begin(), all.end(), [](const LaboratoryProperty& a, const LaboratoryProperty& b) {
+        return std::pair(order_of(a.target), a.target.confining_pressure) <
+               std::pair(order_of(b.target), b.target.confining_pressure);
+    });
+    return all;
+}
+
+bool has_fitted_confined_strength(const std::optional<Material>& material) {
+    return material && std::any_of(material->fitted.begin(), material->fitted.end(),
+                                   [](const auto& entry) { return entry.first.starts_with("confined_strength"); });
+}
+
+std::string fitted_table(const std::optional<Material>& material) {
+    if (!material || material->fitted.empty()) return "";
+    // As the calibration writes it: "122 MPa; 124.6 (117.59 to 131.62) on 6 new specimens".
+    static const std::regex form(R"(([^;]*); (\S+)(?: \((\S+) to (\S+)\))? on (\d+) new specimens?)");
+    struct Row {
+        std::size_t order;
+        double pressure;
+        std::vector<std::string> cells;
+    };
+    std::vector<Row> rows;
+    for (const auto& [key, text] : material->fitted) {
+        const std::optional<Target> target = fitted_target(key);
+        Row row{target ? order_of(*target) : calibrate::target_kinds().size(), target ? target->confining_pressure : 0, {}};
+        std::string words = key;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        row.cells.push_back(target ? laboratory_name(*target) : words);
+        std::smatch found;
+        if (std::regex_match(text, found, form)) {
+            const std::string unit = target && !target->kind.unit.empty() ? "\u00a0" + target->kind.unit : "";
+            const std::string interval = found[3].matched ? rounded(found[3]) + " to " + rounded(found[4]) : "";
+            row.cells.insert(row.cells.end(), {found[1], rounded(found[2]) + unit, interval, found[5]});
+        } else {
+            row.cells.push_back(text);
+        }
+        rows.push_back(std::move(row));
+    }
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const Row& a, const Row& b) { return std::pair(a.order, a.pressure) < std::pair(b.order, b.pressure); });
+    html::Table table({"property", "fitted to", "computed on new specimens", "95\u00a0% interval of the mean", "specimens"});
+    for (Row& row : rows) table.row(std::move(row.cells));
+    return table.str();
+}
+
+}  // namespace graincrack

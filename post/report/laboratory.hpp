@@ -1,0 +1,50 @@
+// What a material has of the laboratory and of its calibration, by the properties that a report compares.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/calibrate/target.hpp"
+#include "share/file/run_header.hpp"
+#include "share/rock/material.hpp"
+
+namespace graincrack {
+
+/// Where the computed value of a property comes from.
+enum class PropertyOrigin {
+    unknown,    ///< the material has no [fitted]
+    to_fit,     ///< asked of a calibration that the material has not had
+    fitted,     ///< by the calibration of the material
+    predicted,  ///< by tests that the calibration did not use
+};
+std::string name_of(PropertyOrigin origin);
+
+/// A property by the definition that targets of a calibration have.
+struct LaboratoryProperty {
+    calibrate::Target target;                         ///< its value is NaN where the laboratory has none
+    bool has_own_deviation = false;                   ///< given by [targets]; else the usual one of such a measurement
+    PropertyOrigin origin = PropertyOrigin::unknown;  ///< of the computed value
+    [[nodiscard]] bool is_measured() const;           ///< by the laboratory
+    [[nodiscard]] std::string name() const;           ///< "UCS", "σ1 at σ3 = 8 MPa", "crack initiation CI"
+};
+
+/// The material that a run was made with, as its command line names it; empty if that is not found, or is another by now: its
+/// name, the elastic constants or density of its rock differ. \param words of the command line
+std::optional<Material> material_of_run(const RunHeader& header, const std::vector<std::string>& words);
+
+/// The targets of a material, and E, ν, strengths at the given pressures and crack thresholds, in the order of `target_kinds`.
+/// What [targets] lacks is filled from [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3, with b of the
+/// friction angle, or of cohesion and UCS. Without a material nothing has a value. \param pressures of tests, Pa
+/// \throws InputError if [targets] is wrong
+std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,
+                                                      const std::vector<double>& pressures);
+
+/// Whether the material says that its calibration used strengths under confining pressure.
+bool has_fitted_confined_strength(const std::optional<Material>& material);
+
+/// [fitted] as a table: property, fitted to, computed on new specimens, 95 % interval, number of specimens. Empty without
+/// [fitted].
+std::string fitted_table(const std::optional<Material>& material);
+
+}  // namespace graincrack

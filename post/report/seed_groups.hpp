@@ -1,0 +1,45 @@
+// Runs that differ by the seed of their specimens alone, and their means.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/report/test_report.hpp"
+#include "post/statistics/statistics.hpp"
+
+namespace graincrack {
+
+/// A value of a run, SI; empty if the test does not measure it.
+using ValueOfTest = std::function<std::optional<double>(const TestReport&)>;
+
+/// Runs of one test at one confining pressure, on specimens of one shape, size and grain size, with the same settings.
+struct SeedGroup {
+    std::string test;        ///< "uniaxial", "σ3 = 8 MPa"
+    std::string grain_size;  ///< "edge 5 mm"; empty if all runs are of one size
+    std::string lengths;     ///< "40 × 80 mm" where groups of one test and grain size differ in them
+    std::vector<const TestReport*> runs;
+
+    [[nodiscard]] const TestReport& first() const { return *runs.front(); }
+    /// A text with what tells the group from others of its test: "uniaxial, edge 5 mm".
+    [[nodiscard]] std::string with_specimen(const std::string& text) const;
+    [[nodiscard]] std::string name() const { return with_specimen(test); }
+    /// Over the runs that have the value; empty if none has.
+    [[nodiscard]] std::optional<Sample> sample_of(const ValueOfTest& value) const;
+};
+
+/// In the order of `group_strengths`: Brazilian, tension, then compression by rising pressure.
+std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests);
+
+/// The strength of a run that all tables of a report show, Pa.
+double strength_of(const TestReport& test);
+
+/// "132.4 (4.8)\n124.8 to 140": mean, standard deviation and, on a line of its own, the 95 % interval of the mean. \param
+/// factor from SI to the unit of the table
+std::string mean_cell(const Sample& sample, double factor);
+
+/// A row for each group: strength, moduli, strain at the peak and crack thresholds as means with their intervals.
+std::string group_table(const std::vector<SeedGroup>& groups);
+
+}  // namespace graincrack

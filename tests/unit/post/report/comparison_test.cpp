@@ -1,0 +1,100 @@
+// The table of properties beside the laboratory's, of tests with known numbers.
+#include "post/report/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include "post/report/seed_groups.hpp"
+#include "tests/support/synthetic_run.hpp"
+
+namespace graincrack {
+namespace {
+
+class Comparison : public ::testing::Test {
+protected:
+    TestReport& add(const std::string& test, std::int64_t seed, double peak, double confining = 0, double width = 0.08) {
+        test::Recipe recipe;
+        recipe.test = test;
+        recipe.peak = peak;
+        recipe.confining_pressure = confining;
+        recipe.specimen = test::grid_specimen(static_cast<int>(std::lround(100 * width)), 16, width, 0.16);
+        recipe.specimen.seed = seed;
+        const std::string file = folder_.file(std::to_string(tests_.size()) + ".h5");
+        test::write_run(file, recipe);
+        tests_.push_back(read_test_report(RunReader(file)));
+        return tests_.back();
+    }
+    [[nodiscard]] std::string table(const std::optional<Material>& material) const {
+        return comparison(seed_groups(tests_), {}, material);
+    }
+    static void expect_texts(const std::string& page, const std::vector<std::string>& words) {
+        for (const std::string& each : words) EXPECT_NE(page.find(each), std::string::npos) << each << "\n" << page;
+    }
+    test::TemporaryFolder folder_;
+    std::vector<TestReport> tests_;
+};
+
+TEST_F(Comparison, HasTargetsAndWhetherMeansAreWithinTheirDeviation) {
+    for (const std::int64_t seed : {1, 2, 3}) {
+        TestReport& test = add("uniaxial", seed, (119 + static_cast<double>(seed)) * 1e6);
+        test.initiation = 80e6 + static_cast<double>(seed) * 1e5;
+        test.initiation_by_damage = {80.2e6, 80.21e6, 90e6};
+        test.thresholds->damage = (100 + 10 * static_cast<double>(seed)) * 1e6;  // 120 ± 25
+    }
+    add("triaxial", 1, 200e6, 8e6);
+    const std::string html = table(read_material("augig-granite-calibrated"));
+    expect_texts(
+        html,
+        {"<td>UCS</td><td>122 ± 6.1\u00a0MPa</td><td>121\u00a0MPa\n118.5 to 123.5 "
+         "(3\u00a0runs)</td><td>-0.8\u00a0%</td><td>within</td><td>fitted</td>",
+         "<td>σ1 at σ3 = 8 MPa</td><td>193.5 ± "
+         "15\u00a0MPa</td><td>200\u00a0MPa\n(1\u00a0run)</td><td>+3.4\u00a0%</td><td>within</td>",
+         "<td>crack initiation CI</td><td>55 ± 12\u00a0MPa</td><td>80.2\u00a0MPa\n", "<td>outside</td><td>predicted</td>",
+         "<td>crack damage CD</td><td>98 ± 18\u00a0MPa</td><td>120\u00a0MPa\n", "<td>undecided</td><td>predicted</td>",
+         "<td>σ1 at σ3 = 20 MPa</td><td>300.7 ± 24\u00a0MPa</td><td colspan=\"4\">not tested</td>",
+         "<td>Brazilian tensile strength</td><td>8.8 ± 0.44\u00a0MPa</td><td colspan=\"4\">not tested</td>", "1 undecided"});
+}
+
+TEST_F(Comparison, OneDefinitionOfCrackInitiationStandsFirstAndEqualOnesShareARow) {
+    TestReport& test = add("uniaxial", 1, 120e6);
+    test.initiation = 80e6;
+    test.initiation_by_damage = {70.02e6, 69.98e6, 90e6};
+    const std::string html = table(std::nullopt);
+    const std::size_t details = html.find("<details>");
+    ASSERT_NE(details, std::string::npos);
+    EXPECT_EQ(html.substr(0, details).find("damaged"), std::string::npos);
+    expect_texts(html.substr(0, details), {"<th>property</th><th>computed", "<td>crack initiation CI</td><td>80\u00a0MPa"});
+    expect_texts(html.substr(details),
+                 {"<td>CI by 1 % of the points damaged by 10 %\nCI by 1 % of the points damaged by 50 %</td><td>70</td>",
+                  "<td>CI by 1 % of the points damaged by 90 %</td><td>90</td>"});
+    EXPECT_EQ(html.find("not tested"), std::string::npos);
+}
+
+TEST_F(Comparison, OneRunIsWithinOrOutside) {
+    calibrate::Target target = calibrate::target_of("uniaxial", "test");
+    target.value = 100;
+    target.deviation = 5;
+    EXPECT_EQ(name_of(agreement_of(target, sample(std::vector<double>{105}))), "within");
+    EXPECT_EQ(name_of(agreement_of(target, sample(std::vector<double>{106}))), "outside");
+    EXPECT_EQ(name_of(agreement_of(target, sample(std::vector<double>{106, 108}))), "undecided");
+    EXPECT_EQ(name_of(agreement_of(target, sample(std::vector<double>{109.9, 110.1}))), "outside");
+    target.deviation = NAN;
+    EXPECT_EQ(name_of(agreement_of(target, sample(std::vector<double>{106}))), "");
+}
+
+TEST_F(Comparison, SpecimensOfAnotherWidthAreAnotherGroup) {
+    add("uniaxial", 1, 120e6);
+    add("uniaxial", 2, 130e6);
+    add("uniaxial", 1, 110e6, 0, 0.04);
+    add("triaxial", 1, 200e6, 8e6);
+    const std::vector<SeedGroup> groups = seed_groups(tests_);
+    ASSERT_EQ(groups.size(), 3U);
+    EXPECT_EQ(groups[0].name(), "uniaxial, 80 × 160 mm");
+    EXPECT_DOUBLE_EQ(groups[0].sample_of(strength_of)->mean.value, 125e6);
+    EXPECT_EQ(groups[0].sample_of([](const TestReport&) { return std::nullopt; }), std::nullopt);
+    EXPECT_EQ(groups[1].name(), "uniaxial, 40 × 160 mm");
+    EXPECT_EQ(groups[2].name(), "σ3 = 8 MPa");
+    expect_texts(table(std::nullopt), {"<td>UCS, 80 × 160 mm</td>", "<td>UCS, 40 × 160 mm</td>"});
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,106 @@
+// What a material has of the laboratory, by property.
+#include "post/report/laboratory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+LaboratoryProperty property_of(const std::vector<LaboratoryProperty>& all, const std::string& name) {
+    for (const LaboratoryProperty& each : all) {
+        if (each.name() == name) return each;
+    }
+    ADD_FAILURE() << "no " << name;
+    return {};
+}
+
+TEST(LaboratoryProperties, AreTheTargetsOfACalibratedMaterial) {
+    const auto all = laboratory_properties(read_material("augig-granite-calibrated"), {8e6, 15e6});
+    const LaboratoryProperty ucs = property_of(all, "UCS");
+    EXPECT_DOUBLE_EQ(ucs.target.value, 122e6);
+    EXPECT_NEAR(ucs.target.deviation, 0.05 * 122e6, 1);
+    EXPECT_TRUE(ucs.has_own_deviation);
+    EXPECT_EQ(name_of(ucs.origin), "fitted");
+    EXPECT_DOUBLE_EQ(property_of(all, "σ1 at σ3 = 8 MPa").target.value, 193.5e6);
+    const LaboratoryProperty initiation = property_of(all, "crack initiation CI");
+    EXPECT_DOUBLE_EQ(initiation.target.deviation, 12e6);
+    EXPECT_EQ(name_of(initiation.origin), "predicted");
+    EXPECT_EQ(property_of(all, "crack damage CD").target.value, 98e6);
+    // No target: the line of [laboratory], UCS + b σ3 with b of 53°.
+    const LaboratoryProperty other = property_of(all, "σ1 at σ3 = 15 MPa");
+    const double b = (1 + std::sin(53 * M_PI / 180)) / (1 - std::sin(53 * M_PI / 180));
+    EXPECT_NEAR(other.target.value, 122e6 + b * 15e6, 1);
+    EXPECT_FALSE(other.has_own_deviation);
+    EXPECT_EQ(name_of(other.origin), "predicted");
+}
+
+TEST(LaboratoryProperties, WithoutTargetsAreThoseOfTheLaboratory) {
+    const auto all = laboratory_properties(read_material("augig-granite"), {});
+    EXPECT_DOUBLE_EQ(property_of(all, "Brazilian tensile strength").target.value, 8.8e6);
+    EXPECT_NEAR(property_of(all, "Poisson's ratio ν").target.deviation, 0.015, 1e-12);
+    EXPECT_FALSE(property_of(all, "crack initiation CI").is_measured());
+    EXPECT_EQ(name_of(property_of(all, "UCS").origin), "");
+    for (const LaboratoryProperty& each : laboratory_properties(std::nullopt, {8e6})) {
+        EXPECT_FALSE(each.is_measured()) << each.name();
+    }
+}
+
+TEST(LaboratoryProperties, ATargetWithoutAnythingToFitIsNoErrorAndAWrongOneIs) {
+    const test::TemporaryFolder folder;
+    const auto material_with = [&](const std::string& targets) {
+        std::ifstream rock(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
+        std::ofstream(folder.file("rock.toml")) << rock.rdbuf() << "\n[targets]\n" << targets << "\n";
+        return read_material(folder.file("rock.toml"));
+    };
+    const auto all = laboratory_properties(material_with("crack_damage = {value = \"99 MPa\", use = \"predict\"}"), {});
+    EXPECT_EQ(name_of(property_of(all, "crack damage CD").origin), "predicted");
+    EXPECT_DOUBLE_EQ(property_of(all, "crack damage CD").target.deviation, 9.9e6);
+    EXPECT_EQ(name_of(property_of(laboratory_properties(material_with("uniaxial = {value = \"99 MPa\"}"), {}), "UCS").origin),
+              "to be fitted");
+    test::expect_one_line<InputError>(
+        [&] { (void)laboratory_properties(material_with("crack_damage = {vale = \"99 MPa\"}"), {}); }, {"rock.toml", "vale"});
+}
+
+TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {
+    const Material granite = read_material("augig-granite");
+    RunHeader header;
+    header.material = granite.name;
+    header.rock = granite.rock;
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"graincrack-solve", "--material", "augig-granite"},
+                                                  {"graincrack-solve", "--material=augig-granite"}}) {
+        const auto found = material_of_run(header, words);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->file, granite.file);
+    }
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "none.toml"}));
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material"}));
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve"}));
+    header.rock.density += 1;
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "augig-granite"}));
+}
+
+TEST(FittedTable, HasTheWordsOfALaboratory) {
+    const std::string table = fitted_table(read_material("augig-granite-calibrated"));
+    EXPECT_NE(table.find("<td>UCS</td><td>122 MPa</td><td>124.6\u00a0MPa</td><td>117.6 to 131.6</td><td>6</td>"),
+              std::string::npos)
+        << table;
+    EXPECT_NE(table.find("<td>Poisson's ratio ν</td><td>0.23</td><td>0.2293</td>"), std::string::npos) << table;
+    EXPECT_EQ(table.find('_'), std::string::npos) << table;
+    EXPECT_EQ(fitted_table(read_material("augig-granite")), "");
+    EXPECT_EQ(fitted_table(std::nullopt), "");
+    Material other;
+    other.fitted = {{"confined_strength", "by hand"}, {"p_wave_speed", "4 km/s; 4.1 on 1 new specimen"}};
+    const std::string words = fitted_table(other);
+    EXPECT_NE(words.find("<td>confined strength</td><td colspan=\"4\">by hand</td>"), std::string::npos) << words;
+    EXPECT_NE(words.find("<td>p wave speed</td><td>4 km/s</td><td>4.1</td><td>–</td><td>1</td>"), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace graincrack
