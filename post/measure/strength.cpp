@@ -120,7 +120,7 @@ const Columns<StrengthRow>& strength_columns() {
 }
 
 std::string ending(const StrengthRow& r) {
-    if (r.strength.has_peak()) return "peak";
+    if (r.strength.has_peak(r.kind)) return "peak";
     return r.strength.peak_kind == "cap" ? "strain limit" : "stopped";
 }
 

@@ -40,7 +40,9 @@ struct Strength {
         return has_earlier_peak() && kind != StrengthKind::largest ? first_peak->stress : peak_stress;
     }
     /// Whether that is a peak: the stress fell behind it.
-    [[nodiscard]] bool has_peak() const { return peak_kind == "drop" || has_earlier_peak(); }
+    [[nodiscard]] bool has_peak(StrengthKind kind = StrengthKind::first_peak) const {
+        return peak_kind == "drop" || (has_earlier_peak() && kind != StrengthKind::largest);
+    }
     bool is_confined = false;             ///< a triaxial test under a pressure
     double strain_at_peak = 0;            ///< platen approach over height since the start of the test
     std::string peak_kind;                ///< see `peak_kind`

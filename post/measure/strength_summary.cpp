@@ -40,7 +40,7 @@ std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs, Str
         Members& members = sets[summary_key(run)];
         members.plane = run.header.plane;  // the same in all, as settings are
         members.strengths.push_back(strength.reported(kind));
-        if (!strength.has_peak()) ++members.without_peak;
+        if (!strength.has_peak(kind)) ++members.without_peak;
     }
     std::vector<StrengthGroup> groups;
     std::optional<double> brazilian;
