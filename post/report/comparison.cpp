@@ -284,7 +284,7 @@ std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<S
         text += html::paragraph("Laboratory: [targets] and [laboratory] of " + material->file.filename().string() + ".");
     text += html::paragraph(
         "CI: stress at 1 % of the cracks counted at the peak. CD: stress at which the area of the specimen, gauged over its "
-        "central half, begins to grow. E and ν: chord to half the peak.");
+        "central half, begins to grow. E and ν: chord to half the peak. C and φ: line through the compression tests.");
     text += other_thresholds(groups);
     if (const std::string fitted = fitted_table(material); !fitted.empty()) {
         text += "<h3>What the calibration fitted</h3>\n" + fitted;

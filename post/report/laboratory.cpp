@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <regex>
 
@@ -95,6 +96,13 @@ std::optional<Target> fitted_target(const std::string& key) {
     return std::nullopt;
 }
 
+/// Whether a name that stands in a file is that of a material, or of a regular file: others may have no end, or wait for input.
+bool is_harmless(const std::string& name) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(name, error);
+    return std::filesystem::exists(status) ? std::filesystem::is_regular_file(status) : name.find('/') == std::string::npos;
+}
+
 /// A number with four digits; any other text as it is.
 std::string rounded(const std::string& text) {
     const auto value = parse_number(text);
@@ -124,6 +132,7 @@ std::optional<Material> material_of_run(const RunHeader& header, const std::vect
         if (words[i] == option && i + 1 < words.size()) name = words[i + 1];
         if (words[i].starts_with(std::string(option) + "=")) name = words[i].substr(option.size() + 1);
         if (name.empty()) continue;
+        if (!is_harmless(name)) return std::nullopt;
         try {
             Material material = read_material(name);
             const Rock& rock = material.rock;

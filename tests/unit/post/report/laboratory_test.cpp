@@ -80,6 +80,7 @@ TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {
         EXPECT_EQ(found->file, granite.file);
     }
     EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "none.toml"}));
+    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "/dev/zero"}));
     EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material"}));
     EXPECT_FALSE(material_of_run(header, {"graincrack-solve"}));
     header.rock.density += 1;
