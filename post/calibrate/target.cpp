@@ -208,7 +208,7 @@ std::vector<Target> given_targets(const TomlFile& file) {
 
 std::vector<Target> targets_of(const Material& rock, const TomlFile& file, double confining_pressure,
                                const std::vector<double>& predicted_pressures) {
-    const std::vector<Target> targets = given_targets(file);
+    std::vector<Target> targets = given_targets(file);
     if (targets.empty()) return laboratory_targets(rock, confining_pressure, predicted_pressures);
     if (std::none_of(targets.begin(), targets.end(), [](const Target& t) { return t.use == Use::fit; })) {
         throw InputError(fmt::format("{}: [targets] has none to be fitted", file.file));

@@ -80,10 +80,12 @@ std::string strength_label(const Run& run) {
     const auto label = [](const std::string& name, double stress, double strain) {
         return fmt::format("{} {:.4g} MPa at {:.3g} % strain", name, 1e-6 * stress, 100 * strain);
     };
-    const std::string largest = label(peak_label(*run.data), run.curve.peak_stress(), run.curve.axial_strain[run.curve.peak]);
-    if (!(run.data->header.confining_pressure > 0) || !run.has_earlier_peak()) return largest;
-    return label("first peak", run.first_peak->stress, run.first_peak->strain) + "; largest stress" +
-           largest.substr(peak_label(*run.data).size());
+    const double largest_strain = run.curve.axial_strain[run.curve.peak];
+    if (!(run.data->header.confining_pressure > 0) || !run.has_earlier_peak()) {
+        return label(peak_label(*run.data), run.curve.peak_stress(), largest_strain);
+    }
+    return label("first peak", run.first_peak->stress, run.first_peak->strain) + "; " +
+           label("largest stress", run.curve.peak_stress(), largest_strain);
 }
 
 ChartText curve_heading(const std::vector<Run>& runs, const std::string& definition) {

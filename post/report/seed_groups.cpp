@@ -96,7 +96,7 @@ std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests) {
     return groups;
 }
 
-double strength_of(const TestReport& test) { return test.strength.value(); }
+double strength_of(const TestReport& test) { return test.strength.reported(); }
 
 std::string mean_cell(const Sample& sample, double factor) {
     std::string text = number(sample.mean.value * factor);
