@@ -20,7 +20,7 @@ struct Squares {
             if (is_corner) return j == 0 ? (i == 0 ? 0 : 1) : (i == 0 ? 3 : 2);
             return 4 + i + j * (width + 1);
         };
-        cells.points.resize(static_cast<std::size_t>(4 + (width + 1) * (height + 1)));
+        cells.points.resize(4 + static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1));
         for (int j = 0; j <= height; ++j) {
             for (int i = 0; i <= width; ++i) {
                 cells.points[static_cast<std::size_t>(point(i, j))] = {i - width / 2.0, j - height / 2.0};
