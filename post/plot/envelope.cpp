@@ -194,7 +194,8 @@ Command envelope_plot() {
     };
     return make_plot<Options>(
         "envelope", "Mohr circles, Mohr-Coulomb and Hoek-Brown envelopes",
-        {"uniaxial.h5 triaxial.h5 -o envelope.png", "uniaxial.h5 triaxial.h5 brazilian.h5 --strength largest --capped accept -o envelope.svg"},
+        {"uniaxial.h5 triaxial.h5 -o envelope.png",
+         "uniaxial.h5 triaxial.h5 brazilian.h5 --strength largest --capped accept -o envelope.svg"},
         several_runs,
         [](OptionSet set, Options& options) {
             add_chart(set, options);

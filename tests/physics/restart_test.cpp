@@ -30,7 +30,9 @@ struct RestartCase {
     bool has_phases = false;    ///< three, with contacts of a pair and strengths that scatter
     bool has_crystals = false;  ///< that break, with a flaw
 };
-void PrintTo(const RestartCase& c, std::ostream* stream) { *stream << c.name; }
+void PrintTo(const RestartCase& c, std::ostream* stream) {  // NOLINT(readability-identifier-naming): as GoogleTest calls it
+    *stream << c.name;
+}
 
 /// Grains of many shapes, between which node–edge contacts come and go after the peak.
 const Specimen& restart_specimen() {
