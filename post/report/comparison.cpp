@@ -280,8 +280,9 @@ std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<S
     } else if (material->fitted.empty()) {
         text += html::paragraph("This material has no [fitted]: no calibration says which values it was fitted to.");
     }
-    if (material)
+    if (material) {
         text += html::paragraph("Laboratory: [targets] and [laboratory] of " + material->file.filename().string() + ".");
+    }
     text += html::paragraph(
         "CI: stress at 1 % of the cracks counted at the peak. CD: stress at which the area of the specimen, gauged over its "
         "central half, begins to grow. E and ν: chord to half the peak. C and φ: line through the compression tests.");

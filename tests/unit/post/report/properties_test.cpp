@@ -31,8 +31,9 @@ protected:
     }
     [[nodiscard]] std::map<std::string, Property> measured() const {
         std::map<std::string, Property> by_name;
-        for (Property& p : measure_properties(read_runs(files_), material_, {.strength = StrengthKind::largest}))
+        for (Property& p : measure_properties(read_runs(files_), material_, {.strength = StrengthKind::largest})) {
             by_name[p.name] = p;
+        }
         return by_name;
     }
     test::TemporaryFolder folder_;
