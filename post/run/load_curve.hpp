@@ -94,7 +94,8 @@ double load_at(const RunData& run, std::size_t row);
 /// Uniaxial or triaxial.
 bool is_compression(const RunHeader& header);
 
-/// The fall behind the largest stress, as a share of it, that makes it a peak: that which ends the test, at most 0.3.
+/// The fall behind the largest stress, as a share of it, over which brittleness is measured: that which ends the test, at most
+/// 0.3.
 double decisive_drop(const RunHeader& header);
 
 /// The fall behind a maximum, as a share of σ1 − σ3 there, that makes it a peak.

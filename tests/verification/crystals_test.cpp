@@ -13,22 +13,6 @@ namespace {
 
 using test::verify;
 
-/// Column of the second line of a table.
-double column_of(const std::string& table, const std::string& name) {
-    std::istringstream lines(table);
-    std::string names;
-    std::string values;
-    std::getline(lines, names);
-    std::getline(lines, values);
-    std::istringstream name_stream(names);
-    std::istringstream value_stream(values);
-    for (std::string each, value; std::getline(name_stream, each, '\t') && std::getline(value_stream, value, '\t');) {
-        if (each == name) return std::stod(value);
-    }
-    ADD_FAILURE() << "no column " << name << " in " << table;
-    return 0;
-}
-
 // 300 crystals of granite's phases between smooth platens. Of six specimens the moduli by platens scattered by 0.2 % and their
 // means were 0.5, 0.1 and −0.2 % off the prediction.
 TEST(CrystalModuli, AreThoseOfMineralsAndBoundariesForAnyNumberOfElements) {
@@ -46,9 +30,9 @@ TEST(CrystalModuli, AreThoseOfMineralsAndBoundariesForAnyNumberOfElements) {
             elements);
         shell.must("graincrack-solve uniaxial s.h5 --material m.toml --max-strain 0.0008 --rate 20mm/s --quiet -o r.h5 2>log");
         const std::string table = shell.must("graincrack-post moduli r.h5 2>log");
-        moduli.push_back(column_of(table, "platen_young_modulus_GPa"));
+        moduli.push_back(std::stod(test::cell(table, "platen_young_modulus_GPa")));
         verify("phases: crystals, E of 300 crystals of " + elements + " elements (GPa)", moduli.back(),
-               column_of(table, "predicted_young_modulus_GPa"), 0.01, "boundaries' length and Hill's mean");
+               std::stod(test::cell(table, "predicted_young_modulus_GPa")), 0.01, "boundaries' length and Hill's mean");
     }
     const auto [least, most] = std::minmax_element(moduli.begin(), moduli.end());
     verify("phases: crystals, largest over least E for 8, 16 and 32 elements", *most / *least, 1, 0.01, "their mineral");
