@@ -1,4 +1,9 @@
 // Polygonal grains that break: where, their strengths decide.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "share/file/run_file.hpp"
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {
@@ -48,6 +53,31 @@ TEST(Crystals, TwoInARowBreakWithinOrBetweenAsTheirStrengthsSay) {
         "graincrack-solve tension s.h5 --material augig-granite --rate 20mm/s --max-strain 0.001 --quiet -o plain.h5\n"
         "graincrack-post plot cracks plain.h5 --class within --quiet -o within.png\n"
         "graincrack-post plot cracks plain.h5 --class between --quiet -o between.png");
+}
+
+TEST(Crystals, OpenBoundariesWeakenATestAndAreNoCracksOfIt) {
+    const Shell shell;
+    const auto strength = [&](const std::string& name, const std::string& options) {
+        return std::atof(shell
+                             .must("graincrack-mesh rectangle --width 20mm --height 20mm --grains 40 --tessellation trigon "
+                                   "--elements-per-crystal 8 --seed 5 --quiet -o " +
+                                   name + "-s.h5" + options + "\ngraincrack-solve tension " + name +
+                                   "-s.h5 --material augig-granite" + " --rate 20mm/s --max-strain 0.002 --quiet -o " + name +
+                                   ".h5\n" + "graincrack-post history " + name + ".h5 | cut -f 3 | sort -g | tail -n 1")
+                             .c_str());
+    };
+    EXPECT_LT(strength("open", " --open-boundaries 30%"), 0.9 * strength("closed", ""));
+    const RunReader run(shell.file("open.h5"));
+    EXPECT_GT(run.cracks().size(), 0U);
+    for (const Crack& crack : run.cracks()) {
+        EXPECT_FALSE(starts_broken(run.specimen().contact_kind[static_cast<std::size_t>(crack.contact)]));
+    }
+    const std::string open = shell.must("graincrack-post info open.h5 | grep open_boundaries");
+    EXPECT_NE(open.find(" of their length"), std::string::npos) << open;
+    for (const char* frame : {"peak", "before,peak"}) {
+        shell.must(std::string("graincrack-post plot cracks open.h5 --quiet --frame ") + frame + " -o map.svg");
+        EXPECT_NE(content_of(shell.file("map.svg")).find("pre-existing"), std::string::npos) << frame;
+    }
 }
 
 }  // namespace
