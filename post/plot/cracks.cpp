@@ -244,8 +244,9 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks"},
                                     {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}};
     const std::vector<std::uint8_t>& kinds = scene.specimen.contact_kind;
-    if (std::any_of(kinds.begin(), kinds.end(), starts_broken))
+    if (std::any_of(kinds.begin(), kinds.end(), starts_broken)) {
         legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
+    }
     for (LegendEntry& phase : phase_legend(scene.specimen)) legend.push_back(std::move(phase));
     const LegendEnd end = draw_legend(page, legend, column, page.height() + 6);
     const double bottom = draw_scale_bar(page, scale, column, end);
