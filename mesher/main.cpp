@@ -88,7 +88,7 @@ int run(int argc, char** argv) {
         }
         Import mesh = import_specimen(*options->imported);
         if (material) take_fabric(material->fabric, !mesh.has_phases(), options->request);
-        give_fabric(mesh, options->request.phases, options->request.strength, options->request.seed);
+        give_fabric(mesh, options->request.phases, options->request.strength, options->request.open, options->request.seed);
         if (options->dry_run) {
             print(std::cout, describe(mesh));
             return 0;

@@ -326,6 +326,12 @@ void add_fabric_options(OptionSet shape, MeshOptions& options) {
                  "distance at which the autocorrelation of the strength of grain boundaries is 1/e; default: uncorrelated");
     add_integer<std::uint64_t>(shape, "--strength-seed", request.strength.seed,
                                "seed of the strength of grain boundaries; default: that of --seed", 0);
+    add_quantity(
+        shape, "--open-boundaries", request.open.share, quantity::open_boundaries,
+        "share of the length of grain boundaries, 0 to below 1, that is open from the start: whole boundaries at random, "
+        "without tension or cohesion, with friction; default: none");
+    add_integer<std::uint64_t>(shape, "--open-seed", request.open.seed, "seed of the open boundaries; default: that of --seed",
+                               0);
     add_value(
         shape, "--material", [&options](const std::string& text) { options.material = read_material(text); },
         "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose bounds "
@@ -478,6 +484,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     if (import_set.is_called()) {
         check(options.request.phases);
         check(options.request.strength);
+        check(options.request.open);
         if (!imported.new_key.empty() && !options.output.empty()) {
             throw UsageError("--write-key: makes no specimen; leave -o out, and name the phases in the key first");
         }

@@ -11,6 +11,7 @@
 #include "mesher/fabric/crystals.hpp"
 #include "share/base/units.hpp"
 #include "share/file/notch.hpp"
+#include "share/file/open_boundaries.hpp"
 
 namespace graincrack::mesher {
 
@@ -51,6 +52,11 @@ std::string strength_line(const Specimen& specimen, const StrengthRequest& reque
                        request.correlation ? "correlated over " + format_length(*request.correlation) : "uncorrelated");
 }
 
+std::string open_line(const Specimen& specimen) {
+    const std::string open = open_boundaries_text(specimen);
+    return "  open boundaries: " + (open.empty() ? "none" : open);
+}
+
 /// Mean edges or diameters at both ends of a grading; of elongated grains before they are elongated.
 std::string grading_line(const Grading& grading, const char* what, const std::array<double, 2>& reached,
                          const std::array<double, 2>& wanted) {
@@ -67,7 +73,7 @@ std::string grading_line(const Grading& grading, const char* what, const std::ar
 std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
     double broken = 0;
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        if (specimen.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
+        if (!starts_broken(specimen.contact_kind[c])) continue;
         const auto& p = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][0])];
         const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][1])];
         broken += std::hypot(q[0] - p[0], q[1] - p[1]);
@@ -98,6 +104,7 @@ std::vector<std::string> describe_polygons(const Specimen& specimen, const Speci
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
     if (!request.phases.fractions.empty()) lines.push_back(phase_line(specimen, request.phases));
     if (request.strength.modulus) lines.push_back(strength_line(specimen, request.strength));
+    if (request.open.share) lines.push_back(open_line(specimen));
     if (s.elongation > 0) {
         lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
     }
@@ -123,6 +130,7 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
     if (!request.phases.fractions.empty()) lines.push_back(phase_line(specimen, request.phases));
     if (request.strength.modulus) lines.push_back(strength_line(specimen, request.strength));
+    if (request.open.share) lines.push_back(open_line(specimen));
     if (s.elongation > 0) {
         lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg; smallest angle before it {:.1f} deg", s.elongation,
                                     degrees(s.elongation_angle), degrees(report.sizes.min_angle)));

@@ -101,6 +101,7 @@ void check_common(const SpecimenRequest& request) {
     }
     check(request.phases);
     check(request.strength);
+    check(request.open);
 }
 
 void check_request(const SpecimenRequest& request) {
@@ -329,6 +330,7 @@ void give_fabric(Specimen& specimen, const std::vector<int>& crystal_of_grain, c
     specimen.seed = request.seed;
     assign_phases(specimen, crystal_of_grain, request.phases);
     assign_strength_factors(specimen, crystal_of_grain, turn_to_load(request.region), request.strength);
+    open_boundaries(specimen, crystal_of_grain, request.open);
 }
 
 /// The size of elements that gives a polygon as many of them as are wanted, tried on some polygons of these sizes: their corners

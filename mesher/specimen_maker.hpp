@@ -6,6 +6,7 @@
 
 #include "mesher/assemblage/size_statistics.hpp"
 #include "mesher/elements/polygons.hpp"
+#include "mesher/fabric/open_boundaries.hpp"
 #include "mesher/fabric/phases.hpp"
 #include "mesher/fabric/strength_field.hpp"
 #include "mesher/region/grading.hpp"
@@ -46,6 +47,7 @@ struct SpecimenRequest {
     int elements_per_edge = 1;  ///< each grain becomes n × n constant-strain triangles
     PhaseRequest phases;
     StrengthRequest strength;
+    OpenBoundaryRequest open;
 };
 
 /// Largest number of diameters along which a disc can be loaded.

@@ -12,6 +12,7 @@
 #include "share/base/error.hpp"
 #include "share/base/sha256.hpp"
 #include "share/base/units.hpp"
+#include "share/file/open_boundaries.hpp"
 #include "share/file/output_file.hpp"
 
 namespace graincrack::mesher {
@@ -68,7 +69,8 @@ std::vector<std::string> write_new_key(const ImportRequest& request) {
     return describe_labels(rows);
 }
 
-void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, std::uint64_t seed) {
+void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, const OpenBoundaryRequest& open,
+                 std::uint64_t seed) {
     import.specimen.seed = seed;
     if (!phases.fractions.empty() && import.has_phases()) {
         throw UsageError("--phases: the file says of what phases its grains are; leave the option out, or give --phase-key");
@@ -81,6 +83,7 @@ void give_fabric(Import& import, const PhaseRequest& phases, const StrengthReque
     }
     assign_phases(import.specimen, crystals, phases);
     assign_strength_factors(import.specimen, crystals, 0, strength);
+    open_boundaries(import.specimen, crystals, open);
     if (can_break) name_crystals(import.specimen, crystals);
 }
 
@@ -105,6 +108,7 @@ std::vector<std::string> describe(const Import& import) {
         }
         lines.push_back(line);
     }
+    if (const std::string open = open_boundaries_text(specimen); !open.empty()) lines.push_back("  open boundaries: " + open);
     if (!import.labels.empty()) {
         for (const std::string& line : describe_labels(import.labels)) lines.push_back(line);
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/fabric/open_boundaries.hpp"
 #include "mesher/fabric/phases.hpp"
 #include "mesher/fabric/strength_field.hpp"
 #include "mesher/import/mesh_file.hpp"
@@ -30,9 +31,10 @@ Import import_specimen(const ImportRequest& request);
 /// \throws UsageError if there is such a file, which is not the key of the request
 std::vector<std::string> write_new_key(const ImportRequest& request);
 
-/// Gives the crystals phases, if the file has none, and scattered strengths, and names the contacts within them. \throws
-/// UsageError if the file has phases and others are requested
-void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, std::uint64_t seed);
+/// Gives the crystals phases, if the file has none, scattered strengths and open boundaries, and names the contacts within them.
+/// \throws UsageError if the file has phases and others are requested
+void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, const OpenBoundaryRequest& open,
+                 std::uint64_t seed);
 
 /// What came out, a line each. Lengths in mm, angles in degrees.
 std::vector<std::string> describe(const Import& import);

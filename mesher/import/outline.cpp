@@ -259,6 +259,7 @@ std::optional<FlawKind> flaw_of_line(const std::string& name) {
     constexpr std::string_view prefix = "flaw-";
     constexpr std::string_view suffix = "-broken";
     if (name == "crack") return FlawKind{ContactKind::pre_existing_crack};
+    if (name == "open-boundary") return FlawKind{ContactKind::open_boundary};
     if (name.substr(0, prefix.size()) != prefix) return std::nullopt;
     std::string flaw = name.substr(prefix.size());
     const bool is_broken = flaw.size() > suffix.size() && flaw.substr(flaw.size() - suffix.size()) == suffix;

@@ -18,6 +18,7 @@ constexpr std::uint64_t mixed_bits(std::uint64_t seed, std::uint64_t stream) {
 constexpr double uniform_of(std::uint64_t bits) { return (static_cast<double>(bits >> 12U) + 0.5) * 0x1.0p-52; }
 
 /// Streams of a seed; those of the attempts at a mesh are numbered from 0.
+inline constexpr std::uint64_t open_stream = 999'999;  ///< before the others, since joint sets count upwards
 inline constexpr std::uint64_t phase_stream = 1'000'000;
 inline constexpr std::uint64_t strength_stream = 1'000'001;
 inline constexpr std::uint64_t joint_stream = 1'000'002;  ///< of the first joint set; those of the others follow

@@ -136,7 +136,7 @@ void MapView::draw_grains(const GrainColour& colour) {
 bool MapView::draw_pre_existing_cracks(double width) {
     bool any = false;
     for (std::size_t c = 0; c < specimen_.n_contacts(); ++c) {
-        if (specimen_.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
+        if (!starts_broken(specimen_.contact_kind[c])) continue;
         draw_outline(specimen_.contact_nodes[c][0], specimen_.contact_nodes[c][1], width, palette::pre_existing);
         any = true;
     }

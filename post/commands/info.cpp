@@ -12,6 +12,7 @@
 #include "share/base/units.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
+#include "share/file/open_boundaries.hpp"
 #include "share/file/platen_faces.hpp"
 #include "share/file/probe_file.hpp"
 #include "share/file/provenance.hpp"
@@ -79,6 +80,13 @@ void write_crystals(std::ostream& out, const H5Input& file) {
     line(out, "elements_per_crystal", format_number(sizes->elements, 4));
 }
 
+void write_open_boundaries(std::ostream& out, const H5Input& file) {
+    const std::vector<std::uint8_t> kinds = file.read<std::uint8_t>(schema::contact_kind.path);
+    const auto open = static_cast<std::uint8_t>(ContactKind::open_boundary);
+    if (std::find(kinds.begin(), kinds.end(), open) == kinds.end()) return;
+    line(out, "open_boundaries", open_boundaries_text(read_specimen(file)));
+}
+
 void write_specimen_lines(std::ostream& out, const H5Input& file) {
     const char* group = schema::specimen_group;
     const auto length = [&](const char* name) {
@@ -107,6 +115,7 @@ void write_specimen_lines(std::ostream& out, const H5Input& file) {
     write_counts(out, file);
     write_parts(out, file);
     write_phases(out, file);
+    write_open_boundaries(out, file);
 }
 
 void write_run_lines(std::ostream& out, const H5Input& file) {

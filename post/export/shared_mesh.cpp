@@ -28,10 +28,11 @@ std::vector<std::int32_t> join_nodes(const Specimen& s, SharedMesh& mesh) {
     return point;
 }
 
-/// Every name that a side can have: those of the parts, then two for each class of flaws, the first of which is of no class.
+/// Every name that a side can have: those of the parts, then two for each class of flaws, the first of which is of no class: open
+/// boundaries, and cracks.
 std::vector<std::string> all_side_names(const Specimen& s) {
     std::vector<std::string> names = s.part_names;
-    names.insert(names.end(), {"", "crack"});  // grain boundaries have none
+    names.insert(names.end(), {"open-boundary", "crack"});  // other grain boundaries have none
     for (const std::string& flaw : s.flaw_names) names.insert(names.end(), {"flaw-" + flaw, "flaw-" + flaw + "-broken"});
     return names;
 }
@@ -70,7 +71,7 @@ SharedMesh share_nodes(const Specimen& s) {
     for (std::size_t c = 0; c < s.n_contacts(); ++c) {
         const std::size_t flaw = s.contact_flaw.empty() ? 0 : s.contact_flaw[c];
         const bool is_broken = s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
-        if (flaw == 0 && !is_broken) continue;
+        if (flaw == 0 && !starts_broken(s.contact_kind[c])) continue;
         const auto& nodes = s.contact_nodes[c];
         mesh.sides.push_back({point_of(nodes[0]), point_of(nodes[1]), s.part_names.size() + 2 * flaw + (is_broken ? 1 : 0)});
     }

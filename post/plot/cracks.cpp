@@ -15,7 +15,6 @@
 #include "post/run/load_curve.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
-#include "share/file/notch.hpp"
 #include "share/file/platen_faces.hpp"
 #include "share/options/option_set.hpp"
 
@@ -244,7 +243,10 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     }
     std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks"},
                                     {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}};
-    if (notch_ends(scene.specimen)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
+    const std::vector<std::uint8_t>& kinds = scene.specimen.contact_kind;
+    if (std::any_of(kinds.begin(), kinds.end(), starts_broken)) {
+        legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
+    }
     for (LegendEntry& phase : phase_legend(scene.specimen)) legend.push_back(std::move(phase));
     const LegendEnd end = draw_legend(page, legend, column, page.height() + 6);
     const double bottom = draw_scale_bar(page, scale, column, end);

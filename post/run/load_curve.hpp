@@ -24,7 +24,7 @@ struct SpecimenSummary {
     std::int64_t grains = 0;
     double mean_edge = 0;  ///< m
     std::string shape = {};
-    bool is_cracked = false;  ///< some contacts are broken from the start
+    bool is_cracked = false;  ///< there are pre-existing cracks; open boundaries are none
 };
 SpecimenSummary specimen_summary(const H5Input& file);
 

@@ -121,6 +121,8 @@ inline constexpr Quantity strength_modulus{"strength_modulus", Dimension::one, 1
                                            "Weibull modulus of the strength of grain boundaries"};
 inline constexpr Quantity strength_correlation{
     "strength_correlation", Dimension::length, 0, 1e4, "distance at which the autocorrelation of strength is 1/e", true};
+inline constexpr Quantity open_boundaries{"open_boundaries", Dimension::one, 0, 1,
+                                          "share of the length of grain boundaries that is open from the start"};
 
 // --- test ------------------------------------------------------------------------------------------------------------
 inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0, 1.55, "friction angle between rock and platen"};

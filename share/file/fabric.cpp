@@ -59,6 +59,30 @@ void take_factors(const GivenContact& factors, const Material& material, PlaneCo
     }
 }
 
+/// What is given of the contacts between two phases. \param base what [contact] gives
+GivenContact given_between(const Material& material, PlaneCondition plane, const GivenContact& base, const std::string& a,
+                           const std::string& b) {
+    const MaterialFabric& fabric = material.fabric;
+    const PhaseMaterial& first = fabric.phases.at(a);
+    const PhaseMaterial& second = fabric.phases.at(b);
+    const ContactSides sides{first, second, young_modulus_of_grains(first, fabric, material.rock),
+                             young_modulus_of_grains(second, fabric, material.rock)};
+    GivenContact given = base;
+    take_sides(sides, material, plane, given);
+    for (const std::string& pair : {a + "-" + b, b + "-" + a}) {
+        if (const auto own = fabric.pairs.find(pair); own != fabric.pairs.end()) given = overlay(own->second, given);
+    }
+    if (fabric.stiffness == StiffnessRule::sides) take_stiffness_of_sides(sides, material, plane, given);
+    take_factors(a == b ? fabric.homophase : fabric.heterophase, material, plane, given);
+    return given;
+}
+
+Phase phase_of(const PhaseMaterial& phase, const Material& material) {
+    const Rock& rock = material.rock;
+    return {young_modulus_of_grains(phase, material.fabric, rock), phase.poisson_ratio.value_or(rock.poisson_ratio),
+            phase.density.value_or(rock.density)};
+}
+
 }  // namespace
 
 Fabric fabric_of(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
@@ -69,25 +93,11 @@ Fabric fabric_of(const Material& material, PlaneCondition plane, const std::opti
     if (fabric.phases.empty()) return uniform_fabric(rock, derived_contact(base, rock, plane), phase_names.size());
     require_same_phases(material, phase_names);
     Fabric made;
-    for (const std::string& name : phase_names) {
-        const PhaseMaterial& phase = fabric.phases.at(name);
-        made.phases.push_back({young_modulus_of_grains(phase, fabric, rock), phase.poisson_ratio.value_or(rock.poisson_ratio),
-                               phase.density.value_or(rock.density)});
-    }
+    for (const std::string& name : phase_names) made.phases.push_back(phase_of(fabric.phases.at(name), material));
     for (std::size_t high = 0; high < phase_names.size(); ++high) {
         for (std::size_t low = 0; low <= high; ++low) {
-            const std::string& a = phase_names[low];
-            const std::string& b = phase_names[high];
-            const ContactSides sides{fabric.phases.at(a), fabric.phases.at(b), made.phases[low].young_modulus,
-                                     made.phases[high].young_modulus};
-            GivenContact given = base;
-            take_sides(sides, material, plane, given);
-            for (const std::string& pair : {a + "-" + b, b + "-" + a}) {
-                if (const auto own = fabric.pairs.find(pair); own != fabric.pairs.end()) given = overlay(own->second, given);
-            }
-            if (fabric.stiffness == StiffnessRule::sides) take_stiffness_of_sides(sides, material, plane, given);
-            take_factors(low == high ? fabric.homophase : fabric.heterophase, material, plane, given);
-            made.contacts.push_back(derived_contact(given, rock, plane));
+            made.contacts.push_back(
+                derived_contact(given_between(material, plane, base, phase_names[low], phase_names[high]), rock, plane));
         }
     }
     return made;
@@ -123,30 +133,35 @@ double length_within_crystals(const Specimen& specimen, const std::string& class
 ContactParameters contact_within_crystals(const Material& material, PlaneCondition plane,
                                           const std::optional<FractureEnergyChoice>& choice, const std::string& class_name,
                                           double length_per_area) {
-    // Without phases of its own a material has one, which is the rock.
-    std::vector<std::string> names;
-    for (const auto& [name, of_phase] : material.fabric.phases) names.push_back(name);
-    const auto found = std::find(names.begin(), names.end(), phase_of_within_class(class_name));
-    const auto number = static_cast<std::size_t>(found == names.end() ? 0 : found - names.begin());
-    if (names.empty()) names.emplace_back("rock");
-    const Fabric fabric = fabric_of(material, plane, choice, names);
-    const ContactParameters& between = fabric.contacts[contact_class(number, number)];
-    const auto table = material.fabric.flaws.find(class_name);
-    const bool has_table = table != material.fabric.flaws.end();
+    const MaterialFabric& fabric = material.fabric;
+    const std::string phase = phase_of_within_class(class_name);
+    const auto described = fabric.phases.find(phase);
+    const bool is_rock = described == fabric.phases.end();
+    const auto table = fabric.flaws.find(class_name);
+    const bool has_table = table != fabric.flaws.end();
 
-    GivenContact given;
-    if (has_table) given = overlay(table->second, given_contact(material, plane, choice));
-    for (const ContactParameter& row : all_contact_parameters()) {
-        if (!has_table) given.*row.given = between.*row.value;
+    GivenContact given = given_contact(material, plane, choice);
+    if (!has_table && !is_rock) given = given_between(material, plane, given, phase, phase);
+    take_factors(fabric.within, material, plane, given);
+    if (has_table) {
+        given = overlay(table->second, given);
+    } else {
+        // What derives from stiffnesses derives from those of contacts between crystals.
+        const ContactParameters between = derived_contact(given, material.rock, plane);
+        for (const ContactParameter& row : all_contact_parameters()) given.*row.given = between.*row.value;
     }
     if (length_per_area > 0) {
         Rock mineral = material.rock;
-        mineral.young_modulus = fabric.phases[number].young_modulus;
-        mineral.poisson_ratio = fabric.phases[number].poisson_ratio;
+        const Phase of_mineral = is_rock ? phase_of(material.rock) : phase_of(described->second, material);
+        mineral.young_modulus = of_mineral.young_modulus;
+        mineral.poisson_ratio = of_mineral.poisson_ratio;
         const fpz::ContactStiffness stiff =
             fpz::stiffness_of_added_compliance(mineral, plane, compliance_within_crystals, length_per_area);
-        if (!has_table || !table->second.normal_stiffness) given.normal_stiffness = stiff.normal;
-        if (!has_table || !table->second.shear_stiffness) given.shear_stiffness = stiff.shear;
+        const auto take = [&](std::optional<double> GivenContact::*key, double value) {
+            if (!has_table || !(table->second.*key)) given.*key = (fabric.within.*key).value_or(1) * value;
+        };
+        take(&GivenContact::normal_stiffness, stiff.normal);
+        take(&GivenContact::shear_stiffness, stiff.shear);
     }
     return derived_contact(given, material.rock, plane);
 }

@@ -45,9 +45,10 @@ inline constexpr double compliance_within_crystals = 0.01;
 /// Length of the contacts within the crystals of a phase over the area of the phase, 1/m. \param class_name "within_quartz"
 double length_within_crystals(const Specimen& specimen, const std::string& class_name);
 /// Parameters of the contacts within the crystals of a phase: those of contacts between two crystals of the phase, or, where
-/// the material has the table [flaws.within_PHASE], those of [contact] and of the table. Their stiffnesses are those of
-/// `fpz::stiffness_of_added_compliance` unless the table gives them: a crystal is as stiff as its mineral.
-/// \param class_name "within_quartz" \param length_per_area as of `length_within_crystals`
+/// the material has the table [flaws.within_PHASE], those of [contact]; then the factors of [pairs.within]; then the values of
+/// the table. Their stiffnesses are those of `fpz::stiffness_of_added_compliance`, times the factors, unless the table gives
+/// them: a crystal is as stiff as its mineral. \param class_name "within_quartz" \param length_per_area as of
+/// `length_within_crystals`
 ContactParameters contact_within_crystals(const Material& material, PlaneCondition plane,
                                           const std::optional<FractureEnergyChoice>& choice, const std::string& class_name,
                                           double length_per_area);

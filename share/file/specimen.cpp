@@ -184,7 +184,10 @@ void write_specimen(H5Output& file, const Specimen& s) {
     write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);
     write_column(file, schema::contact_kind, s.contact_kind);
     std::vector<std::string> kinds{"grain boundary", "pre-existing crack"};
-    if (!s.grain_crystal.empty()) kinds.emplace_back("within a crystal");
+    const bool any_open = std::find(s.contact_kind.begin(), s.contact_kind.end(),
+                                    static_cast<std::uint8_t>(ContactKind::open_boundary)) != s.contact_kind.end();
+    if (any_open || !s.grain_crystal.empty()) kinds.emplace_back("within a crystal");
+    if (any_open) kinds.emplace_back("open boundary");
     file.attribute(schema::contact_kind.path, "names", kinds);
     if (const auto names = contact_class_names(s); names.size() > 1) {
         write_column(file, schema::contact_class, contact_classes(s));

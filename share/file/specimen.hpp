@@ -20,7 +20,13 @@ class H5Output;
 /// Kinds of a contact at the start of a run (dataset /contacts/kind).
 ///
 /// A crystal can consist of several grains, which are then what stays whole of it; contacts between them are within the crystal.
-enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack = 1, within_crystal = 2 };
+/// A boundary that is open from the start is no crack of a test: neither a notch nor a flaw.
+enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack = 1, within_crystal = 2, open_boundary = 3 };
+/// Whether contacts of a kind are broken from the start.
+constexpr bool starts_broken(std::uint8_t kind) {
+    return kind == static_cast<std::uint8_t>(ContactKind::pre_existing_crack) ||
+           kind == static_cast<std::uint8_t>(ContactKind::open_boundary);
+}
 
 /// Parts of the boundary with fixed numbers; further parts are named by the specimen (dataset /boundary/part).
 enum class BoundaryPart : std::uint8_t { bottom = 0, right = 1, top = 2, left = 3, rim = 4 };

@@ -232,7 +232,7 @@ void check_contacts(const Specimen& s, ElementSides& sides, const Checker& check
         check.require(sides.has(a1, a2) && sides.has(b2, b1),
                       "a1 to a2 must be the side of an element counter-clockwise around grain a, b2 to b1 one around b", c);
         check.require(sides.take(a1, a2) && sides.take(b2, b1), taken, c);
-        check.require(s.contact_kind[c] <= static_cast<std::uint8_t>(ContactKind::within_crystal), "unknown kind of contact", c);
+        check.require(s.contact_kind[c] <= static_cast<std::uint8_t>(ContactKind::open_boundary), "unknown kind of contact", c);
         const bool is_within = s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::within_crystal);
         check.require(!is_within || (!s.grain_crystal.empty() && s.grain_crystal[grain[a1]] == s.grain_crystal[grain[b1]]),
                       "a contact within a crystal must join two grains of one", c);

@@ -66,16 +66,18 @@ std::vector<std::string> names_of(const std::map<std::string, PhaseMaterial>& ph
     return names;
 }
 
-/// The two phases of the name of a pair.
-std::pair<std::string, std::string> sides_of(const std::string& pair) {
-    const std::size_t dash = pair.find('-');
-    return dash == std::string::npos ? std::pair(pair, std::string()) : std::pair(pair.substr(0, dash), pair.substr(dash + 1));
-}
-
 void require_pairs(const MaterialFabric& fabric, const std::string& where) {
     const std::vector<std::string> phases = names_of(fabric.phases);
     for (const auto& [pair, given] : fabric.pairs) {
-        const auto [first, second] = sides_of(pair);
+        const std::size_t dash = pair.find('-');
+        if (dash == std::string::npos) {
+            throw InputError(
+                fmt::format("{}: [pairs.{}]: is no pair{}; two phases joined by - fit, or homophase, heterophase or "
+                            "within",
+                            where, pair, did_you_mean(pair, {"homophase", "heterophase", "within"})));
+        }
+        const std::string first = pair.substr(0, dash);
+        const std::string second = pair.substr(dash + 1);
         for (const std::string& side : {first, second}) {
             if (fabric.phases.find(side) == fabric.phases.end()) {
                 throw InputError(fmt::format("{}: [pairs.\"{}\"]: {} is no phase{}; two of {} joined by - fit", where, pair,
@@ -113,6 +115,7 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
     if (first == "pairs" && path.size() == 2) {
         if (path[1] == "homophase") return TomlKeys{name, factor_keys(fabric.homophase)};
         if (path[1] == "heterophase") return TomlKeys{name, factor_keys(fabric.heterophase)};
+        if (path[1] == "within") return TomlKeys{name, factor_keys(fabric.within)};
         return TomlKeys{name, optional_contact_keys(fabric.pairs[path[1]])};
     }
     if (first == "flaws" && path.size() == 1) return TomlKeys{name, {}};  // its classes are tables of their own
@@ -186,7 +189,8 @@ std::string fabric_text(const MaterialFabric& fabric) {
         text += fmt::format("\n[pairs]\nrule = \"{}\"\nstiffness = \"{}\"\n", fabric.rule == SideRule::mean ? "mean" : "minimum",
                             fabric.stiffness == StiffnessRule::rock ? "rock" : "sides");
     }
-    text += contact_table("pairs.homophase", fabric.homophase) + contact_table("pairs.heterophase", fabric.heterophase);
+    text += contact_table("pairs.homophase", fabric.homophase) + contact_table("pairs.heterophase", fabric.heterophase) +
+            contact_table("pairs.within", fabric.within);
     for (const auto& [pair, given] : fabric.pairs) text += contact_table(fmt::format("pairs.\"{}\"", pair), given);
     for (const auto& [name, given] : fabric.flaws) text += contact_table("flaws." + name, given);
     if (fabric.strength_modulus) {

@@ -50,6 +50,7 @@ struct MaterialFabric {
     std::map<std::string, GivenContact> flaws;  ///< [flaws.NAME]: of a class of flaws; what is unset is [contact]'s
     GivenContact homophase;                     ///< [pairs.homophase]: factors on the contacts of a phase with itself
     GivenContact heterophase;                   ///< [pairs.heterophase]: on the others
+    GivenContact within;                        ///< [pairs.within]: on the contacts within crystals that break
     SideRule rule = SideRule::mean;
     StiffnessRule stiffness = StiffnessRule::rock;
     std::optional<double> strength_modulus;  ///< [strength]: Weibull modulus of the strengths of grain boundaries

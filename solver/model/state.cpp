@@ -24,7 +24,7 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     for_each_contact(a, [&](std::int32_t place, std::int32_t /*contact_class*/) {
         const std::uint8_t kind = specimen.contact_kind[a.specimen_contact[place]];
         for (const std::size_t point : points_of(place)) {
-            if (kind == static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) {
+            if (starts_broken(kind)) {
                 store_point(broken_contact(), false, point, s);  // residual from the first step on, when the law has seen it
                 s.next_mark[point] = 0;
             }

@@ -1,4 +1,9 @@
 // Polygonal grains that break: where, their strengths decide.
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "share/file/run_file.hpp"
 #include "tests/end_to_end/shell.hpp"
 
 namespace graincrack::test {
@@ -48,6 +53,30 @@ TEST(Crystals, TwoInARowBreakWithinOrBetweenAsTheirStrengthsSay) {
         "graincrack-solve tension s.h5 --material augig-granite --rate 20mm/s --max-strain 0.001 --quiet -o plain.h5\n"
         "graincrack-post plot cracks plain.h5 --class within --quiet -o within.png\n"
         "graincrack-post plot cracks plain.h5 --class between --quiet -o between.png");
+}
+
+TEST(Crystals, OpenBoundariesWeakenATestAndAreNoCracksOfIt) {
+    const Shell shell;
+    const auto strength = [&](const std::string& name, const std::string& options) {
+        shell.must(
+            "graincrack-mesh rectangle --width 20mm --height 20mm --grains 40 --tessellation trigon --elements-per-crystal 8 " +
+            options + "--quiet -o " + name + "-s.h5\ngraincrack-solve tension " + name +
+            "-s.h5 --material augig-granite --rate 20mm/s --max-strain 0.002 --quiet -o " + name + ".h5");
+        const History history = RunReader(shell.file(name + ".h5")).history();
+        const auto& stress = history[HistoryColumn::axial_stress];
+        return *std::max_element(stress.begin(), stress.end());
+    };
+    EXPECT_LT(strength("open", "--open-boundaries 30% "), 0.9 * strength("closed", ""));
+    const RunReader run(shell.file("open.h5"));
+    const std::vector<std::uint8_t> kinds = run.specimen().contact_kind;
+    EXPECT_GT(run.cracks().size(), 0U);
+    for (const Crack& crack : run.cracks()) EXPECT_FALSE(starts_broken(kinds[static_cast<std::size_t>(crack.contact)]));
+    const std::string open = shell.must("graincrack-post info open.h5 | grep open_boundaries");
+    EXPECT_NE(open.find(" of their length"), std::string::npos) << open;
+    for (const char* frame : {"peak", "before,peak"}) {
+        shell.must(std::string("graincrack-post plot cracks open.h5 --quiet --frame ") + frame + " -o map.svg");
+        EXPECT_NE(content_of(shell.file("map.svg")).find("pre-existing"), std::string::npos) << frame;
+    }
 }
 
 }  // namespace

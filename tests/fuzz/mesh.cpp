@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     if (size % 2 == 1) request.crystals = mesher::CrystalChoice::breaking;
     return fuzz::one_input([&] {
         mesher::Import import = mesher::import_specimen(request);
-        mesher::give_fabric(import, {}, {}, 1);
+        mesher::give_fabric(import, {}, {}, {}, 1);
         static_cast<void>(mesher::describe(import));
     });
 }

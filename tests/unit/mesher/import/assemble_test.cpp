@@ -112,7 +112,7 @@ TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
     mesh.lines.push_back({t[2], t[0], "flaw-vein-broken"});
     Import import;
     import.specimen = assemble(mesh, {}, CrystalChoice::breaking, "file", import.notes);
-    give_fabric(import, {}, {}, 1);
+    give_fabric(import, {}, {}, {}, 1);
     const Specimen& s = import.specimen;
     validate(s, "file");
     EXPECT_EQ(s.n_grains(), 4U);
@@ -152,7 +152,7 @@ TEST(Assemble, PhasesAreDrawnForCrystalsThatBreak) {
     import.specimen = assemble(import_mesh(test::neper_tess, request), {}, request.crystals, "file", import.notes);
     PhaseRequest phases;
     phases.fractions = {{"quartz", 0.5}, {"mica", 0.5}};
-    give_fabric(import, phases, {}, 1);
+    give_fabric(import, phases, {}, {}, 1);
     validate(import.specimen, "file");  // a crystal is of one phase
     EXPECT_EQ(number_of_crystals(import.specimen), 2U);
     EXPECT_EQ(import.specimen.flaw_names, (std::vector<std::string>{"within_quartz", "within_mica"}));
@@ -284,6 +284,7 @@ TEST(Outline, NamesOfLinesAreParts) {
 
 TEST(Outline, NamesOfFlaws) {
     EXPECT_EQ(flaw_of_line("crack"), FlawKind{ContactKind::pre_existing_crack});
+    EXPECT_EQ(flaw_of_line("open-boundary"), FlawKind{ContactKind::open_boundary});
     EXPECT_EQ(flaw_of_line("flaw-joint"), (FlawKind{ContactKind::grain_boundary, "joint"}));
     EXPECT_EQ(flaw_of_line("flaw-joint-broken"), (FlawKind{ContactKind::pre_existing_crack, "joint"}));
     EXPECT_FALSE(flaw_of_line("flaw-"));

@@ -111,6 +111,14 @@ TEST(SharedMesh, CracksAndFlawsAreSidesWithNames) {
     }
 }
 
+TEST(SharedMesh, OpenBoundariesHaveANameOfTheirOwn) {
+    Specimen s = test::one_diagonal_grid(2, 2, 0.2, 0.2);
+    s.contact_kind[0] = static_cast<std::uint8_t>(ContactKind::open_boundary);
+    const SharedMesh mesh = share_nodes(s);
+    EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"bottom", "right", "top", "left", "open-boundary"}));
+    EXPECT_EQ(mesh.sides.size(), s.n_boundary_edges() + 1);
+}
+
 TEST(SharedMesh, APartThatIsCalledCrackAndCracksHaveOneName) {
     Specimen s = test::one_diagonal_grid(2, 2, 0.2, 0.2);
     test::name_boundary(s, "crack", [](double, double y) { return y < -0.09; });

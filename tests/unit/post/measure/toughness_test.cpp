@@ -111,6 +111,18 @@ TEST_F(ToughnessTable, OfAHalfDiscSaysWhereTheSuggestedMethodEnds) {
     EXPECT_NE(field(table, "warning").find("span/2R is 0.89 and a/R 0.22"), std::string::npos) << field(table, "warning");
 }
 
+TEST_F(ToughnessTable, OpenBoundariesAreNoPartOfTheNotch) {
+    const auto with_open = [&](Recipe recipe) {
+        const std::string closed = field(table_of(recipe), "notch_mm");
+        for (std::uint8_t& kind : recipe.specimen.contact_kind) {
+            if (kind == 0) kind = static_cast<std::uint8_t>(ContactKind::open_boundary);
+        }
+        EXPECT_EQ(field(table_of(recipe), "notch_mm"), closed);
+    };
+    with_open(notched_tension(-0.02, 0.02));
+    with_open(bent("half-disc", 0.01));
+}
+
 TEST_F(ToughnessTable, OtherRunsAreRefused) {
     const auto refused = [&](const Recipe& recipe) {
         try {

@@ -136,6 +136,8 @@ rule = "minimum"
 stiffness = "sides"
 [pairs.homophase]
 cohesion = 2
+[pairs.within]
+fracture_energy = 8
 [pairs."mica-quartz"]
 fracture_energy = "40 J/m2"
 [strength]
@@ -147,6 +149,8 @@ correlation = "10 mm"
     EXPECT_EQ(fabric_text(second.fabric), fabric_text(first.fabric));
     EXPECT_EQ(*second.fabric.strength_modulus, 5);
     EXPECT_NEAR(second.fabric.strength_correlation, 0.01, 1e-15);
+    EXPECT_EQ(second.fabric.within.fracture_energy, 8);
+    EXPECT_EQ(second.fabric.pairs.size(), 1U);
     const Fabric a = fabric_of(first, PlaneCondition::strain, std::nullopt, phase_names);
     const Fabric b = fabric_of(second, PlaneCondition::strain, std::nullopt, phase_names);
     EXPECT_EQ(a.phases, b.phases);
@@ -219,6 +223,58 @@ TEST(Fabric, ContactsWithinCrystalsAreAsStiffAsTheMineralUnlessTheirTableSaysOth
     EXPECT_EQ(within("quartz", 0).normal_stiffness, between.normal_stiffness);
 }
 
+TEST(Fabric, FactorsWithinCrystalsComeBehindTheirPhaseAndBeforeTheirTable) {
+    constexpr double length_per_area = 700;  // 1/m
+    const std::string own = R"(
+[phases.quartz.contact]
+tensile_strength = "30 MPa"
+[pairs.homophase]
+tensile_strength = 2
+)";
+    const std::string factors = R"(
+[pairs.within]
+tensile_strength = 1.25
+fracture_energy = 8
+normal_stiffness = 3
+)";
+    const auto within = [&](const std::string& text, const std::string& phase) {
+        return contact_within_crystals(material_of(rock + text), PlaneCondition::strain, std::nullopt, within_class(phase),
+                                       length_per_area);
+    };
+    const ContactParameters before = within(phases + own, "quartz");
+    const ContactParameters quartz = within(phases + own + factors, "quartz");
+    EXPECT_NEAR(quartz.tensile_strength, 1.25 * 2 * 30e6, 1);
+    EXPECT_NEAR(quartz.fracture_energy, 8 * before.fracture_energy, 1e-9);
+    EXPECT_EQ(quartz.mode_ii_fracture_energy, before.mode_ii_fracture_energy);
+    EXPECT_EQ(quartz.cohesion, before.cohesion);
+    EXPECT_NEAR(quartz.normal_stiffness / before.normal_stiffness, 3, 1e-12) << "of the stiffness of the mineral";
+    EXPECT_EQ(quartz.shear_stiffness, before.shear_stiffness);
+    // What derives from them follows.
+    EXPECT_EQ(quartz.critical_opening, fpz::critical_displacement(quartz.tensile_strength, quartz.normal_stiffness));
+    EXPECT_EQ(quartz.ultimate_opening,
+              fpz::ultimate_displacement(quartz.fracture_energy, quartz.tensile_strength, quartz.critical_opening));
+    const ContactParameters stronger = within(phases + own + "[pairs.within]\ntensile_strength = 1.25\n", "quartz");
+    EXPECT_NEAR(stronger.open_shear_strength / before.open_shear_strength, 1.25, 1e-12);
+    // Contacts between crystals have none of them.
+    const Fabric with = fabric_from(rock + phases + own + factors);
+    const Fabric without = fabric_from(rock + phases + own);
+    for (std::size_t k = 0; k < with.contacts.size(); ++k) {
+        for (const ContactParameter& row : all_contact_parameters()) {
+            EXPECT_EQ(with.contacts[k].*row.value, without.contacts[k].*row.value) << row.key();
+        }
+    }
+    // Values of a table of the class replace them; what it lacks is [contact]'s, with the factors.
+    const std::string table = "[flaws.within_quartz]\ntensile_strength = \"12 MPa\"\nnormal_stiffness = \"50 GPa/m\"\n";
+    const ContactParameters own_table = within(phases + own + factors + table, "quartz");
+    EXPECT_NEAR(own_table.tensile_strength, 12e6, 1);
+    EXPECT_NEAR(own_table.normal_stiffness, 50e9, 1);
+    EXPECT_NEAR(own_table.fracture_energy, 8 * before.fracture_energy, 1e-9);
+    // A material without phases.
+    const ContactParameters plain = within(factors, "rock");
+    EXPECT_NEAR(plain.tensile_strength, 1.25 * 20e6, 1);
+    EXPECT_NEAR(plain.normal_stiffness / within("", "rock").normal_stiffness, 3, 1e-12);
+}
+
 TEST(Fabric, LengthWithinCrystalsIsByTheAreaOfTheirPhase) {
     Specimen s = test::one_diagonal_grid(2, 1, 0.02, 0.01);  // two squares of two triangles each: crystals of two phases
     s.phase_names = {"quartz", "mica"};
@@ -261,6 +317,9 @@ TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
                    {"mica", "a smaller contrast than 2 fits"});
     expect_refused(phases + "[pairs.\"quartz-micca\"]\ncohesion = 1\n", {"micca is no phase", "did you mean mica"});
     expect_refused(phases + "[pairs.\"quartz-mica\"]\ncohesion = 1\n[pairs.\"mica-quartz\"]\ncohesion = 1\n", {"given twice"});
+    expect_refused("[pairs.withn]\ncohesion = 1\n", {"pairs.withn", "no pair", "did you mean within", "two phases joined by -"});
+    expect_refused("[pairs.within]\ncohesion = \"1 MPa\"\n", {"pairs.within.cohesion", "MPa"});
+    expect_refused("[pairs.within]\ncohesoin = 2\n", {"pairs.within.cohesoin", "did you mean cohesion"});
     expect_refused(phases + "[pairs]\nrule = \"max\"\n", {"pairs.rule", "unknown word \"max\"", "mean or minimum fits"});
     expect_refused(phases + "[pairs.\"quartz-mica\"]\ncohesoin = 1\n", {"pairs.quartz-mica.cohesoin", "did you mean cohesion"});
     expect_refused("[strength]\ncorrelation = \"10 mm\"\n", {"correlation and no modulus"});

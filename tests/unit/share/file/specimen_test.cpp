@@ -298,7 +298,7 @@ const std::vector<Offence>& offences() {
              c = {c[0], c[0], c[2], c[2]};
          },
          "conform"},
-        {"unknown kind of contact", [](Specimen& s) { s.contact_kind[0] = 3; }, "kind"},
+        {"unknown kind of contact", [](Specimen& s) { s.contact_kind[0] = 4; }, "kind"},
         {"boundary node that is not there", [](Specimen& s) { s.boundary_edges[4][1] = -2; }, "node that does not exist"},
         {"boundary edge with the solid on its right",
          [](Specimen& s) { std::swap(s.boundary_edges[0][0], s.boundary_edges[0][1]); }, "left"},

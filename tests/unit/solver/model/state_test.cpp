@@ -46,5 +46,19 @@ TEST(PointHistory, OtherPointsKeepTheirs) {
     EXPECT_EQ(point_history(run.state, 4), ContactHistory{});
 }
 
+TEST(MakeState, NotchesAndOpenBoundariesAreBrokenFromTheStart) {
+    Specimen s = test::jittered_grid(3, 4, 0.02, 0.03, 0.2);
+    s.contact_kind[1] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
+    s.contact_kind[3] = static_cast<std::uint8_t>(ContactKind::open_boundary);
+    const test::SmallRun run(s, test::augig_law());
+    for_each_contact(run.assemblage, [&](std::int32_t place, std::int32_t /*contact_class*/) {
+        const auto contact = run.assemblage.specimen_contact[static_cast<std::size_t>(place)];
+        for (const std::size_t point : points_of(place)) {
+            EXPECT_EQ(point_history(run.state, point) == broken_contact(), contact == 1 || contact == 3) << contact;
+            EXPECT_EQ(run.state.next_mark[point] == 0, contact == 1 || contact == 3) << "no event of theirs counts";
+        }
+    });
+}
+
 }  // namespace
 }  // namespace graincrack

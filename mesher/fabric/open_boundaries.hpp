@@ -1,0 +1,26 @@
+// Boundaries between crystals that are open from the start, as in granite that was heated or has weathered.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "share/file/specimen.hpp"
+
+namespace graincrack::mesher {
+
+/// Requested open boundaries.
+struct OpenBoundaryRequest {
+    std::optional<double> share;        ///< of the length of all boundaries, 0 to below 1; none: 0
+    std::optional<std::uint64_t> seed;  ///< none: that of the specimen
+};
+
+/// \throws UsageError naming the option if the share is out of bounds, or there is a seed but no share
+void check(const OpenBoundaryRequest& request);
+
+/// Gives contacts the kind `open_boundary`. Whole boundaries, which are all contacts between two crystals but those on flaws, are
+/// drawn in an order of the seed and the crystals until they have the share of the length, to half of one boundary. A larger
+/// share opens more, and all that a smaller one opens. \param crystal_of_grain the crystal of every grain
+void open_boundaries(Specimen& specimen, std::span<const int> crystal_of_grain, const OpenBoundaryRequest& request);
+
+}  // namespace graincrack::mesher

@@ -1,0 +1,142 @@
+#include "mesher/fabric/open_boundaries.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "share/base/error.hpp"
+#include "share/file/notch.hpp"
+#include "tests/unit/mesher/fabric/test_requests.hpp"
+
+namespace graincrack::mesher {
+namespace {
+
+bool is_open(const Specimen& s, std::size_t c) {
+    return s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::open_boundary);
+}
+
+/// The contacts of each whole boundary between two crystals that is no flaw.
+using Boundaries = std::map<std::pair<int, int>, std::vector<std::size_t>>;
+Boundaries boundaries_of(const Specimen& s) {
+    Boundaries boundaries;
+    const auto grain = grain_of_nodes(s);
+    const auto crystal = [&](std::int32_t node) {
+        const auto own = static_cast<std::size_t>(grain[static_cast<std::size_t>(node)]);
+        return s.grain_crystal.empty() ? static_cast<int>(own) : s.grain_crystal[own];
+    };
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const bool has_class = !s.contact_flaw.empty() && s.contact_flaw[c] > 0;
+        if (has_class || (s.contact_kind[c] != 0 && !is_open(s, c))) continue;
+        boundaries[std::minmax({crystal(s.contact_nodes[c][0]), crystal(s.contact_nodes[c][2])})].push_back(c);
+    }
+    return boundaries;
+}
+
+/// Whole boundaries are open, to half of one of the share of their length.
+void expect_share(const Specimen& s, double share) {
+    double all = 0;
+    double open = 0;
+    double longest = 0;
+    for (const auto& [crystals, contacts] : boundaries_of(s)) {
+        EXPECT_NE(crystals.first, crystals.second);
+        double length = 0;
+        for (const std::size_t c : contacts) {
+            length += contact_length(s, c);
+            EXPECT_EQ(is_open(s, c), is_open(s, contacts.front())) << "a boundary is open as a whole";
+        }
+        all += length;
+        if (is_open(s, contacts.front())) open += length;
+        longest = std::max(longest, length);
+    }
+    EXPECT_NEAR(open, share * all, 0.5 * longest * (1 + 1e-9)) << share;
+}
+
+TEST(OpenBoundaries, WholeOnesOfTrianglesHaveTheShareAndLargerSharesOpenMore) {
+    const Specimen plain = make_specimen(rectangle_of(1122));
+    std::vector<std::uint8_t> before = plain.contact_kind;
+    for (const double share : {0.0, 0.001, 0.1, 0.3, 0.6, 0.95}) {
+        Specimen s = plain;
+        open_boundaries(s, own_crystals(s), {share, {}});
+        expect_share(s, share);
+        for (std::size_t c = 0; c < s.n_contacts(); ++c) EXPECT_TRUE(before[c] == 0 || is_open(s, c)) << "opened by less";
+        before = s.contact_kind;
+    }
+    EXPECT_EQ(std::count(before.begin(), before.end(), 0) > 0, true);
+    // They are drawn anew by another seed alone.
+    const auto kinds = [&](const OpenBoundaryRequest& request) {
+        Specimen s = plain;
+        open_boundaries(s, own_crystals(s), request);
+        return s.contact_kind;
+    };
+    EXPECT_EQ(kinds({0.3, plain.seed}), kinds({0.3, {}}));
+    EXPECT_NE(kinds({0.3, plain.seed + 1}), kinds({0.3, {}}));
+    EXPECT_EQ(kinds({}), plain.contact_kind);
+}
+
+TEST(OpenBoundaries, WholeOnesOfPolygonsAreOpenAndNeitherFlawsNorWhatIsWithinCrystals) {
+    for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
+        SpecimenRequest request = rectangle_of(120);
+        request.tessellation = tessellation;
+        request.region.edges = {{{-0.03, -0.03}, {0.03, -0.02}, {ContactKind::grain_boundary, "joint"}},
+                                {{-0.02, 0.02}, {0.02, 0.03}, ContactKind::pre_existing_crack}};
+        const Specimen closed = make_specimen(request);
+        request.open.share = 0.4;
+        const Specimen s = make_specimen(request);
+        expect_share(s, 0.4);
+        EXPECT_EQ(s.contact_flaw, closed.contact_flaw);
+        for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+            if (!is_open(s, c)) {
+                EXPECT_EQ(s.contact_kind[c], closed.contact_kind[c]);
+                continue;
+            }
+            EXPECT_EQ(closed.contact_kind[c], 0);
+            EXPECT_EQ(s.contact_flaw[c], 0);
+        }
+    }
+}
+
+TEST(OpenBoundaries, AreNoPartOfANotch) {
+    SpecimenRequest bent;
+    bent.region = half_disc(0.08);
+    bent.region.edges = {slit_from_below(bent.region, 0.02, "--slit")};
+    bent.grains = 400;
+    bent.open.share = 0.6;
+    const auto notch = edge_notch(make_specimen(bent));
+    ASSERT_TRUE(notch);
+    EXPECT_NEAR(notch->length(), 0.02, 1e-9);
+    bent.region.edges.clear();
+    EXPECT_FALSE(edge_notch(make_specimen(bent)));
+    SpecimenRequest plate = rectangle_of(1122);
+    plate.notch = 0.03;
+    const auto without = notch_ends(make_specimen(plate));
+    plate.open.share = 0.5;
+    EXPECT_EQ(notch_ends(make_specimen(plate)), without);
+}
+
+TEST(OpenBoundaries, BadRequestsNameTheirOption) {
+    const auto refused = [](const OpenBoundaryRequest& open) -> std::string {
+        SpecimenRequest request = rectangle_of(1122);
+        request.open = open;
+        try {
+            plan_mesh(request);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refused({0, 3}), "");
+    EXPECT_EQ(refused({0.999, {}}), "");
+    for (const double share : {1.0, -0.1, std::nan("")}) {
+        EXPECT_EQ(refused({share, {}}).rfind("--open-boundaries: ", 0), 0U) << share;
+        EXPECT_NE(refused({share, {}}).find("from 0 to below 1"), std::string::npos);
+    }
+    EXPECT_EQ(refused({{}, 3}).rfind("--open-seed: ", 0), 0U);
+}
+
+}  // namespace
+}  // namespace graincrack::mesher
