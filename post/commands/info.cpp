@@ -81,7 +81,8 @@ void write_crystals(std::ostream& out, const H5Input& file) {
 }
 
 void write_open_boundaries(std::ostream& out, const H5Input& file) {
-    const std::vector<std::uint8_t> kinds = file.read<std::uint8_t>(schema::contact_kind.path);
+    const char* path = schema::contact_kind.path;
+    const std::vector<std::uint8_t> kinds = file.has(path) ? file.read<std::uint8_t>(path) : std::vector<std::uint8_t>{};
     const auto open = static_cast<std::uint8_t>(ContactKind::open_boundary);
     if (std::find(kinds.begin(), kinds.end(), open) == kinds.end()) return;
     line(out, "open_boundaries", open_boundaries_text(read_specimen(file)));

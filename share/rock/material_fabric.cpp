@@ -72,9 +72,8 @@ void require_pairs(const MaterialFabric& fabric, const std::string& where) {
         const std::size_t dash = pair.find('-');
         if (dash == std::string::npos) {
             throw InputError(
-                fmt::format("{}: [pairs.{}]: is no pair{}; two phases joined by - fit, or homophase, heterophase or "
-                            "within",
-                            where, pair, did_you_mean(pair, {"homophase", "heterophase", "within"})));
+                fmt::format("{}: [pairs.{}] is no pair{}; two phases joined by - fit, or homophase, heterophase or within", where,
+                            pair, did_you_mean(pair, {"homophase", "heterophase", "within"})));
         }
         const std::string first = pair.substr(0, dash);
         const std::string second = pair.substr(dash + 1);
