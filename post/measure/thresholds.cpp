@@ -60,9 +60,8 @@ std::optional<double> where_counts_begin(const LoadCurve& curve, const std::vect
 
 std::vector<double> volumetric_strain(const LoadCurve& curve, VolumeKind kind) {
     const double sides = kind == VolumeKind::plane ? 1 : 2;
-    std::vector<double> volume(curve.stress.size());
-    for (std::size_t i = 0; i < volume.size(); ++i)
-        volume[i] = curve.gauge_axial_strain[i] - sides * curve.gauge_lateral_strain[i];
+    std::vector<double> volume = curve.gauge_axial_strain;
+    for (std::size_t i = 0; i < volume.size(); ++i) volume[i] -= sides * curve.gauge_lateral_strain[i];
     return volume;
 }
 

@@ -62,7 +62,7 @@ struct AllThresholds {
     /// The default crack damage, CD: reversal of the pseudo-3D volumetric strain.
     [[nodiscard]] std::optional<double> damage() const { return pseudo_3d.damage; }
 };
-/// What the default definitions measure, for people.
+/// What the default definitions measure, in words.
 inline constexpr const char* default_initiation_name = "onset of crack volumetric strain";
 inline constexpr const char* default_damage_name = "reversal of volumetric strain";
 

@@ -220,8 +220,8 @@ Drawing stress_chart(const RunData& run, const Strains& s, const AllThresholds& 
     const auto defaults = default_thresholds(all);
     const OtherMarks others = marks == ThresholdMarks::all ? other_marks(all, defaults) : OtherMarks{};
     for (const Threshold& threshold : defaults) {
-        if (threshold.stress)
-            chart.line(std::vector<double>{x.low, x.high}, std::vector<double>(2, *threshold.stress), threshold.stroke);
+        if (!threshold.stress) continue;
+        chart.line(std::vector<double>{x.low, x.high}, std::vector<double>(2, *threshold.stress), threshold.stroke);
     }
     chart.line(s.volume, s.stress, volume_stroke);
     chart.line(s.lateral, s.stress, lateral_stroke);
