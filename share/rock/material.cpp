@@ -225,8 +225,8 @@ void refuse_missing(const fs::path& file, const std::vector<std::string>& missin
     std::string list;
     for (const std::string& key : missing) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", key, meaning_of(key));
     throw InputError(
-        fmt::format("{}: {} keys are missing: {}; graincrack-post material init --kind every-key writes a template "
-                    "with every key",
+        fmt::format("{}: {} keys are missing: {}; what [laboratory] has counts for [rock]; graincrack-post material init "
+                    "--kind every-key writes a template with every key",
                     file.string(), missing.size(), list));
 }
 

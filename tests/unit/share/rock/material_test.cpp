@@ -195,8 +195,8 @@ TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
                   "[rock]\nyoung_modulus = '49 GPa'\npoisson_ratio = 0.19\ndensity = 2700\n"
                   "mode_i_toughness = 1e6\n"),
         "2 keys are missing: rock.mode_ii_toughness (fracture toughness K_IIC of the rock, in Pa.m^0.5), "
-        "rock.tensile_strength (tensile strength of the rock, in Pa); graincrack-post material init --kind every-key writes a "
-        "template with every key");
+        "rock.tensile_strength (tensile strength of the rock, in Pa); what [laboratory] has counts for [rock]; graincrack-post "
+        "material init --kind every-key writes a template with every key");
     EXPECT_EQ(complaint("name = 'x'\n" + rock + "[contact]\ntensile_strength = 1\ncohesion = 1\n"),
               "contact.friction_angle is missing; it is the friction angle phi_c of a contact, in rad");
     EXPECT_EQ(complaint(rock + contact), "name is missing; give the material a name");
