@@ -15,8 +15,8 @@ std::string millimetres(double value) { return format_number(in_unit(value, Dime
 
 SizeBounds size_bounds(const Material& material) {
     const Rock& rock = material.rock;
-    const double tc = *material.contact.tensile_strength;  // which every material gives
     constexpr PlaneCondition plane = PlaneCondition::stress;
+    const double tc = contact_parameters(material, plane, std::nullopt).tensile_strength;
     SizeBounds bounds;
     bounds.lower = fpz::min_grain_size(rock);
     bounds.lower_shear = fpz::min_grain_size_shear(rock);

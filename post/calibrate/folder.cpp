@@ -38,10 +38,11 @@ void add_measures(const std::string& path, FinishedRuns& runs) {
 /// The rock, of which [contact] may be missing where it is what a calibration finds.
 Material read_rock(const std::string& name_or_file) {
     IncompleteMaterial rock = read_incomplete_material(name_or_file);
+    take_laboratory(rock);
     std::erase_if(rock.missing, [](const std::string& key) { return key.starts_with("contact."); });
     if (rock.missing.empty()) return std::move(rock.material);
-    throw InputError(fmt::format("{}: missing: {}; a calibration needs all of [rock]", rock.material.file.string(),
-                                 fmt::join(rock.missing, ", ")));
+    throw InputError(fmt::format("{}: missing: {}; a calibration needs all of [rock], or the same in [laboratory]",
+                                 rock.material.file.string(), fmt::join(rock.missing, ", ")));
 }
 
 /// The material with other values, and what was fitted. \param what it is, behind the name of the rock
@@ -109,7 +110,7 @@ Problem read_problem(const Material& rock, const std::vector<std::string>& setti
         const std::string key = "contact." + row.key();
         const bool free =
             std::any_of(problem.parameters.begin(), problem.parameters.end(), [&](const Parameter& p) { return p.key == key; });
-        if (row.is_needed() && !free && !(rock.contact.*row.given)) {
+        if (row.is_needed() && !free && !(rock.contact.*row.given) && !(rock.ratios.*row.given)) {
             throw InputError(fmt::format("{}: {} is neither given nor a row of [parameters]", rock.file.string(), key));
         }
     }

@@ -16,6 +16,7 @@ namespace graincrack::calibrate {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+constexpr Quantity part_of_first{"part", Dimension::one, 0, 100, "part of the first guess", true};
 
 /// What default boxes follow from.
 struct Basis {
@@ -134,11 +135,38 @@ Basis basis_of(const Material& rock, double edge) {
         return found == rock.laboratory.end() ? NAN : found->second;
     };
     Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional"};
-    if (std::isnan(basis.friction_angle) && !std::isnan(of("cohesion"))) {
-        const double b = std::pow(basis.ucs / (2 * of("cohesion")), 2);
-        basis.friction_angle = std::asin((b - 1) / (b + 1));
+    if (const auto b = laboratory_slope(rock); b && std::isnan(basis.friction_angle)) {
+        basis.friction_angle = std::asin((*b - 1) / (*b + 1));
     }
     return basis;
+}
+
+/// Half to twice a ratio that the material has itself: a key of [ratios], or a factor within crystals. Of other keys no bounds.
+Parameter own_ratio(const Material& rock, const std::string& key) {
+    Parameter p{"", true, NAN, NAN, NAN, NAN, NAN};
+    const auto take = [&](const std::string& name, const std::optional<double>& value) {
+        if (name == key && value) p = parts_of(*value, 1, 0.5, 2, 0.1, 10, true, "the material's own");
+    };
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const bool is_energy = row.value == &ContactParameters::fracture_energy;
+        take("ratios." + (is_energy ? "process_zone" : row.key()), rock.ratios.*row.given);
+        take("pairs.within." + row.key(), (rock.fabric.within.*row.given).value_or(1));
+    }
+    return p;
+}
+
+/// A box whose first guess is what [ratios] of the material make of its laboratory: as wide about it as the default is about its
+/// own, or half to twice it.
+void begin_at_ratio(Parameter& p, const Material& rock) {
+    const GivenContact given = given_contact(rock, PlaneCondition::strain, std::nullopt);
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (p.key != "contact." + row.key() || !(rock.ratios.*row.given) || rock.contact.*row.given || !(given.*row.given))
+            continue;
+        if (std::isnan(p.first)) p = {p.key, true, 0.5, 2, 0.1, 10, 1};
+        const double factor = *(given.*row.given) / p.first;
+        for (double* value : {&p.low, &p.high, &p.least, &p.most, &p.first}) *value *= factor;
+        p.source = "of [ratios]";
+    }
 }
 
 /// A row of [parameters] on top of its default box.
@@ -151,7 +179,10 @@ void set_parameter(Parameter& p, const TomlEntry& entry, const std::string& wher
     }
     double* const to = entry.key == "low" ? &p.low : entry.key == "high" ? &p.high : entry.key == "first" ? &p.first : nullptr;
     if (to == nullptr) throw InputError(fmt::format("{}: unknown key; known are low, high, scale, first", where));
-    *to = parse_quantity(text, material_quantity(p.key), where);
+    // A bound of what is no ratio may be a part of the first guess.
+    const Quantity quantity = material_quantity(p.key);
+    const bool is_part = to != &p.first && text.ends_with("%") && quantity.dimension != Dimension::one;
+    *to = is_part ? p.first * parse_quantity(text, part_of_first, where) : parse_quantity(text, quantity, where);
     // Bounds that are given are limits too.
     if (to == &p.low) p.least = p.low;
     if (to == &p.high) p.most = p.high;
@@ -190,11 +221,12 @@ double Parameter::coordinate_by_log(double value) const {
 std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file, double edge) {
     const Basis basis = basis_of(rock, edge);
     const auto usual = [&](const std::string& key) {
-        Parameter p{"", true, NAN, NAN, NAN, NAN, NAN};
+        Parameter p = own_ratio(rock, key);
         for (const Row& row : rows) {
             if (key == row.key) p = row.box(basis);
         }
         p.key = key;
+        begin_at_ratio(p, rock);
         return p;
     };
     std::vector<Parameter> parameters;
@@ -208,8 +240,11 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
             throw InputError(fmt::format("{}: {}", where, error.what()));
         }
         Parameter p = usual(key);
-        for (const TomlEntry& entry : file.entries) {
-            if (entry.section == section.name) set_parameter(p, entry, where + "." + entry.key);
+        for (const bool is_first : {true, false}) {  // bounds may be parts of the first guess
+            for (const TomlEntry& entry : file.entries) {
+                if (entry.section != section.name || (entry.key == "first") != is_first) continue;
+                set_parameter(p, entry, where + "." + entry.key);
+            }
         }
         require_sound(p, where);
         parameters.push_back(p);

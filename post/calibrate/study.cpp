@@ -84,7 +84,9 @@ std::string made_of(const Material& m) {
                                    r.mode_ii_toughness, r.tensile_strength, m.platen_friction_angle, m.law);
     for (const ContactParameter& row : all_contact_parameters()) {
         if (const auto& value = m.contact.*row.given) text += fmt::format(" {}={}", row.key(), *value);
+        if (const auto& ratio = m.ratios.*row.given) text += fmt::format(" {}:{}", row.key(), *ratio);
     }
+    if (m.ratios.fracture_energy) text += fmt::format(" grain_size={}", m.grains.grain_size.value_or(0));
     return text + fabric_text(m.fabric);
 }
 

@@ -118,14 +118,12 @@ double needed(const Material& rock, const std::string& key) {
         fmt::format("{}: [laboratory] has no {}; a calibration without [targets] needs it", rock.file.string(), key));
 }
 
-/// The slope b = (1 + sin φ)/(1 − sin φ) of the laboratory's line.
-double laboratory_slope(const Material& rock) {
-    const auto angle = rock.laboratory.find("friction_angle");
-    if (angle != rock.laboratory.end()) return mohr_coulomb_slope(angle->second);
-    const auto cohesion = rock.laboratory.find("cohesion");
-    if (cohesion != rock.laboratory.end()) return std::pow(needed(rock, "compressive_strength") / (2 * cohesion->second), 2);
+/// \throws InputError
+double needed_slope(const Material& rock) {
+    if (const auto slope = laboratory_slope(rock)) return *slope;
     throw InputError(
-        fmt::format("{}: [laboratory] has neither friction_angle nor cohesion; a calibration without [targets] needs one",
+        fmt::format("{}: [laboratory] has neither friction_angle nor cohesion, nor confined_strength with its "
+                    "confining_pressure; a calibration without [targets] needs one",
                     rock.file.string()));
 }
 
@@ -140,16 +138,24 @@ std::vector<Target> laboratory_targets(const Material& rock, double pressure, co
         target.use = use;
     };
     const double ucs = needed(rock, "compressive_strength");
-    const double slope = laboratory_slope(rock);
+    const double slope = needed_slope(rock);
+    const auto measured = [&rock](const char* key) {
+        const auto found = rock.laboratory.find(key);
+        return found == rock.laboratory.end() ? NAN : found->second;
+    };
+    // A measured strength is better known than the line through it.
+    const bool is_measured = measured("confined_strength") > 0 && measured("confining_pressure") > 0;
+    if (is_measured) pressure = measured("confining_pressure");
     add("young_modulus", 0, needed(rock, "young_modulus"), Use::fit);
     add("poisson_ratio", 0, needed(rock, "poisson_ratio"), Use::fit);
     add("brazilian", 0, needed(rock, "tensile_strength"), Use::fit);
     add("uniaxial", 0, ucs, Use::fit);
-    add("first_peak_1MPa", pressure, ucs + slope * pressure, Use::fit);
+    add("first_peak_1MPa", pressure, is_measured ? measured("confined_strength") : ucs + slope * pressure, Use::fit);
     for (const double p : predicted_pressures) {
         if (p != pressure) add("first_peak_1MPa", p, ucs + slope * p, Use::predict);
     }
-    for (const char* name : {"direct_tension", "crack_initiation", "crack_damage"}) add(name, 0, NAN, Use::predict);
+    add("direct_tension", 0, measured("direct_tensile_strength"), Use::predict);
+    for (const char* name : {"crack_initiation", "crack_damage"}) add(name, 0, measured(name), Use::predict);
     return targets;
 }
 

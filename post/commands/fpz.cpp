@@ -167,8 +167,10 @@ std::vector<double> edges_of(const FpzOptions& options, const Material& material
 
 /// \param notes gets a sentence for each value that was not measured
 KnownRock known_rock(const IncompleteMaterial& read, const FpzOptions& options, std::vector<std::string>& notes) {
-    const GivenContact& contact = read.material.contact;
-    KnownRock rock{rock_of_laboratory(read, notes), contact.tensile_strength, contact.cohesion, edges_of(options, read.material)};
+    Material material = read.material;
+    material.rock = rock_of_laboratory(read, notes);
+    const GivenContact contact = given_contact(material, PlaneCondition::strain, std::nullopt);
+    KnownRock rock{material.rock, contact.tensile_strength, contact.cohesion, edges_of(options, material)};
     if (!rock.contact_tensile_strength) {
         notes.emplace_back("contact.tensile_strength is missing: quantities that follow from it are left out");
     }

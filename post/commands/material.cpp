@@ -13,6 +13,7 @@
 #include "share/options/option_set.hpp"
 #include "share/rock/incomplete_material.hpp"
 #include "share/rock/material_edit.hpp"
+#include "share/rock/material_kinds.hpp"
 
 namespace graincrack {
 
@@ -28,30 +29,48 @@ std::vector<MaterialSetting> settings_of(const std::vector<std::string>& texts) 
     return settings;
 }
 
-void write_template(const std::string& name, const std::vector<MaterialSetting>& settings) {
+void write_kinds(std::ostream& out) {
+    for (const RockKind& kind : rock_kinds()) fmt::print(out, "{:<10} {}\n", kind.name, kind.description);
+    fmt::print(out, "{:<10} no kind of rock: every key with its unit and default\n", every_key);
+}
+
+void write_new_material(const std::string& kind, const std::string& name, const std::vector<MaterialSetting>& settings) {
+    if (name.empty()) throw UsageError("name: the material needs a name; --list shows the kinds of rock");
     if (name.find_first_of("/\"\\\n") != std::string::npos || name == "-") {
         throw UsageError("name: " + name + ": a plain name is needed, without slashes or quotes");
     }
     const std::string file = name + ".toml";
     if (std::filesystem::exists(file)) throw OutputError(file + ": exists; remove it first, or give another name");
-    write_whole_file(file, material_template(name, settings));
+    write_whole_file(file, new_material(kind, name, settings));
 }
 
 Command init_command() {
     struct Options {
         std::string name;
+        std::string kind;
+        bool list = false;
         std::vector<std::string> settings;
     };
     return make_command<Options>(
-        "init", "write a commented template of a material file: every key with its unit and default",
-        {"my-rock", "carrara-marble --set 'laboratory.young_modulus=49 GPa' --set laboratory.poisson_ratio=0.19"}, std::nullopt,
+        "init", "write a material file of a kind of rock, in which laboratory values are to be entered",
+        {"my-rock --kind granite", "carrara-marble --kind marble --set 'laboratory.young_modulus=49 GPa'"}, std::nullopt,
         [](OptionSet set, Options& options) {
-            add_text(set, "name", options.name, "name of the material; NAME.toml is written, in this folder").required();
+            add_text(set, "name", options.name, "name of the material; NAME.toml is written, in this folder");
+            add_text(set, "--kind", options.kind,
+                     fmt::format("kind of rock, whose minerals, grains and ratios it has, or {}, a template with every key; "
+                                 "default: {}",
+                                 every_key, usual_kind));
+            add_flag(set, "--list", options.list, "list the kinds of rock, and write nothing");
             add_texts(set, "--set", options.settings, "KEY=VALUE",
                       "value to enter, with the key and its table, such as laboratory.cohesion; may be given again");
         },
         [](const Options& options, const Call& call) {
-            write_template(options.name, settings_of(options.settings));
+            if (options.list) return write_kinds(call.out);
+            write_new_material(options.kind.empty() ? usual_kind : options.kind, options.name, settings_of(options.settings));
+            if (options.kind.empty()) {
+                fmt::print(call.diagnostics(), "{}.toml: of the kind {}; --kind names another, --list shows all\n", options.name,
+                           usual_kind);
+            }
             fmt::print(call.diagnostics(), "{}.toml: enter your {}values, then use it as --material {}.toml\n", options.name,
                        options.settings.empty() ? "" : "other ", options.name);
         });
@@ -71,7 +90,8 @@ std::string_view table_unit(Dimension dimension) {
 /// \param unit "": that of tables
 void write_value(const Call& call, const std::string& key, const std::string& name_or_file, const std::string& unit) {
     const Quantity quantity = material_quantity(key);
-    const IncompleteMaterial read = read_incomplete_material_of(call, name_or_file);
+    IncompleteMaterial read = read_incomplete_material_of(call, name_or_file);
+    take_laboratory(read);
     const auto value = read.values.find(key);
     if (value == read.values.end()) {
         throw InputError(fmt::format("{}: has no {}; it is the {}", read.material.file.string(), key, quantity.meaning));
@@ -130,7 +150,7 @@ Command with_command() {
 }  // namespace
 
 Command material_command() {
-    return make_group("material", "material files: write a template, print a value, change values",
+    return make_group("material", "material files: begin one of a kind of rock, print a value, change values",
                       {init_command(), value_command(), with_command()});
 }
 

@@ -15,6 +15,26 @@ double mohr_coulomb_slope(double friction_angle) {
     return (1 + sine) / (1 - sine);
 }
 
+std::optional<double> laboratory_slope(const Material& material) {
+    const auto entry = [&material](const char* key) {
+        const auto found = material.laboratory.find(key);
+        return found == material.laboratory.end() ? std::nullopt : std::optional(found->second);
+    };
+    if (const auto angle = entry("friction_angle")) return mohr_coulomb_slope(*angle);
+    const auto ucs = entry("compressive_strength");
+    const auto confined = entry("confined_strength");
+    const auto pressure = entry("confining_pressure");
+    if (ucs && confined && pressure && *pressure > 0) {
+        if (*confined > *ucs) return (*confined - *ucs) / *pressure;
+        throw InputError(
+            fmt::format("{}: laboratory.confined_strength is not above compressive_strength; a rock is stronger under "
+                        "pressure",
+                        material.file.string()));
+    }
+    const auto cohesion = entry("cohesion");
+    return ucs && cohesion ? std::optional(std::pow(*ucs / (2 * *cohesion), 2)) : std::nullopt;
+}
+
 MohrCoulomb fit_mohr_coulomb(std::span<const double> confining, std::span<const double> strength) {
     if (confining.size() != strength.size()) throw std::invalid_argument("a confining pressure is needed for each strength");
     const std::size_t n = confining.size();

@@ -1,7 +1,10 @@
 // Cohesion and friction angle of a rock from its strengths under confinement.
 #pragma once
 
+#include <optional>
 #include <span>
+
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 
@@ -16,6 +19,10 @@ struct MohrCoulomb {
 
 /// b = (1 + sin φ)/(1 − sin φ) of a line σ1 = 2C√b + b σ3. \param friction_angle φ, rad
 double mohr_coulomb_slope(double friction_angle);
+
+/// b of the line σ1 = UCS + b σ3 that [laboratory] has: of its friction angle, else of its confined strength, else of its
+/// cohesion; empty without these. \throws InputError if the confined strength is not above the uniaxial one
+std::optional<double> laboratory_slope(const Material& material);
 
 /// Fits σ1 = a + b σ3 by least squares and gives C and φ of the line, as Kazerani & Zhao (2014) §4.2 do for Table 7.
 ///

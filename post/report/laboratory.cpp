@@ -49,20 +49,18 @@ std::optional<double> entry_of(const Material& material, const std::string& key)
 /// UCS + b σ3; empty without UCS or b.
 std::optional<double> confined_strength_of(const Material& material, double pressure) {
     const auto ucs = entry_of(material, "compressive_strength");
-    const auto angle = entry_of(material, "friction_angle");
-    const auto cohesion = entry_of(material, "cohesion");
-    if (!ucs || (!angle && !cohesion)) return std::nullopt;
-    const double slope = angle ? mohr_coulomb_slope(*angle) : std::pow(*ucs / (2 * *cohesion), 2);
-    return *ucs + slope * pressure;
+    const auto slope = laboratory_slope(material);
+    return ucs && slope ? std::optional(*ucs + *slope * pressure) : std::nullopt;
 }
 
 /// What [laboratory] has of a property.
 std::optional<double> laboratory_entry(const Material& material, const Target& target) {
     if (target.kind.name == "first_peak") return confined_strength_of(material, target.confining_pressure);
-    static const std::map<std::string, std::string> keys{{"young_modulus", "young_modulus"},
-                                                         {"poisson_ratio", "poisson_ratio"},
-                                                         {"brazilian", "tensile_strength"},
-                                                         {"uniaxial", "compressive_strength"}};
+    static const std::map<std::string, std::string> keys{
+        {"young_modulus", "young_modulus"},       {"poisson_ratio", "poisson_ratio"},
+        {"brazilian", "tensile_strength"},        {"direct_tension", "direct_tensile_strength"},
+        {"crack_initiation", "crack_initiation"}, {"crack_damage", "crack_damage"},
+        {"uniaxial", "compressive_strength"}};
     const auto key = keys.find(target.kind.name);
     return key == keys.end() ? std::nullopt : entry_of(material, key->second);
 }

@@ -83,6 +83,14 @@ inline constexpr Quantity compressive_strength{
 inline constexpr Quantity internal_cohesion{"cohesion", Dimension::stress, 0, 1e12, "internal cohesion of the rock"};
 inline constexpr Quantity internal_friction_angle{"friction_angle", Dimension::angle, 0, right_angle,
                                                   "internal friction angle of the rock"};
+inline constexpr Quantity confined_strength{
+    "confined_strength", Dimension::stress, 0, 1e12, "strength of the rock under a confining pressure", true};
+inline constexpr Quantity direct_tensile_strength{
+    "direct_tensile_strength", Dimension::stress, 0, 1e12, "strength of the rock in direct tension", true};
+inline constexpr Quantity crack_initiation{
+    "crack_initiation", Dimension::stress, 0, 1e12, "uniaxial stress at which cracks begin", true};
+inline constexpr Quantity crack_damage{
+    "crack_damage", Dimension::stress, 0, 1e12, "uniaxial stress at which the volume begins to grow", true};
 
 inline constexpr Quantity grain_size{"grain_size", Dimension::length, 0, 1e3, "mean grain size of the rock", true};
 inline constexpr Quantity min_grain_size{"min_grain_size", Dimension::length, 0, 1e3, "smallest grains of the rock", true};

@@ -30,6 +30,13 @@ const char* const rock_keys = R"toml(
 )toml";
 
 const char* const other_keys = R"toml(
+[ratios]                                  # contact values that follow from others where [contact] does not give them
+# tensile_strength = 0.9                  # tc over the tensile strength of the rock
+# cohesion = 6.6                          # cc over tc
+# process_zone = 0.7                      # E G_I/tc2 over the grain size of [fabric]
+# mode_ii_fracture_energy = 44            # G_II over G_I
+# open_shear_strength = 4                 # over tc
+
 [platen]
 # friction_angle = "5 deg"                # default: 0; rock on steel
 
@@ -41,50 +48,90 @@ const char* const other_keys = R"toml(
 # elongation = 1                          # long over short axis, 1 to 4
 # elongation_angle = "0 deg"              # of the long axis from x
 
-[laboratory]                              # measured values and targets of a calibration; not read by the solver
+[laboratory]                              # measured values and targets of a calibration; [rock] has them unless it gives its own
 # young_modulus = "25.8 GPa"
 # poisson_ratio = 0.23
+# density = "2650 kg/m3"
 # tensile_strength = "8.8 MPa"            # Brazilian
 # compressive_strength = "122 MPa"        # UCS
 # cohesion = "21 MPa"
 # friction_angle = "53 deg"
+# confined_strength = "193.5 MPa"         # at the next; of use without friction_angle
+# confining_pressure = "8 MPa"
+# mode_i_toughness = "1.5 MPa.m^0.5"
+# direct_tensile_strength = "7 MPa"
+# crack_initiation = "55 MPa"             # axial stress of uniaxial tests
+# crack_damage = "98 MPa"
 # grain_size = "4 mm"                     # mean
 # min_grain_size = "2 mm"
 # max_grain_size = "6 mm"
 )toml";
 
-}  // namespace
+bool has(const std::vector<std::string>& keys, const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
 
-Rock rock_of_laboratory(const IncompleteMaterial& incomplete, std::vector<std::string>& notes) {
-    const Material& material = incomplete.material;
-    const auto missing = [&](const char* key) {
-        return std::find(incomplete.missing.begin(), incomplete.missing.end(), std::string("rock.") + key) !=
-               incomplete.missing.end();
-    };
-    Rock rock = material.rock;
-    const auto measured = [&](const char* key, double& value) {
-        if (!missing(key)) return;
-        const auto found = material.laboratory.find(key);
-        if (found == material.laboratory.end()) {
-            throw InputError(fmt::format("{}: neither rock.{} nor laboratory.{} is there; one of them is needed",
-                                         material.file.string(), key, key));
-        }
-        value = found->second;
+/// Sets a value of [rock] that is missing. \return whether it was
+bool set_missing(IncompleteMaterial& read, const char* key, double& to, double value) {
+    if (std::erase(read.missing, std::string("rock.") + key) == 0) return false;
+    to = read.values[std::string("rock.") + key] = value;
+    return true;
+}
+
+/// What [laboratory] has of [rock]. \param notes gets a sentence for each value
+void take_measured_rock(IncompleteMaterial& read, std::vector<std::string>& notes) {
+    Rock& rock = read.material.rock;
+    const std::pair<const char*, double*> values[] = {{"young_modulus", &rock.young_modulus},
+                                                      {"poisson_ratio", &rock.poisson_ratio},
+                                                      {"density", &rock.density},
+                                                      {"tensile_strength", &rock.tensile_strength},
+                                                      {"mode_i_toughness", &rock.mode_i_toughness}};
+    for (const auto& [key, to] : values) {
+        const auto found = read.material.laboratory.find(key);
+        if (found == read.material.laboratory.end() || !set_missing(read, key, *to, found->second)) continue;
         notes.push_back(fmt::format("{} of the rock is that of [laboratory]", key));
-    };
-    measured("young_modulus", rock.young_modulus);
-    measured("poisson_ratio", rock.poisson_ratio);
-    measured("tensile_strength", rock.tensile_strength);
-    const auto assumed = [&](const char* key, double& value, double assumption, const char* source) {
-        if (!missing(key)) return;
-        value = assumption;
+    }
+}
+
+/// \param notes gets a sentence for each value
+void assume_toughness(IncompleteMaterial& read, std::vector<std::string>& notes) {
+    Rock& rock = read.material.rock;
+    const auto assume = [&](const char* key, double& to, double value, const char* source) {
+        if (!set_missing(read, key, to, value)) return;
         notes.push_back(fmt::format("{} was not measured: {} {}", key, format_quantity(value, Dimension::toughness), source));
     };
-    assumed("mode_i_toughness", rock.mode_i_toughness, rock.tensile_strength / zhang,
-            "is tensile_strength/6.88, an empirical mean over many rocks (Zhang 2002)");
-    assumed("mode_ii_toughness", rock.mode_ii_toughness, mode_ii_over_mode_i * rock.mode_i_toughness,
-            "is 2 K_IC, the ratio of Augig granite");
-    return rock;
+    assume("mode_i_toughness", rock.mode_i_toughness, rock.tensile_strength / zhang,
+           "is tensile_strength/6.88, an empirical mean over many rocks (Zhang 2002)");
+    assume("mode_ii_toughness", rock.mode_ii_toughness, mode_ii_over_mode_i * rock.mode_i_toughness,
+           "is 2 K_IC, the ratio of Augig granite");
+}
+
+}  // namespace
+
+void take_laboratory(IncompleteMaterial& read) {
+    Material& material = read.material;
+    const bool is_of_laboratory = has(read.missing, "rock.tensile_strength") && material.laboratory.contains("tensile_strength");
+    std::vector<std::string> taken;
+    take_measured_rock(read, taken);
+    std::vector<std::string> assumed;
+    if (is_of_laboratory) assume_toughness(read, assumed);
+    for (const std::string& note : assumed) material.notes.push_back(fmt::format("note: {}: {}", material.file.string(), note));
+    const auto size = material.laboratory.find("grain_size");
+    if (material.grains.tessellation.empty() || material.grains.grain_size || size == material.laboratory.end()) return;
+    material.grains.grain_size = read.values["fabric.grain_size"] = size->second;
+    std::erase(read.missing, "fabric.grain_size");
+}
+
+Rock rock_of_laboratory(const IncompleteMaterial& incomplete, std::vector<std::string>& notes) {
+    IncompleteMaterial read = incomplete;
+    take_measured_rock(read, notes);
+    for (const char* key : {"young_modulus", "poisson_ratio", "tensile_strength"}) {
+        if (!has(read.missing, std::string("rock.") + key)) continue;
+        throw InputError(fmt::format("{}: neither rock.{} nor laboratory.{} is there; one of them is needed",
+                                     read.material.file.string(), key, key));
+    }
+    assume_toughness(read, notes);
+    return read.material.rock;
 }
 
 std::string material_template(const std::string& name) {

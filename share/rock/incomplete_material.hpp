@@ -27,9 +27,14 @@ TomlKey material_key(const std::string& key);
 /// What a key of a material file holds, "rock.young_modulus". \throws UsageError with the nearest and all keys if there is none
 Quantity material_quantity(const std::string& key);
 
+/// Gives a material what it lacks and its laboratory has: values of [rock], and the grain size of a [fabric] with a tessellation.
+/// Where the tensile strength of the rock comes from there, a toughness that nobody measured is K_IC = σt/6.88 MPa√m (Zhang 2002)
+/// and K_IIC = 2 K_IC, as of Augig granite; the notes of the material say so.
+void take_laboratory(IncompleteMaterial& material);
+
 /// The rock for the fracture process zone from what a file has: [rock], else the same values of [laboratory], else, of a
-/// toughness that nobody measured, K_IC = σt/6.88 MPa√m (Zhang 2002) and K_IIC = 2 K_IC, as of Augig granite. \param notes gets a
-/// sentence for each value that is not measured \throws InputError if E, ν or σt is in neither table
+/// toughness that nobody measured, that of `take_laboratory`. \param notes gets a sentence for each value that [rock] does not
+/// give \throws InputError if E, ν or σt is in neither table
 Rock rock_of_laboratory(const IncompleteMaterial& material, std::vector<std::string>& notes);
 
 /// A material file with every key as a comment, its unit and default, and what to do where a value was not measured.

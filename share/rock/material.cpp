@@ -66,6 +66,7 @@ std::vector<TomlKeys> tables_of(Material& material) {
           {"mode_ii_toughness", quantity::mode_ii_toughness, to(rock.mode_ii_toughness), true},
           {"tensile_strength", quantity::tensile_strength, to(rock.tensile_strength), true}}},
         {"contact", contact_keys(material.contact)},
+        {"ratios", ratio_keys(material.ratios)},
         {"platen", {{"friction_angle", quantity::platen_friction, to(material.platen_friction_angle), false}}},
         {"fabric", grain_keys(material.grains)},
         {"laboratory", {}},
@@ -108,11 +109,23 @@ bool is_of_calibration(const std::string& table) {
     return table == "targets" || table == "parameters" || table == "study" || table == "fitted";
 }
 
-/// A needed key that is not there.
-struct MissingKey {
-    std::string name;     ///< "rock.density"
-    std::string meaning;  ///< "mass density of the rock, in kg/m3"
-};
+/// Is a key of [contact] given by [ratios]?
+bool is_by_ratio(const Material& material, const std::string& contact_key) {
+    const auto rows = all_contact_parameters();
+    return std::any_of(rows.begin(), rows.end(), [&](const ContactParameter& row) {
+        return row.key() == contact_key && (material.ratios.*row.given).has_value();
+    });
+}
+
+/// The key that a ratio needs.
+const char* const grain_size_of_ratio = "fabric.grain_size";
+
+/// "mass density of the rock, in kg/m3": what a needed key is.
+std::string meaning_of(const std::string& key) {
+    const Quantity quantity = material_quantity(key);
+    return fmt::format("{}, in {}{}", quantity.meaning, quantity.unit(),
+                       key == grain_size_of_ratio ? ", over which ratios.process_zone is" : "");
+}
 
 /// Adds the phases of a file of phases to those that a material gives itself. \param where the material's file
 void add_phases_of(const std::string& name, MaterialFabric& fabric, const std::string& where) {
@@ -136,7 +149,7 @@ void add_phases_of(const std::string& name, MaterialFabric& fabric, const std::s
 }
 
 /// \param missing gets the needed keys that are not there \param values gets what is there, by key
-Material read_material_file(const fs::path& file, std::vector<MissingKey>& missing, std::map<std::string, double>& values) {
+Material read_material_file(const fs::path& file, std::vector<std::string>& missing, std::map<std::string, double>& values) {
     const TomlFile toml = read_toml(file.string());
     Material material;
     material.file = file;
@@ -192,10 +205,11 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
     if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
     for (const auto& [table, keys] : tables) {
         for (const TomlKey& key : keys) {
-            if (!key.needed || key.found) continue;
-            missing.push_back({table + "." + key.name, fmt::format("{}, in {}", key.quantity.meaning, key.quantity.unit())});
+            if (!key.needed || key.found || (table == "contact" && is_by_ratio(material, key.name))) continue;
+            missing.push_back(table + "." + key.name);
         }
     }
+    if (material.ratios.fracture_energy && !material.grains.grain_size) missing.emplace_back(grain_size_of_ratio);
     if (!material.fabric.from.empty()) add_phases_of(material.fabric.from, material.fabric, toml.file);
     require_sound_grains(material.grains, toml.file);
     require_sound_fabric(material.fabric, material.rock, toml.file);
@@ -203,24 +217,38 @@ Material read_material_file(const fs::path& file, std::vector<MissingKey>& missi
 }
 
 /// All at once, so that a file is completed in one go.
-void refuse_missing(const fs::path& file, const std::vector<MissingKey>& missing) {
+void refuse_missing(const fs::path& file, const std::vector<std::string>& missing) {
     if (missing.empty()) return;
     if (missing.size() == 1) {
-        throw InputError(fmt::format("{}: {} is missing; it is the {}", file.string(), missing[0].name, missing[0].meaning));
+        throw InputError(fmt::format("{}: {} is missing; it is the {}", file.string(), missing[0], meaning_of(missing[0])));
     }
     std::string list;
-    for (const MissingKey& key : missing) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", key.name, key.meaning);
-    throw InputError(fmt::format("{}: {} keys are missing: {}; graincrack-post material init writes a template with every key",
-                                 file.string(), missing.size(), list));
+    for (const std::string& key : missing) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", key, meaning_of(key));
+    throw InputError(
+        fmt::format("{}: {} keys are missing: {}; what [laboratory] has counts for [rock]; graincrack-post material init "
+                    "--kind every-key writes a template with every key",
+                    file.string(), missing.size(), list));
 }
 
 }  // namespace
 
 const std::vector<Quantity>& laboratory_quantities() {
-    static const std::vector<Quantity> quantities{
-        quantity::young_modulus,        quantity::poisson_ratio,     quantity::tensile_strength,
-        quantity::compressive_strength, quantity::internal_cohesion, quantity::internal_friction_angle,
-        quantity::grain_size,           quantity::min_grain_size,    quantity::max_grain_size};
+    static const std::vector<Quantity> quantities{quantity::young_modulus,
+                                                  quantity::poisson_ratio,
+                                                  quantity::density,
+                                                  quantity::tensile_strength,
+                                                  quantity::compressive_strength,
+                                                  quantity::internal_cohesion,
+                                                  quantity::internal_friction_angle,
+                                                  quantity::confined_strength,
+                                                  quantity::confining_pressure,
+                                                  quantity::mode_i_toughness,
+                                                  quantity::direct_tensile_strength,
+                                                  quantity::crack_initiation,
+                                                  quantity::crack_damage,
+                                                  quantity::grain_size,
+                                                  quantity::min_grain_size,
+                                                  quantity::max_grain_size};
     return quantities;
 }
 
@@ -234,12 +262,10 @@ fs::path find_material(const std::string& name_or_file) {
 }  // namespace
 
 Material read_material(const std::string& name_or_file) {
-    const fs::path file = find_material(name_or_file);
-    std::vector<MissingKey> missing;
-    std::map<std::string, double> values;
-    Material material = read_material_file(file, missing, values);
-    refuse_missing(file, missing);
-    return material;
+    IncompleteMaterial read = read_incomplete_material(name_or_file);
+    take_laboratory(read);
+    refuse_missing(read.material.file, read.missing);
+    return std::move(read.material);
 }
 
 void write_notes(std::ostream& out, std::string_view program, const Material& material) {
@@ -247,11 +273,8 @@ void write_notes(std::ostream& out, std::string_view program, const Material& ma
 }
 
 IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {
-    std::vector<MissingKey> missing;
-    std::map<std::string, double> values;
-    IncompleteMaterial read{read_material_file(find_material(name_or_file), missing, values), {}, {}};
-    read.values = std::move(values);
-    for (const MissingKey& key : missing) read.missing.push_back(key.name);
+    IncompleteMaterial read;
+    read.material = read_material_file(find_material(name_or_file), read.missing, read.values);
     return read;
 }
 
@@ -305,7 +328,8 @@ std::string_view name_of(FractureEnergyChoice::Kind kind) {
 
 FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice) {
     if (choice) return *choice;
-    if (material.contact.fracture_energy) return {FractureEnergyChoice::Kind::value, *material.contact.fracture_energy};
+    const std::optional<double> own = given_contact(material, PlaneCondition::strain, std::nullopt).fracture_energy;
+    if (own) return {FractureEnergyChoice::Kind::value, *own};
     return {FractureEnergyChoice::Kind::mode_i, 0};
 }
 
@@ -316,11 +340,13 @@ GivenContact given_contact(const Material& material, PlaneCondition plane, const
             case FractureEnergyChoice::Kind::mixed:
                 given.fracture_energy = fpz::mixed_mode_fracture_energy(material.rock, plane);
                 break;
-            case FractureEnergyChoice::Kind::mode_i: given.fracture_energy.reset(); break;
+            case FractureEnergyChoice::Kind::mode_i:
+                given.fracture_energy = fpz::mode_i_fracture_energy(material.rock, plane);
+                break;
             case FractureEnergyChoice::Kind::value: given.fracture_energy = choice->value; break;
         }
     }
-    return given;
+    return with_ratios(given, material.ratios, material.rock, material.grains.grain_size, plane);
 }
 
 ContactParameters contact_parameters(const Material& material, PlaneCondition plane,

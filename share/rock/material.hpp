@@ -11,12 +11,13 @@
 
 #include "share/base/quantities.hpp"
 #include "share/rock/contact_parameters.hpp"
+#include "share/rock/contact_ratios.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 #include "share/rock/material_fabric.hpp"
 
 namespace graincrack {
 
-/// [laboratory]: measured values, by key, in SI; not read by the solver.
+/// [laboratory]: measured values, by key, in SI.
 using LaboratoryValues = std::map<std::string, double>;
 
 /// [fitted] of a calibrated material: properties of the assemblage that were fitted, by key (as in [laboratory], or
@@ -27,7 +28,8 @@ struct Material {
     std::string name;
     std::filesystem::path file;  ///< where it was read from
     Rock rock;
-    GivenContact contact;              ///< [contact]; what is unset is derived from [rock]
+    GivenContact contact;              ///< [contact]; what is unset follows from `ratios`, else from [rock]
+    ContactRatios ratios;              ///< [ratios]
     std::string law;                   ///< [contact] law: name of its contact law; "": that of the program
     GrainFabric grains;                ///< [fabric]
     MaterialFabric fabric;             ///< [phases], [pairs], [strength]
@@ -38,11 +40,11 @@ struct Material {
         notes;  ///< on its values, for `write_notes`: "note: …" without a unit, "warning: …" far off any rock's
 };
 
-/// Keys [laboratory] may hold: young_modulus, poisson_ratio, tensile_strength, compressive_strength, cohesion,
-/// friction_angle, grain_size, min_grain_size, max_grain_size.
+/// What [laboratory] may hold, by the names of its keys, in the order of the template.
 const std::vector<Quantity>& laboratory_quantities();
 
 /// Reads a material, a name or a file as `materials` finds it. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
+/// What [rock] and [fabric] do not give is that of [laboratory], as `take_laboratory` has it.
 /// \throws InputError for a missing or malformed file, an unknown key, a missing property or a value out of bounds; the
 ///         message names file and key and says what would be right.
 Material read_material(const std::string& name_or_file);
@@ -64,7 +66,8 @@ std::string_view name_of(FractureEnergyChoice::Kind kind);
 /// The choice `contact_parameters` makes: `choice`; else the material's own value; else mode-i.
 FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice);
 
-/// What a material gives of its contacts, with an explicit choice of the fracture energy in place of its own.
+/// What a material gives of its contacts: [contact] with an explicit choice of the fracture energy in place of its own, and what
+/// its [ratios] make of that.
 GivenContact given_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice);
 
 /// The contact parameters of a material, as `derived_contact` has them. An explicit `choice` takes precedence over the material's

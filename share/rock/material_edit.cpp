@@ -12,6 +12,7 @@
 #include "share/base/toml_file.hpp"
 #include "share/base/units.hpp"
 #include "share/rock/incomplete_material.hpp"
+#include "share/rock/material_kinds.hpp"
 
 namespace graincrack {
 
@@ -149,8 +150,8 @@ std::string material_with(const std::string& name_or_file, const std::vector<Mat
     return with_settings(Edit(read_toml(file), lines_of(stream)), settings);
 }
 
-std::string material_template(const std::string& name, const std::vector<MaterialSetting>& settings) {
-    const std::string text = material_template(name);
+std::string new_material(const std::string& kind, const std::string& name, const std::vector<MaterialSetting>& settings) {
+    const std::string text = material_of_kind(kind, name);
     std::istringstream stream(text);
     return with_settings(Edit(parse_toml(text, name), lines_of(stream)), settings);
 }

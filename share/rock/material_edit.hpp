@@ -17,8 +17,8 @@ using MaterialSetting = std::pair<std::string, std::string>;
 ///         its line with others
 std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings);
 
-/// The template of a material file in which values have been entered. \throws UsageError for an unknown key or a value that does
-/// not fit it
-std::string material_template(const std::string& name, const std::vector<MaterialSetting>& settings);
+/// The file of a new material of a kind of rock, as `material_of_kind` has it, in which values have been entered. \throws
+/// UsageError for an unknown key or a value that does not fit it
+std::string new_material(const std::string& kind, const std::string& name, const std::vector<MaterialSetting>& settings);
 
 }  // namespace graincrack

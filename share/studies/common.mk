@@ -53,8 +53,9 @@ MATERIAL ?= augig-granite
 materials = $(filter /%,$(MATERIAL)) $(CALLED_FROM)/$(MATERIAL) $(STUDIES)/../materials/$(MATERIAL).toml
 MATERIAL_FILE := $(abspath $(firstword $(wildcard $(materials))))
 $(if $(MATERIAL_FILE),,$(error $(or $(material_variable),MATERIAL)=$(MATERIAL): no such file, nor a name in share/materials))
-# Its name with a checksum of the values that runs depend on.
-values := awk '/^\[/ { on = $$0 !~ /^\[(laboratory|targets|parameters|study|fitted)[].]/ } on && NF'
+# Its name with a checksum of the values that runs depend on: the laboratory's too where they stand for [rock].
+has_rock := $(shell awk '/^\[/ { on = /^\[rock\]/ } on && /^tensile_strength/' $(MATERIAL_FILE))
+values := awk '/^\[/ { on = $$0 !~ /^\[($(if $(has_rock),laboratory|)targets|parameters|study|fitted)[].]/ } on && NF'
 MATERIAL_ID := $(basename $(notdir $(MATERIAL_FILE))).$(shell sed -e 's/\#.*//' -e 's/[[:space:]]*$$//' $(MATERIAL_FILE) | \
     $(values) | cksum | awk '{ printf "%04x", $$1 % 65536 }')
 # $(call of_material,contact.cohesion): a value as a bare number, in MPa, degrees, mm

@@ -28,9 +28,9 @@ NOT_HERE = {
     "sbatch": "needs Slurm: tests/slurm/run",
 }
 PLACEHOLDER = re.compile(r"(?<![\w$=/])[A-Z]{3,}(\.\w+)?(?![\w=])|…|►|\[")
-# A rock of one's own, as README says: a template, and its values entered but those of [fabric], as triangles take less time.
-INIT = "graincrack-post material init my-rock"
-ENTER_VALUES = "sed -i '/^.fabric/,/^.laboratory/!s/^# \\([a-z_]* = \\)/\\1/' my-rock.toml\n"
+# A rock of one's own, as README says: one of a kind, and its values entered.
+INIT = "graincrack-post material init my-rock --kind granite"
+ENTER_VALUES = "sed -i 's/^# \\([a-z_]* = \\)/\\1/' my-rock.toml\n"
 QUICK = {
     "make -C share/studies": lambda command: command.replace("make ", "make -n "),
     "share/quickstart": lambda command: "QUICK=1 " + command,
@@ -44,7 +44,7 @@ STAND_INS = {
         "--set 'contact.cohesion=30.4 MPa' --set 'contact.friction_angle=29.2 deg' >results/calibrate/marble/calibrated.toml",
 }
 LARGER_GRAINS = {
-    "README.md": {"--grains 1122": "--grains 300", "--edge 3mm": "--edge 5mm", "--edge 4mm": "--edge 6mm"},
+    "README.md": {"--height 100mm --material my": "--height 100mm --grains 80 --material my", "--grains 1122": "--grains 300", "--edge 3mm": "--edge 5mm", "--edge 4mm": "--edge 6mm"},
     "programs.md": {"--edge 3mm": "--edge 5mm"},
     "two-flaws.md": {"--edge 3mm": "--edge 5mm"},
     "polygons.md": {"--grains 300": "--grains 80", "--element-size 1.75mm": "--element-size 3.4mm"},

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -294,6 +295,84 @@ TEST_F(CalibrateFolder, SpecimensHaveTheFabricOfTheMaterial) {
     EXPECT_EQ(row().mesh, size + "--grains 300" + grains);
     write_material(fabric + "[study]\nmean_edge = \"5 mm\"\n");
     EXPECT_EQ(row().mesh, size + "--edge 5mm" + grains);
+}
+
+TEST_F(CalibrateFolder, RatiosAreParametersAndChangeRuns) {
+    std::string stone = granite();
+    stone.insert(stone.find("cohesion = \"74.57 MPa\""), "# ");
+    const std::string law = "law = \"cohesive-frictional\"\n";
+    const auto with = [&](const std::string& more) {
+        std::ofstream(folder_.file("material.toml"))
+            << std::string(stone).insert(stone.find("tensile_strength = \"24.15"), law)
+            << "\n[fabric]\ngrain_size = \"4 mm\"\n[ratios]\ncohesion = 2\nprocess_zone = 0.5\n"
+            << more;
+    };
+    const auto file = [&] {
+        return row_of(material(), read_problem(material(), {"grains=300"}).study, {{"uniaxial"}, 7, {}, {}, "d1p01", ""}).file;
+    };
+    with("");
+    const std::string before = file();
+    with("open_shear_strength = 4\n");
+    EXPECT_NE(file(), before);
+    with("");
+    Material larger = material();
+    larger.grains.grain_size = 5e-3;  // the process zone is over it
+    EXPECT_NE(row_of(larger, read_problem(material(), {"grains=300"}).study, {{"uniaxial"}, 7, {}, {}, "d1p01", ""}).file,
+              before);
+
+    // By default a box lies about the first guess, which is by the ratio where there is one: 2 tc; the default is 0.15 to 0.6 UCS
+    // about 0.3.
+    const auto find = [](const std::vector<Parameter>& all, const std::string& key) {
+        for (const Parameter& p : all) {
+            if (p.key == key) return p;
+        }
+        ADD_FAILURE() << key;
+        return Parameter{};
+    };
+    const Parameter cohesion = find(read_problem(material()).parameters, "contact.cohesion");
+    EXPECT_NEAR(cohesion.first, 48.3e6, 1);
+    EXPECT_NEAR(cohesion.low, 24.15e6, 1);
+    EXPECT_NEAR(cohesion.high, 96.6e6, 1);
+
+    with(
+        "[parameters]\n\"ratios.process_zone\" = {}\n\"pairs.within.tensile_strength\" = {low = 0.8, high = 1.6}\n"
+        "\"contact.cohesion\" = {low = \"50 %\", high = \"150 %\", first = \"40 MPa\"}\n");
+    const std::vector<Parameter> parameters = read_problem(material()).parameters;
+    EXPECT_EQ(find(parameters, "ratios.process_zone").low, 0.25);
+    EXPECT_EQ(find(parameters, "ratios.process_zone").high, 1);
+    EXPECT_EQ(find(parameters, "pairs.within.tensile_strength").high, 1.6);
+    EXPECT_DOUBLE_EQ(find(parameters, "contact.cohesion").low, 20e6);
+    EXPECT_DOUBLE_EQ(find(parameters, "contact.cohesion").high, 60e6);
+    const Point point{{"ratios.process_zone", 0.7}, {"pairs.within.tensile_strength", 1.25}};
+    EXPECT_EQ(row_of(material(), read_problem(material()).study, {{"uniaxial"}, 7, point, {}, "d1p01", ""}).material,
+              "--set ratios.process_zone=0.7 --set pairs.within.tensile_strength=1.25");
+    with("[parameters]\n\"ratios.open_shear_strength\" = {}\n");
+    expect_one_line<InputError>([&] { read_problem(material()); }, {"ratios.open_shear_strength", "give low and high"});
+}
+
+TEST_F(CalibrateFolder, LaboratoryValuesAreTargets) {
+    std::string stone = granite();
+    for (const char* key : {"friction_angle = \"53 deg\"", "cohesion = \"21 MPa\""}) stone.insert(stone.find(key), "# ");
+    const auto targets = [&](const std::string& more) {
+        std::ofstream(folder_.file("material.toml"))
+            << stone << more << "direct_tensile_strength = \"7 MPa\"\ncrack_initiation = \"55 MPa\"\n";
+        std::map<std::string, Target> all;
+        for (const Target& target : read_problem(material()).targets) all.emplace(target.name(), target);
+        return all;
+    };
+    const auto all = targets("confined_strength = \"222 MPa\"\nconfining_pressure = \"10 MPa\"\n");
+    EXPECT_EQ(all.at("first_peak_10MPa").value, 222e6);
+    EXPECT_EQ(all.at("first_peak_10MPa").use, Use::fit);
+    EXPECT_EQ(all.count("first_peak_8MPa"), 0U);
+    EXPECT_DOUBLE_EQ(all.at("first_peak_4MPa").value, 122e6 + 4 * 10e6);  // the line from UCS = 122 MPa
+    EXPECT_EQ(all.at("direct_tension").value, 7e6);
+    EXPECT_EQ(all.at("direct_tension").use, Use::predict);
+    EXPECT_EQ(all.at("crack_initiation").value, 55e6);
+    EXPECT_TRUE(std::isnan(all.at("crack_damage").value));
+    expect_one_line<InputError>([&] { targets("confined_strength = \"100 MPa\"\nconfining_pressure = \"10 MPa\"\n"); },
+                                {"laboratory.confined_strength is not above compressive_strength"});
+    expect_one_line<InputError>([&] { targets("confined_strength = \"222 MPa\"\n"); },
+                                {"neither friction_angle nor cohesion, nor confined_strength with its confining_pressure"});
 }
 
 TEST_F(CalibrateFolder, StudyIsReadAndChecked) {

@@ -275,6 +275,23 @@ normal_stiffness = 3
     EXPECT_NEAR(plain.normal_stiffness / within("", "rock").normal_stiffness, 3, 1e-12);
 }
 
+// Factors act on what [ratios] give, of contacts between phases and within crystals.
+TEST(Fabric, FactorsActOnRatios) {
+    std::string text = rock + phases + "[fabric]\ngrain_size = \"3 mm\"\n[ratios]\ncohesion = 6\nprocess_zone = 0.5\n" +
+                       "[pairs.homophase]\ncohesion = 2\n[pairs.within]\nfracture_energy = 8\n";
+    text.replace(text.find("cohesion = \"60 MPa\"\n"), 20, "");
+    const Material material = material_of(text);
+    const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, phase_names);
+    const double energy = 0.5 * 3e-3 * 20e6 * 20e6 / 60e9;
+    EXPECT_DOUBLE_EQ(between(fabric, 0, 0).cohesion, 2 * 6 * 20e6);
+    EXPECT_DOUBLE_EQ(between(fabric, 0, 1).cohesion, 6 * 20e6);
+    EXPECT_DOUBLE_EQ(between(fabric, 0, 1).fracture_energy, energy);
+    const ContactParameters within =
+        contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class("quartz"), 700);
+    EXPECT_DOUBLE_EQ(within.cohesion, 2 * 6 * 20e6);
+    EXPECT_DOUBLE_EQ(within.fracture_energy, 8 * energy);
+}
+
 TEST(Fabric, LengthWithinCrystalsIsByTheAreaOfTheirPhase) {
     Specimen s = test::one_diagonal_grid(2, 1, 0.02, 0.01);  // two squares of two triangles each: crystals of two phases
     s.phase_names = {"quartz", "mica"};

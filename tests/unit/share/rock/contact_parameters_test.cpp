@@ -45,7 +45,7 @@ TEST(ContactParameters, ARowIsAMemberOfItsOwnAKeyAndAnOption) {
 
 TEST(ContactParameters, AnExampleOfTheTemplateIsWhatItsKeyMayHold) {
     for (const ContactParameter& row : all_contact_parameters()) {
-        const std::string set = material_template("marble", {{"contact." + row.key(), row.example}});
+        const std::string set = new_material("every-key", "marble", {{"contact." + row.key(), row.example}});
         EXPECT_NE(set.find("\n" + row.key() + " = "), std::string::npos) << set;
     }
 }

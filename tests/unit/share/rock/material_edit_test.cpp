@@ -56,14 +56,14 @@ TEST_F(MaterialWith, TakesThePlaceOfAnExample) {
 }
 
 TEST_F(MaterialWith, EntersValuesIntoATemplate) {
-    const std::string text = material_template("marble", {{"laboratory.cohesion", "23 MPa"}, {"rock.density", "2700"}});
+    const std::string text = new_material("every-key", "marble", {{"laboratory.cohesion", "23 MPa"}, {"rock.density", "2700"}});
     const auto read = read_incomplete_material(file(text));
     EXPECT_EQ(read.values, (std::map<std::string, double>{{"laboratory.cohesion", 23e6}, {"rock.density", 2700}}));
     EXPECT_NE(text.find("\ndensity = 2700                          # hardly enters"), std::string::npos) << text;
     EXPECT_EQ(text.find("# density = "), std::string::npos);
     expect_one_line<UsageError>(
         [] {
-            std::ignore = material_template("marble", {{"rock.colour", "white"}});
+            std::ignore = new_material("every-key", "marble", {{"rock.colour", "white"}});
         },
         {"rock.colour: unknown key"});
 }

@@ -180,22 +180,23 @@ TEST_F(MaterialFile, TheFabricSaysWhichGrainsAreMade) {
 }
 
 TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
-    EXPECT_EQ(
-        complaint(stone + "[rok]\n"),
-        "line 13: unknown table [rok] (did you mean rock?); known are rock, contact, platen, fabric, laboratory, phases, pairs, "
-        "flaws, strength");
+    EXPECT_EQ(complaint(stone + "[rok]\n"),
+              "line 13: unknown table [rok] (did you mean rock?); known are rock, contact, ratios, platen, fabric, laboratory, "
+              "phases, pairs, "
+              "flaws, strength");
     EXPECT_EQ(
         complaint(stone + "cohesio = 3\n"),
         "line 13: unknown key contact.cohesio (did you mean cohesion?); known are tensile_strength, cohesion, friction_angle, "
         "normal_stiffness, shear_stiffness, fracture_energy, mode_ii_fracture_energy, open_shear_strength, "
         "residual_tensile_strength, residual_cohesion, residual_friction_angle, law");
     EXPECT_EQ(complaint("colour = 'red'\n" + stone), "line 1: unknown key colour; known outside of tables is only name");
-    EXPECT_EQ(complaint("name = 'x'\n" + contact +
-                        "[rock]\nyoung_modulus = '49 GPa'\npoisson_ratio = 0.19\ndensity = 2700\n"
-                        "mode_i_toughness = 1e6\n"),
-              "2 keys are missing: rock.mode_ii_toughness (fracture toughness K_IIC of the rock, in Pa.m^0.5), "
-              "rock.tensile_strength (tensile strength of the rock, in Pa); graincrack-post material init writes a template with "
-              "every key");
+    EXPECT_EQ(
+        complaint("name = 'x'\n" + contact +
+                  "[rock]\nyoung_modulus = '49 GPa'\npoisson_ratio = 0.19\ndensity = 2700\n"
+                  "mode_i_toughness = 1e6\n"),
+        "2 keys are missing: rock.mode_ii_toughness (fracture toughness K_IIC of the rock, in Pa.m^0.5), "
+        "rock.tensile_strength (tensile strength of the rock, in Pa); what [laboratory] has counts for [rock]; graincrack-post "
+        "material init --kind every-key writes a template with every key");
     EXPECT_EQ(complaint("name = 'x'\n" + rock + "[contact]\ntensile_strength = 1\ncohesion = 1\n"),
               "contact.friction_angle is missing; it is the friction angle phi_c of a contact, in rad");
     EXPECT_EQ(complaint(rock + contact), "name is missing; give the material a name");
