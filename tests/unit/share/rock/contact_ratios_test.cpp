@@ -81,7 +81,7 @@ TEST_F(Ratios, FollowATensileStrengthThatIsChanged) {
 TEST_F(Ratios, GiveWayToValuesAndChoices) {
     const Material given = material(stone_rock + stone_contact +
                                     "cohesion = \"30 MPa\"\nfracture_energy = \"20 J/m2\"\nopen_shear_strength = \"5 MPa\"\n" +
-                                    ratios + stone_fabric);
+                                    stone_ratios + stone_fabric);
     EXPECT_EQ(values(given).cohesion, 30e6);
     EXPECT_EQ(values(given).open_shear_strength, 5e6);
     EXPECT_EQ(values(given).fracture_energy, 20);
