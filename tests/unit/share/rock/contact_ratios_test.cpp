@@ -17,7 +17,7 @@ namespace {
 
 using test::expect_one_line;
 
-const std::string rock = R"(name = "stone"
+const std::string stone_rock = R"(name = "stone"
 [rock]
 young_modulus = "50 GPa"
 poisson_ratio = 0.25
@@ -26,18 +26,18 @@ mode_i_toughness = "1.5 MPa.m^0.5"
 mode_ii_toughness = "3 MPa.m^0.5"
 tensile_strength = "10 MPa"
 )";
-const std::string contact = R"([contact]
+const std::string stone_contact = R"([contact]
 tensile_strength = "8 MPa"
 friction_angle = "45 deg"
 )";
-const std::string ratios = R"([ratios]
+const std::string stone_ratios = R"([ratios]
 tensile_strength = 0.9
 cohesion = 6.6
 process_zone = 0.7
 mode_ii_fracture_energy = 40
 open_shear_strength = 4
 )";
-const std::string fabric = "[fabric]\ngrain_size = \"4 mm\"\n";
+const std::string stone_fabric = "[fabric]\ngrain_size = \"4 mm\"\n";
 
 class Ratios : public testing::Test {
 protected:
@@ -53,7 +53,7 @@ protected:
 };
 
 TEST_F(Ratios, GiveWhatContactDoesNot) {
-    const Material stone = material(rock + contact + ratios + fabric);
+    const Material stone = material(stone_rock + stone_contact + stone_ratios + stone_fabric);
     const ContactParameters p = values(stone);
     EXPECT_EQ(p.tensile_strength, 8e6);
     EXPECT_DOUBLE_EQ(p.cohesion, 6.6 * 8e6);
@@ -65,32 +65,33 @@ TEST_F(Ratios, GiveWhatContactDoesNot) {
     EXPECT_EQ(effective_fracture_energy(stone, std::nullopt).kind, FractureEnergyChoice::Kind::value);
     EXPECT_DOUBLE_EQ(effective_fracture_energy(stone, std::nullopt).value, energy);
     // Without a tensile strength of the contact it is by that of the rock.
-    const ContactParameters derived = values(material(rock + "[contact]\nfriction_angle = 0.7\n" + ratios + fabric));
+    const ContactParameters derived =
+        values(material(stone_rock + "[contact]\nfriction_angle = 0.7\n" + stone_ratios + stone_fabric));
     EXPECT_DOUBLE_EQ(derived.tensile_strength, 9e6);
     EXPECT_DOUBLE_EQ(derived.cohesion, 6.6 * 9e6);
 }
 
 TEST_F(Ratios, FollowATensileStrengthThatIsChanged) {
-    Material stone = material(rock + contact + ratios + fabric);
+    Material stone = material(stone_rock + stone_contact + stone_ratios + stone_fabric);
     stone.contact.tensile_strength = 16e6;  // as an option of the solver does
     EXPECT_DOUBLE_EQ(values(stone).cohesion, 6.6 * 16e6);
     EXPECT_DOUBLE_EQ(values(stone).fracture_energy, 0.7 * 4e-3 * 16e6 * 16e6 / 50e9);
 }
 
 TEST_F(Ratios, GiveWayToValuesAndChoices) {
-    const Material given =
-        material(rock + contact + "cohesion = \"30 MPa\"\nfracture_energy = \"20 J/m2\"\nopen_shear_strength = \"5 MPa\"\n" +
-                 ratios + fabric);
+    const Material given = material(stone_rock + stone_contact +
+                                    "cohesion = \"30 MPa\"\nfracture_energy = \"20 J/m2\"\nopen_shear_strength = \"5 MPa\"\n" +
+                                    stone_ratios + stone_fabric);
     EXPECT_EQ(values(given).cohesion, 30e6);
     EXPECT_EQ(values(given).open_shear_strength, 5e6);
     EXPECT_EQ(values(given).fracture_energy, 20);
     EXPECT_DOUBLE_EQ(values(given).mode_ii_fracture_energy, 40 * 20.0);
-    const Material stone = material(rock + contact + ratios + fabric);
+    const Material stone = material(stone_rock + stone_contact + stone_ratios + stone_fabric);
     const double of_toughness = fpz::mode_i_fracture_energy(stone.rock, PlaneCondition::strain);
     EXPECT_EQ(values(stone, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i}).fracture_energy, of_toughness);
     EXPECT_EQ(values(stone, FractureEnergyChoice{FractureEnergyChoice::Kind::value, 90}).fracture_energy, 90);
     // Over a fracture energy that is derived from the rock.
-    const Material only = material(rock + contact + "[ratios]\ncohesion = 5\nmode_ii_fracture_energy = 4\n");
+    const Material only = material(stone_rock + stone_contact + "[ratios]\ncohesion = 5\nmode_ii_fracture_energy = 4\n");
     EXPECT_DOUBLE_EQ(values(only).mode_ii_fracture_energy, 4 * of_toughness);
     EXPECT_EQ(values(only).fracture_energy, of_toughness);
 }
@@ -99,12 +100,14 @@ TEST_F(Ratios, AreKeysOfAMaterialFile) {
     const auto refused = [&](const std::string& text, const std::vector<std::string>& parts) {
         expect_one_line<InputError>([&] { std::ignore = material(text); }, parts);
     };
-    refused(rock + contact + ratios, {"stone.toml: fabric.grain_size is missing", "over which ratios.process_zone is"});
-    refused(rock + contact + "[ratios]\ncohesoin = 3\n", {"line 13: unknown key ratios.cohesoin (did you mean cohesion?)"});
-    refused(rock + contact + "[ratios]\ncohesion = 0\n", {"ratios.cohesion", "out of bounds"});
-    refused(rock + contact + "[ratios]\ncohesion = \"3 MPa\"\n", {"ratios.cohesion", "pure number"});
-    refused(rock + contact, {"contact.cohesion is missing"});
-    std::ofstream(file_) << rock + contact + ratios + fabric;
+    refused(stone_rock + stone_contact + stone_ratios,
+            {"stone.toml: fabric.grain_size is missing", "over which ratios.process_zone is"});
+    refused(stone_rock + stone_contact + "[ratios]\ncohesoin = 3\n",
+            {"line 13: unknown key ratios.cohesoin (did you mean cohesion?)"});
+    refused(stone_rock + stone_contact + "[ratios]\ncohesion = 0\n", {"ratios.cohesion", "out of bounds"});
+    refused(stone_rock + stone_contact + "[ratios]\ncohesion = \"3 MPa\"\n", {"ratios.cohesion", "pure number"});
+    refused(stone_rock + stone_contact, {"contact.cohesion is missing"});
+    std::ofstream(file_) << stone_rock + stone_contact + stone_ratios + stone_fabric;
     std::ofstream changed(folder_.file("changed.toml"));
     changed << material_with(file_, {{"ratios.process_zone", "0.5"}, {"contact.tensile_strength", "4 MPa"}});
     changed.close();
@@ -115,7 +118,7 @@ TEST_F(Ratios, AMaterialOfLaboratoryValuesIsComplete) {
     const std::string laboratory =
         "name = \"stone\"\n[laboratory]\nyoung_modulus = \"50 GPa\"\npoisson_ratio = 0.25\ndensity = \"2700 kg/m3\"\n"
         "tensile_strength = \"6.88 MPa\"\ngrain_size = \"2 mm\"\n";
-    const std::string rest = "[contact]\nfriction_angle = 0.7\n" + ratios + "[fabric]\ntessellation = \"trigon\"\n";
+    const std::string rest = "[contact]\nfriction_angle = 0.7\n" + stone_ratios + "[fabric]\ntessellation = \"trigon\"\n";
     const Material stone = material(laboratory + rest);
     EXPECT_EQ(stone.rock.young_modulus, 50e9);
     EXPECT_EQ(stone.rock.density, 2700);
@@ -129,7 +132,8 @@ TEST_F(Ratios, AMaterialOfLaboratoryValuesIsComplete) {
     expect_one_line<InputError>([&] { std::ignore = material(laboratory + rest + "[rock]\ntensile_strength = \"7 MPa\"\n"); },
                                 {"rock.mode_i_toughness", "rock.mode_ii_toughness"});
     EXPECT_EQ(material(laboratory + rest + "[rock]\nyoung_modulus = \"60 GPa\"\n").rock.young_modulus, 60e9);
-    EXPECT_FALSE(material(rock + contact + "cohesion = 1e7\n[laboratory]\ngrain_size = \"2 mm\"\n").grains.grain_size);
+    EXPECT_FALSE(
+        material(stone_rock + stone_contact + "cohesion = 1e7\n[laboratory]\ngrain_size = \"2 mm\"\n").grains.grain_size);
 }
 
 }  // namespace
