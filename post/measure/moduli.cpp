@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "post/measure/thresholds.hpp"
@@ -37,20 +38,19 @@ struct ModuliRow {
     fpz::AssemblageModuli predicted;
     GrainModuli grains;
     std::string peak_kind;
-    // Of a compression test that had a peak.
-    std::optional<Thresholds> by_plane, by_pseudo_3d;
-    std::optional<double> initiation_by_count;
-    InitiationByDamage initiation_by_damage;
+    std::optional<AllThresholds> thresholds;  ///< of a compression test that had a peak
 
     [[nodiscard]] Cell pair(ElasticPair Moduli::*convention, double ElasticPair::*value) const {
         return measured ? Cell((*measured).*convention.*value) : Cell();
     }
-    [[nodiscard]] static Cell of(const std::optional<Thresholds>& thresholds, std::optional<double> Thresholds::*stress) {
-        return thresholds ? Cell((*thresholds).*stress) : Cell();
+    /// \param stress of `AllThresholds`
+    template <class Stress>
+    [[nodiscard]] Cell threshold(const Stress& stress) const {
+        return thresholds ? Cell(std::invoke(stress, *thresholds)) : Cell();
     }
     [[nodiscard]] Cell note() const {
-        return by_plane ? Cell("plane " + plane + ": thresholds by 2D strains do not compare with laboratory ones directly")
-                        : Cell();
+        return thresholds ? Cell("plane " + plane + ": thresholds by 2D strains do not compare with laboratory ones directly")
+                          : Cell();
     }
     [[nodiscard]] std::string caveat() const { return measured ? warning(*measured, peak_kind) : ""; }
 };
@@ -66,15 +66,9 @@ ModuliRow read_moduli_row(const std::string& path) {
                   predict_moduli(run.header, specimen),
                   grain_moduli(run.header, specimen),
                   peak_kind(run, curve),
-                  {},
-                  {},
-                  {},
                   {}};
     if (is_compression(run.header) && !row.peak_kind.empty()) {
-        row.by_plane = measure_thresholds(curve, VolumeKind::plane);
-        row.by_pseudo_3d = measure_thresholds(curve, VolumeKind::pseudo_3d);
-        row.initiation_by_count = initiation_by_count(run, curve);
-        row.initiation_by_damage = initiation_by_damage(run, curve, reader.cracks());
+        row.thresholds = measure_all_thresholds(run, curve, reader.cracks());
     }
     return row;
 }
@@ -90,16 +84,19 @@ void append_pair(Columns<ModuliRow>& columns, const std::string& prefix, Elastic
     add("plane_" + prefix + "poisson_ratio", unit::none, &ElasticPair::plane_poisson_ratio);
 }
 
-void append_thresholds(Columns<ModuliRow>& columns, const std::string& strain, std::optional<Thresholds> ModuliRow::*thresholds) {
+void append_thresholds(Columns<ModuliRow>& columns, const std::string& strain, Thresholds AllThresholds::*by_strain) {
     const auto add = [&](const std::string& name, std::optional<double> Thresholds::*stress) {
-        columns.push_back({name + strain, unit::megapascal,
-                           [thresholds, stress](const ModuliRow& r) { return ModuliRow::of(r.*thresholds, stress); }});
+        columns.push_back({name + strain, unit::megapascal, [by_strain, stress](const ModuliRow& r) {
+                               return r.threshold([&](const AllThresholds& t) { return t.*by_strain.*stress; });
+                           }});
     };
     add("crack_initiation_crack_strain_", &Thresholds::initiation_by_crack_strain);
     add("crack_initiation_lateral_response_", &Thresholds::initiation_by_lateral_response);
     add("crack_damage_", &Thresholds::damage);
 }
 
+Cell initiation_of(const ModuliRow& r) { return r.threshold(&AllThresholds::initiation); }
+Cell damage_of(const ModuliRow& r) { return r.threshold(&AllThresholds::damage); }
 Cell of_platens(const ModuliRow& r) { return r.measured ? Cell(r.measured->platen_young_modulus) : Cell(); }
 
 Columns<ModuliRow> all_columns() {
@@ -118,15 +115,19 @@ Columns<ModuliRow> all_columns() {
     columns.push_back({"post_peak_slope_over_young_modulus", none,
                        [](const R& r) { return r.measured ? Cell(r.measured->post_peak_slope_ratio) : Cell(); }});
     columns.push_back({"peak_kind", none, [](const R& r) { return r.peak_kind; }});
-    append_thresholds(columns, "2d", &R::by_plane);
-    append_thresholds(columns, "pseudo_3d", &R::by_pseudo_3d);
-    columns.push_back({"crack_initiation_count", megapascal, [](const R& r) { return r.initiation_by_count; }});
+    columns.push_back({"crack_initiation", megapascal, initiation_of});
+    columns.push_back({"crack_damage", megapascal, damage_of});
+    append_thresholds(columns, "2d", &AllThresholds::plane);
+    append_thresholds(columns, "pseudo_3d", &AllThresholds::pseudo_3d);
+    columns.push_back(
+        {"crack_initiation_count", megapascal, [](const R& r) { return r.threshold(&AllThresholds::initiation_by_count); }});
     columns.push_back({"threshold_note", none, [](const R& r) { return r.note(); }});
     columns.push_back({"warning", none, [](const R& r) { return r.caveat(); }});
     constexpr std::array damages{"10", "50", "90"};
     for (std::size_t i = 0; i < damages.size(); ++i) {
-        columns.push_back({std::string("crack_initiation_count_damage_") + damages[i], megapascal,
-                           [i](const R& r) { return r.initiation_by_damage[i]; }});
+        columns.push_back({std::string("crack_initiation_count_damage_") + damages[i], megapascal, [i](const R& r) {
+                               return r.threshold([&](const AllThresholds& t) { return t.initiation_by_damage[i]; });
+                           }});
     }
     columns.push_back({"plane", none, [](const R& r) { return r.plane; }});
     return columns;
@@ -146,8 +147,8 @@ const Columns<ModuliRow>& moduli_terminal_columns() {
         {"ν predicted", none, [](const R& r) { return r.predicted.poisson_ratio; }},
         {"E Voigt", gigapascal, [](const R& r) { return r.grains.voigt; }},
         {"E Reuss", gigapascal, [](const R& r) { return r.grains.reuss; }},
-        {"crack initiation", megapascal, [](const R& r) { return r.initiation_by_count; }},
-        {"crack damage", megapascal, [](const R& r) { return R::of(r.by_plane, &Thresholds::damage); }}};
+        {"crack initiation", megapascal, initiation_of},
+        {"crack damage", megapascal, damage_of}};
     return all;
 }
 

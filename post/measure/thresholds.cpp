@@ -11,29 +11,20 @@ namespace graincrack {
 
 namespace {
 
-/// Contraction since the start of axial loading, positive.
-std::vector<double> contraction(const LoadCurve& curve, VolumeKind kind) {
-    const double sides = kind == VolumeKind::plane ? 1 : 2;
-    std::vector<double> volume(curve.peak + 1);
-    for (std::size_t i = 0; i <= curve.peak; ++i) volume[i] = curve.gauge_axial_strain[i] - sides * curve.gauge_lateral_strain[i];
-    return volume;
-}
-
 /// Row of the largest contraction, if the volume grows again before the peak.
 std::optional<std::size_t> reversal(const std::vector<double>& volume, const LoadCurve& curve) {
-    const auto largest = std::max_element(volume.begin() + static_cast<std::ptrdiff_t>(curve.start), volume.end());
+    const auto row_at = [&](std::size_t row) { return volume.begin() + static_cast<std::ptrdiff_t>(row); };
+    const auto largest = std::max_element(row_at(curve.start), row_at(curve.peak + 1));
     const auto row = static_cast<std::size_t>(largest - volume.begin());
     if (row == curve.peak || row == curve.start) return std::nullopt;
     return row;
 }
 
 std::optional<double> by_crack_strain(const LoadCurve& curve, const std::vector<double>& volume) {
-    const RowRange elastic = rows_between(curve, elastic_share[0], elastic_share[1]);
-    const std::size_t n = elastic.end - elastic.begin;
-    const auto line = fit_line(std::span(curve.stress).subspan(elastic.begin, n), std::span(volume).subspan(elastic.begin, n));
-    if (!line) return std::nullopt;
-    for (std::size_t i = elastic.end; i <= curve.peak; ++i) {
-        if (volume[i] - line->intercept - line->slope * curve.stress[i] <= -crack_strain_offset) return curve.stress[i];
+    const std::vector<double> cracks = crack_strain(curve, volume);
+    if (cracks.empty()) return std::nullopt;
+    for (std::size_t i = rows_between(curve, elastic_share[0], elastic_share[1]).end; i <= curve.peak; ++i) {
+        if (cracks[i] <= -crack_strain_offset) return curve.stress[i];
     }
     return std::nullopt;
 }
@@ -67,8 +58,25 @@ std::optional<double> where_counts_begin(const LoadCurve& curve, const std::vect
 
 }  // namespace
 
+std::vector<double> volumetric_strain(const LoadCurve& curve, VolumeKind kind) {
+    const double sides = kind == VolumeKind::plane ? 1 : 2;
+    std::vector<double> volume = curve.gauge_axial_strain;
+    for (std::size_t i = 0; i < volume.size(); ++i) volume[i] -= sides * curve.gauge_lateral_strain[i];
+    return volume;
+}
+
+std::vector<double> crack_strain(const LoadCurve& curve, const std::vector<double>& volume) {
+    const RowRange elastic = rows_between(curve, elastic_share[0], elastic_share[1]);
+    const std::size_t n = elastic.end - elastic.begin;
+    const auto line = fit_line(std::span(curve.stress).subspan(elastic.begin, n), std::span(volume).subspan(elastic.begin, n));
+    if (!line) return {};
+    std::vector<double> cracks(volume.size());
+    for (std::size_t i = 0; i < cracks.size(); ++i) cracks[i] = volume[i] - line->intercept - line->slope * curve.stress[i];
+    return cracks;
+}
+
 Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind) {
-    const std::vector<double> volume = contraction(curve, kind);
+    const std::vector<double> volume = volumetric_strain(curve, kind);
     const std::optional<std::size_t> damage = reversal(volume, curve);
     Thresholds thresholds;
     thresholds.initiation_by_crack_strain = by_crack_strain(curve, volume);
@@ -102,6 +110,25 @@ InitiationByDamage initiation_by_damage(const RunData& run, const LoadCurve& cur
         initiation[level] = where_counts_begin(curve, counts, share);
     }
     return initiation;
+}
+
+AllThresholds measure_all_thresholds(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks) {
+    return {measure_thresholds(curve, VolumeKind::plane), measure_thresholds(curve, VolumeKind::pseudo_3d),
+            initiation_by_count(run, curve), initiation_by_damage(run, curve, cracks)};
+}
+
+const std::vector<ThresholdDefinition>& other_threshold_definitions() {
+    using All = AllThresholds;
+    static const std::vector<ThresholdDefinition> others{
+        {false, "crack strain, 2D", [](const All& t) { return t.plane.initiation_by_crack_strain; }},
+        {false, "lateral response, 2D", [](const All& t) { return t.plane.initiation_by_lateral_response; }},
+        {false, "lateral response, pseudo-3D", [](const All& t) { return t.pseudo_3d.initiation_by_lateral_response; }},
+        {false, "count of cracks, 1\u00a0%", [](const All& t) { return t.initiation_by_count; }},
+        {false, "1\u00a0% of the points damaged by 10\u00a0%", [](const All& t) { return t.initiation_by_damage[0]; }},
+        {false, "1\u00a0% of the points damaged by 50\u00a0%", [](const All& t) { return t.initiation_by_damage[1]; }},
+        {false, "1\u00a0% of the points damaged by 90\u00a0%", [](const All& t) { return t.initiation_by_damage[2]; }},
+        {true, "reversal of volumetric strain, 2D", [](const All& t) { return t.plane.damage; }}};
+    return others;
 }
 
 }  // namespace graincrack

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "post/run/load_curve.hpp"
@@ -31,6 +32,12 @@ inline constexpr double elastic_share[2] = {0.1, 0.3};
 
 Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind);
 
+/// Volumetric strain by the gauges in each row, contraction positive.
+std::vector<double> volumetric_strain(const LoadCurve& curve, VolumeKind kind);
+
+/// A volumetric strain less its elastic line in each row, contraction positive; empty if there is no such line.
+std::vector<double> crack_strain(const LoadCurve& curve, const std::vector<double>& volume);
+
 /// Stress at which there are as many cracks in the history as `share` of those at the peak, Pa; empty without any.
 std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& curve, double share = 0.01);
 
@@ -39,5 +46,37 @@ std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& c
 using InitiationByDamage = std::array<std::optional<double>, 3>;
 InitiationByDamage initiation_by_damage(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks,
                                         double share = 0.01);
+
+/// The thresholds of a compression test by all definitions, Pa. The default ones are those that the strain gauges of a
+/// laboratory tell. Its specimen is a cylinder, whose volume is ε1 + 2 ε3. The crack strain is the most used and, unlike the
+/// lateral response, does not need that crack damage is reached. A count of cracks is a stand-in for acoustic emission, and
+/// depends on which event of the contact law is counted.
+struct AllThresholds {
+    Thresholds plane;
+    Thresholds pseudo_3d;
+    std::optional<double> initiation_by_count;
+    InitiationByDamage initiation_by_damage;
+
+    /// The default crack initiation, CI: onset of the pseudo-3D crack strain.
+    [[nodiscard]] std::optional<double> initiation() const { return pseudo_3d.initiation_by_crack_strain; }
+    /// The default crack damage, CD: reversal of the pseudo-3D volumetric strain.
+    [[nodiscard]] std::optional<double> damage() const { return pseudo_3d.damage; }
+};
+/// What the default definitions measure, in words.
+inline constexpr const char* default_initiation_name = "onset of crack volumetric strain";
+inline constexpr const char* default_damage_name = "reversal of volumetric strain";
+
+/// \param cracks the log of the run; without it no value is by damage
+AllThresholds measure_all_thresholds(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks);
+
+/// A definition beside the default ones.
+struct ThresholdDefinition {
+    bool is_damage = false;  ///< of crack damage CD, not of crack initiation CI
+    std::string by;          ///< "crack strain, 2D"
+    std::optional<double> (*stress)(const AllThresholds&) = nullptr;
+
+    [[nodiscard]] std::string name() const { return (is_damage ? "CD by " : "CI by ") + by; }
+};
+const std::vector<ThresholdDefinition>& other_threshold_definitions();
 
 }  // namespace graincrack

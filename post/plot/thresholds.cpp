@@ -1,8 +1,10 @@
 #include "post/plot/thresholds.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "post/chart/chart.hpp"
@@ -16,112 +18,293 @@ namespace graincrack {
 
 namespace {
 
-/// Axial and volumetric strains in % up to just past the peak.
+/// Strains in % since the start of axial loading, up to just past the peak.
 struct Strains {
-    std::vector<double> axial;
-    std::vector<double> plane;
-    std::vector<double> pseudo_3d;
     std::vector<double> stress;  ///< MPa
+    std::vector<double> axial;
+    std::vector<double> lateral;  ///< contraction positive, like the others
+    std::vector<double> volume;   ///< pseudo-3D
+    std::vector<double> cracks;   ///< `volume` less its elastic line; empty without such a line
+    std::size_t peak = 0;
 };
 
 Strains strains_of(const LoadCurve& curve) {
+    const std::vector<double> volume = volumetric_strain(curve, VolumeKind::pseudo_3d);
+    const std::vector<double> cracks = crack_strain(curve, volume);
     Strains s;
-    const double last = 1.15 * curve.gauge_axial_strain[curve.peak];
-    for (std::size_t i = curve.start; i < curve.stress.size() && curve.gauge_axial_strain[i] <= last; ++i) {
-        const double axial = curve.gauge_axial_strain[i] - curve.gauge_axial_strain[curve.start];
-        const double lateral = curve.gauge_lateral_strain[i] - curve.gauge_lateral_strain[curve.start];
-        s.axial.push_back(100 * axial);
-        s.plane.push_back(100 * (axial - lateral));
-        s.pseudo_3d.push_back(100 * (axial - 2 * lateral));
+    s.peak = curve.peak - curve.start;
+    const double last = 1.05 * curve.gauge_axial_strain[curve.peak];
+    for (std::size_t i = curve.start; i < curve.stress.size(); ++i) {
+        if (i > curve.peak && curve.gauge_axial_strain[i] > last) break;
         s.stress.push_back(1e-6 * curve.stress[i]);
+        s.axial.push_back(100 * (curve.gauge_axial_strain[i] - curve.gauge_axial_strain[curve.start]));
+        s.lateral.push_back(-100 * (curve.gauge_lateral_strain[i] - curve.gauge_lateral_strain[curve.start]));
+        s.volume.push_back(100 * (volume[i] - volume[curve.start]));
+        if (!cracks.empty()) s.cracks.push_back(100 * cracks[i]);
     }
     return s;
 }
 
-/// The gauge strain at which a stress is first reached, between two rows.
-double strain_at(const Strains& s, double stress) {
-    const auto at = std::find_if(s.stress.begin(), s.stress.end(), [&](double v) { return v >= stress; });
-    if (at == s.stress.end()) return s.axial.back();
-    const auto row = static_cast<std::size_t>(at - s.stress.begin());
-    if (row == 0) return s.axial[0];
-    const double share = (stress - s.stress[row - 1]) / (s.stress[row] - s.stress[row - 1]);
-    return s.axial[row - 1] + share * (s.axial[row] - s.axial[row - 1]);
+/// The smallest and the largest value up to the peak.
+std::pair<double, double> range_to_peak(const Strains& s, const std::vector<double>& values) {
+    return padded_range(std::span(values).first(std::min(values.size(), s.peak + 1)), 0);
 }
 
-struct Mark {
-    const char* label;
-    std::optional<double> stress;  ///< Pa
-    Marker marker;
+/// The value of a column where a threshold is, whose stress is that of a row.
+double at_stress(const Strains& s, const std::vector<double>& column, double stress) {
+    const auto row = std::find(s.stress.begin(), s.stress.end(), stress);
+    return column[std::min(static_cast<std::size_t>(row - s.stress.begin()), column.size() - 1)];
+}
+
+/// One of the default thresholds.
+struct Threshold {
+    const char* name;
+    const char* symbol;
+    const char* by;
+    std::optional<double> stress;  ///< MPa
+    Stroke stroke;
+    Marker marker;  ///< where it is read
 };
 
-std::vector<Mark> marks_of(const RunData& run, const LoadCurve& curve) {
-    const Thresholds plane = measure_thresholds(curve, VolumeKind::plane);
-    const Thresholds pseudo = measure_thresholds(curve, VolumeKind::pseudo_3d);
-    const Colour two = palette::series(1);
-    const Colour three = palette::series(2);
-    const auto hollow = [](Colour colour, MarkerShape shape) { return Marker{colour, shape, 26, true}; };
-    return {{"initiation, crack count", initiation_by_count(run, curve), hollow(palette::tensile, MarkerShape::triangle)},
-            {"initiation, crack strain 2D", plane.initiation_by_crack_strain, hollow(two, MarkerShape::disc)},
-            {"initiation, crack strain pseudo-3D", pseudo.initiation_by_crack_strain, hollow(three, MarkerShape::diamond)},
-            {"initiation, lateral response pseudo-3D", pseudo.initiation_by_lateral_response, {three, MarkerShape::cross, 20}},
-            {"damage 2D", plane.damage, hollow(two, MarkerShape::square)},
-            {"damage pseudo-3D", pseudo.damage, hollow(three, MarkerShape::leaves)}};
+std::array<Threshold, 2> default_thresholds(const AllThresholds& all) {
+    const auto megapascals = [](const std::optional<double>& stress) {
+        return stress ? std::optional(1e-6 * *stress) : std::nullopt;
+    };
+    return {{{"crack initiation",
+              "CI",
+              default_initiation_name,
+              megapascals(all.initiation()),
+              {palette::tensile, 3, Dash::dashed},
+              {palette::tensile, MarkerShape::disc, 18}},
+             {"crack damage",
+              "CD",
+              default_damage_name,
+              megapascals(all.damage()),
+              {palette::shear, 3, Dash::dash_dot},
+              {palette::shear, MarkerShape::square, 18}}}};
+}
+
+const Stroke axial_stroke{palette::series(0), 4.5};
+const Stroke lateral_stroke{palette::series(1), 4, Dash::long_dashed};
+const Stroke volume_stroke{palette::series(2), 4};
+const Stroke crack_stroke{palette::series(3), 4, Dash::long_dashed};
+
+std::string legend_of(const Threshold& threshold, double peak_stress) {
+    const std::string name = fmt::format("{} {}: ", threshold.name, threshold.symbol);
+    if (!threshold.stress) return name + "not reached before the peak";
+    return name + fmt::format("{:.1f} MPa, {:.2f} of the peak", *threshold.stress, *threshold.stress / peak_stress);
+}
+
+/// Stresses as near as this, MPa, share a mark.
+constexpr double same_stress = 0.05;
+
+/// A mark of other definitions, whose stresses coincide.
+struct OtherMark {
+    bool is_damage = false;
+    double stress = 0;  ///< MPa
+    std::vector<std::string> by;
+};
+
+/// The marks of other definitions; those that coincide with a default threshold are named in its legend, and those that are
+/// not reached in the note.
+struct OtherMarks {
+    std::vector<OtherMark> marks;
+    std::array<std::string, 2> like_default;  ///< CI, CD
+    std::vector<std::string> not_reached;
+};
+
+OtherMarks other_marks(const AllThresholds& all, const std::array<Threshold, 2>& defaults) {
+    OtherMarks others;
+    for (const ThresholdDefinition& definition : other_threshold_definitions()) {
+        const auto pascals = definition.stress(all);
+        if (!pascals) {
+            others.not_reached.push_back(definition.name());
+            continue;
+        }
+        const double stress = 1e-6 * *pascals;
+        const auto is_near = [&](double other) { return std::abs(stress - other) <= same_stress; };
+        const std::size_t kind = definition.is_damage ? 1 : 0;
+        if (defaults[kind].stress && is_near(*defaults[kind].stress)) {
+            others.like_default[kind] += "; the same by " + definition.by;
+            continue;
+        }
+        const auto same = std::find_if(others.marks.begin(), others.marks.end(), [&](const OtherMark& mark) {
+            return mark.is_damage == definition.is_damage && is_near(mark.stress);
+        });
+        if (same == others.marks.end()) {
+            others.marks.push_back({definition.is_damage, stress, {definition.by}});
+        } else {
+            same->by.push_back(definition.by);
+        }
+    }
+    std::stable_sort(others.marks.begin(), others.marks.end(),
+                     [](const OtherMark& a, const OtherMark& b) { return a.stress < b.stress; });
+    return others;
+}
+
+void draw_others(Chart& chart, const OtherMarks& others, const Strains& s) {
+    using enum MarkerShape;
+    constexpr std::array shapes{triangle, diamond, square, disc, leaves};  // a cross is damage
+    for (std::size_t i = 0; i < others.marks.size(); ++i) {
+        const OtherMark& mark = others.marks[i];
+        const Marker marker = mark.is_damage ? Marker{palette::series(i), cross, 20}
+                                             : Marker{palette::series(i), shapes[i % shapes.size()], 26, true};
+        chart.points(std::vector<double>{at_stress(s, s.axial, mark.stress)}, std::vector<double>{mark.stress}, marker);
+        chart.legend(marker,
+                     fmt::format("{} by {}: {:.1f} MPa", mark.is_damage ? "CD" : "CI", fmt::join(mark.by, "; "), mark.stress));
+    }
+    if (!others.not_reached.empty()) {
+        chart.add_note(fmt::format("Not reached before the peak: {}.", fmt::join(others.not_reached, "; ")));
+    }
+}
+
+using Places = std::vector<std::array<double, 2>>;
+
+/// Symbols on the curves and lines of the upper chart, where they cover nothing.
+void label_curves(Chart& chart, const Strains& s, const std::array<Threshold, 2>& defaults, const Axis& x) {
+    struct Curve {
+        const std::vector<double>& strain;
+        const char* symbol;
+        const Stroke& stroke;
+    };
+    const std::array<Curve, 3> curves{
+        {{s.axial, "ε1", axial_stroke}, {s.lateral, "ε3", lateral_stroke}, {s.volume, "ε1 + 2 ε3", volume_stroke}}};
+    Places levels;
+    for (const Threshold& threshold : defaults) {
+        if (!threshold.stress) continue;
+        for (double share = 0; share <= 1; share += 0.01) levels.push_back({x.low + share * (x.high - x.low), *threshold.stress});
+    }
+    const auto points_but = [&](const Curve* own) {
+        Places points;
+        for (const Curve& each : curves) {
+            if (&each == own) continue;
+            for (std::size_t i = 0; i < s.stress.size(); ++i) points.push_back({each.strain[i], s.stress[i]});
+        }
+        return points;
+    };
+    for (const Threshold& threshold : defaults) {
+        if (!threshold.stress) continue;
+        Places places;
+        for (const double share : {0.95, 0.9, 0.85, 0.05, 0.1, 0.15, 0.2}) {
+            places.push_back({x.low + share * (x.high - x.low), *threshold.stress});
+        }
+        chart.label_line(places, threshold.symbol, threshold.stroke.colour, points_but(nullptr));
+    }
+    for (const Curve& curve : curves) {
+        Places others = points_but(&curve);
+        others.insert(others.end(), levels.begin(), levels.end());
+        Places places;
+        for (const double share : {0.7, 0.65, 0.75, 0.6, 0.8, 0.55, 0.5, 0.3, 0.25}) {
+            const double wanted = s.stress[0] + share * (s.stress[s.peak] - s.stress[0]);
+            const auto row = std::find_if(s.stress.begin(), s.stress.end(), [&](double stress) { return stress >= wanted; });
+            places.push_back({curve.strain[static_cast<std::size_t>(row - s.stress.begin())], *row});
+        }
+        chart.label_line(places, curve.symbol, curve.stroke.colour, others);
+    }
 }
 
 /// The frames of both charts begin at one place.
 constexpr double left_edge = 140;
 
-Drawing stress_chart(const RunData& run, const LoadCurve& curve, const Strains& s, const Axis& x, const PictureStyle& style) {
-    Chart chart(style,
-                {test_title(run.header),
-                 {"plane " + std::string(name_of(run.header.plane)) + ": 2D values do not compare with laboratory ones"}},
-                x, Axis{"stress, MPa", 0, 1.1 * largest(s.stress)}, {.min_left = left_edge});
-    const Stroke load{palette::series(0), 4.5};
-    chart.line(s.axial, s.stress, load);
-    for (const Mark& mark : marks_of(run, curve)) {
-        if (!mark.stress) continue;
-        const double stress = *mark.stress * 1e-6;
-        chart.points(std::vector<double>{strain_at(s, stress)}, std::vector<double>{stress}, mark.marker);
-        chart.legend(mark.marker, fmt::format("{}: {:.1f} MPa", mark.label, stress));
+Drawing stress_chart(const RunData& run, const Strains& s, const AllThresholds& all, ThresholdMarks marks,
+                     const PictureStyle& style) {
+    const double high = range_to_peak(s, s.axial).second;
+    const double left = std::min(range_to_peak(s, s.lateral).first, range_to_peak(s, s.volume).first);
+    const double low = std::clamp(left, -0.6 * high, 0.0);
+    const Axis x{"strain, % (lateral left, axial right)", low - 0.08 * (high - low), high + 0.08 * (high - low)};
+    ChartText text{
+        test_title(run.header),
+        {"plane " + std::string(name_of(run.header.plane)) + "; contraction positive; the third strain is taken as ε3"}};
+    if (marks == ThresholdMarks::all) text.notes.emplace_back("2D values do not compare with laboratory ones.");
+    Chart chart(style, text, x, Axis{"axial stress, MPa", 0, 1.1 * largest(s.stress)}, {.min_left = left_edge});
+    const auto defaults = default_thresholds(all);
+    const OtherMarks others = marks == ThresholdMarks::all ? other_marks(all, defaults) : OtherMarks{};
+    for (const Threshold& threshold : defaults) {
+        if (!threshold.stress) continue;
+        chart.line(std::vector<double>{x.low, x.high}, std::vector<double>(2, *threshold.stress), threshold.stroke);
     }
+    chart.line(s.volume, s.stress, volume_stroke);
+    chart.line(s.lateral, s.stress, lateral_stroke);
+    chart.line(s.axial, s.stress, axial_stroke);
+    for (const OtherMark& mark : others.marks) chart.keep_clear(at_stress(s, s.axial, mark.stress), mark.stress, 15);
+    label_curves(chart, s, defaults, x);
+    chart.legend(axial_stroke, "axial strain ε1");
+    chart.legend(lateral_stroke, "lateral strain ε3");
+    chart.legend(volume_stroke, "volumetric strain ε1 + 2 ε3");
+    for (std::size_t i = 0; i < defaults.size(); ++i) {
+        chart.legend(defaults[i].stroke, legend_of(defaults[i], s.stress[s.peak]) + others.like_default[i]);
+    }
+    draw_others(chart, others, s);
     return chart.finish();
 }
 
-Drawing volume_chart(const Strains& s, const Axis& x, PictureStyle style) {
-    style = style.of_part(style.page_width);
+Drawing volume_chart(const Strains& s, const AllThresholds& all, const PictureStyle& whole) {
+    PictureStyle style = whole.of_part(whole.page_width);
+    style.x_limits.reset();
     style.y_limits.reset();
-    std::vector<double> volumes = s.plane;
-    volumes.insert(volumes.end(), s.pseudo_3d.begin(), s.pseudo_3d.end());
-    const auto [low, high] = padded_range(volumes, 0.05);
-    const double floor = std::max(low, -0.4 * high);  // bursting after the peak would compress the part of interest
-    Chart chart(style, {}, x, Axis{"volumetric strain, %", floor, high},
-                {.height = 11 * std::sqrt(style.page_width), .min_left = left_edge});
-    const Stroke plane{palette::series(1), 3.5};
-    const Stroke pseudo{palette::series(2), 3.5, Dash::dashed};
-    chart.line(s.axial, s.plane, plane);
-    chart.line(s.axial, s.pseudo_3d, pseudo);
-    chart.legend(plane, "ε1 + ε3 (2D)");
-    chart.legend(pseudo, "ε1 + 2ε3 (pseudo-3D)");
+    // Bursting shortly before the peak and behind it would compress the part of interest.
+    const double axial = range_to_peak(s, s.axial).second;
+    const double largest_volume = std::max(range_to_peak(s, s.volume).second, 0.1 * axial);
+    const double smallest_volume = std::min(range_to_peak(s, s.volume).first, range_to_peak(s, s.cracks).first);
+    const double low = std::clamp(1.1 * smallest_volume, -largest_volume, -0.1 * largest_volume);
+    const double high = 1.15 * largest_volume;
+    const Axis x{"axial strain, %", 0, 1.08 * axial};
+    Chart chart(style, {}, x, Axis{"volumetric strain, %", low, high},
+                {.height = 14 * std::sqrt(style.page_width), .min_left = left_edge});
+    const auto defaults = default_thresholds(all);
+    for (const Threshold& threshold : defaults) {
+        if (!threshold.stress) continue;
+        chart.line(std::vector<double>(2, at_stress(s, s.axial, *threshold.stress)), std::vector<double>{low, high},
+                   threshold.stroke);
+    }
+    chart.line(s.axial, s.volume, volume_stroke);
+    chart.legend(volume_stroke, "volumetric strain");
+    if (!s.cracks.empty()) {
+        chart.line(s.axial, s.cracks, crack_stroke);
+        chart.legend(crack_stroke, "crack volumetric strain: less the elastic line");
+    }
+    const std::array read_from{&s.cracks, &s.volume};
+    for (std::size_t i = 0; i < defaults.size(); ++i) {
+        const Threshold& threshold = defaults[i];
+        if (!threshold.stress) continue;
+        chart.points(std::vector<double>{at_stress(s, s.axial, *threshold.stress)},
+                     std::vector<double>{at_stress(s, *read_from[i], *threshold.stress)}, threshold.marker);
+        chart.legend(threshold.marker, fmt::format("{}: {}", threshold.symbol, threshold.by));
+    }
     return chart.finish();
 }
 
 }  // namespace
 
-Drawing draw_thresholds(const RunData& run, const PictureStyle& style) {
+Drawing draw_thresholds(const RunData& run, ThresholdMarks marks, const PictureStyle& style, const std::vector<Crack>& cracks) {
     if (!is_compression(run.header)) {
         throw InputError(run.name + ": a " + run.header.test + " test; thresholds are read from uniaxial and triaxial ones");
     }
     const LoadCurve curve = load_curve(run);
     const Strains s = strains_of(curve);
-    const Axis x{"axial strain (gauge), %", 0, 1.03 * largest(s.axial)};
-    return stacked({stress_chart(run, curve, s, x, style), volume_chart(s, x, style)});
+    const AllThresholds all = measure_all_thresholds(run, curve, cracks);
+    return stacked({stress_chart(run, s, all, marks, style), volume_chart(s, all, style)});
 }
 
 Command thresholds_plot() {
-    return make_plot<PlotOptions>(
-        "thresholds", "crack initiation and damage on stress and volumetric strain",
-        {"uniaxial.h5 -o thresholds.png", "triaxial.h5 -o thresholds.svg"}, one_run, add_chart,
-        [](const PlotOptions& options, const Call& call) { return draw_thresholds(read_run_data(call.file()), options.style); });
+    struct Options : PlotOptions {
+        ThresholdMarks marks = ThresholdMarks::usual;
+    };
+    return make_plot<Options>(
+        "thresholds", "crack initiation and damage on axial, lateral and volumetric strain",
+        {"uniaxial.h5 -o thresholds.png", "triaxial.h5 --definitions all -o thresholds.svg"}, one_run,
+        [](OptionSet set, Options& options) {
+            add_chart(set, options);
+            add_choice<ThresholdMarks>(set, "--definitions", options.marks,
+                                       {{"default", ThresholdMarks::usual}, {"all", ThresholdMarks::all}},
+                                       "what has a mark: crack initiation and damage as strain gauges tell them, or by all "
+                                       "definitions of the table moduli");
+        },
+        [](const Options& options, const Call& call) {
+            const RunReader run(call.file());
+            return draw_thresholds(run_data(run), options.marks, options.style,
+                                   options.marks == ThresholdMarks::all ? run.cracks() : std::vector<Crack>{});
+        });
 }
 
 }  // namespace graincrack

@@ -43,8 +43,9 @@ const std::map<std::string, ValueOfTest>& values_by_kind() {
         {"largest", strength(StrengthKind::largest)},
         {"residual", strength(StrengthKind::residual)},
         {"drop", [](const TestReport& t) { return t.strength.first_peak ? t.strength.first_peak->drop : std::nullopt; }},
-        {"crack_initiation", [](const TestReport& t) { return t.initiation; }},
-        {"crack_damage", [](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }},
+        {"crack_initiation", [](const TestReport& t) { return t.threshold(&AllThresholds::initiation); }},
+        {"crack_initiation_count", [](const TestReport& t) { return t.threshold(&AllThresholds::initiation_by_count); }},
+        {"crack_damage", [](const TestReport& t) { return t.threshold(&AllThresholds::damage); }},
         {"tensile_share",
          [](const TestReport& t) {
              const double all = t.by_sign_at_peak.tensile + t.by_sign_at_peak.shear;
@@ -188,31 +189,15 @@ bool stands_before_envelope(const LaboratoryProperty& property) {
     return std::find(names.begin(), names.end(), property.target.kind.name) != names.end();
 }
 
-/// Crack initiation and damage of uniaxial tests by other definitions than that of the targets. Definitions whose values are
-/// equal to three digits share a row.
+/// Crack initiation and damage of uniaxial tests by other definitions than the default. Definitions whose values are equal to
+/// three digits share a row.
 std::string other_thresholds(const std::vector<SeedGroup>& groups) {
-    struct Definition {
-        std::string name;
-        ValueOfTest of;
-    };
-    std::vector<Definition> definitions{
-        {"CI by crack strain",
-         [](const TestReport& t) { return t.thresholds ? t.thresholds->initiation_by_crack_strain : std::nullopt; }},
-        {"CI by lateral strain",
-         [](const TestReport& t) { return t.thresholds ? t.thresholds->initiation_by_lateral_response : std::nullopt; }}};
-    for (std::size_t level = 0; level < std::tuple_size_v<InitiationByDamage>; ++level) {
-        constexpr const char* percents[] = {"10", "50", "90"};
-        definitions.push_back({fmt::format("CI by 1 % of the points damaged by {} %", percents[level]),
-                               [level](const TestReport& t) { return t.initiation_by_damage[level]; }});
-    }
-    definitions.push_back({"CD by volume, as if the third direction widened too",
-                           [](const TestReport& t) { return t.thresholds ? t.pseudo_thresholds->damage : std::nullopt; }});
     std::vector<std::pair<std::string, std::string>> rows;  // names, value
     for (const SeedGroup& group : groups) {
         if (group.first().data.header.test != "uniaxial") continue;
         const std::size_t first = rows.size();
-        for (const Definition& definition : definitions) {
-            const auto sample = group.sample_of(definition.of);
+        for (const ThresholdDefinition& definition : other_threshold_definitions()) {
+            const auto sample = group.sample_of([&](const TestReport& t) { return t.threshold(definition.stress); });
             if (!sample) continue;
             std::string value = number(sample->mean.value * in_megapascals, 3);
             if (sample->mean.low) {
@@ -222,9 +207,9 @@ std::string other_thresholds(const std::vector<SeedGroup>& groups) {
             const auto same = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(first), rows.end(),
                                            [&](const auto& row) { return row.second == value; });
             if (same == rows.end()) {
-                rows.emplace_back(group.with_specimen(definition.name), value);
+                rows.emplace_back(group.with_specimen(definition.name()), value);
             } else {
-                same->first += "\n" + definition.name;
+                same->first += "\n" + definition.name();
             }
         }
     }
@@ -284,8 +269,9 @@ std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<S
         text += html::paragraph("Laboratory: [targets] and [laboratory] of " + material->file.filename().string() + ".");
     }
     text += html::paragraph(
-        "CI: stress at 1 % of the cracks counted at the peak. CD: stress at which the area of the specimen, gauged over its "
-        "central half, begins to grow. E and ν: chord to half the peak. C and φ: line through the compression tests.");
+        "CI and CD as strain gauges tell them, by the volumetric strain ε1 + 2 ε3 over the central half. CI: stress at which the "
+        "crack volumetric strain sets in, which is that strain less its elastic line. CD: stress at which the volume begins to "
+        "grow. E and ν: chord to half the peak. C and φ: line through the compression tests.");
     text += other_thresholds(groups);
     if (const std::string fitted = fitted_table(material); !fitted.empty()) {
         text += "<h3>What the calibration fitted</h3>\n" + fitted;

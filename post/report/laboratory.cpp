@@ -29,6 +29,7 @@ const std::map<std::string, std::string>& laboratory_names() {
                                                           {"uniaxial", "UCS"},
                                                           {"first_peak", "σ1"},
                                                           {"crack_initiation", "crack initiation CI"},
+                                                          {"crack_initiation_count", "CI by count of cracks"},
                                                           {"crack_damage", "crack damage CD"}};
     return names;
 }

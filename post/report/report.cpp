@@ -81,7 +81,8 @@ std::string map_figures(const RunReader& run, const TestReport& t, const std::st
         });
     }
     if (is_compression(t.data.header)) {
-        figures.add("thresholds", [&](const PictureStyle& style) { return draw_thresholds(t.data, style); });
+        figures.add("thresholds",
+                    [&](const PictureStyle& style) { return draw_thresholds(t.data, ThresholdMarks::usual, style); });
     }
     return figures.under(name + " (" + t.data.name + ")");
 }

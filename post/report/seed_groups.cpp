@@ -117,8 +117,8 @@ std::string group_table(const std::vector<SeedGroup>& groups) {
         {"E, GPa", 1e-9,
          [](const TestReport& t) { return t.moduli ? std::optional(t.moduli->chord.young_modulus) : std::nullopt; }},
         {"ν", 1, [](const TestReport& t) { return t.moduli ? std::optional(t.moduli->chord.poisson_ratio) : std::nullopt; }},
-        {"CI, MPa", in_megapascals, [](const TestReport& t) { return t.initiation; }},
-        {"CD, MPa", in_megapascals, [](const TestReport& t) { return t.thresholds ? t.thresholds->damage : std::nullopt; }}};
+        {"CI, MPa", in_megapascals, [](const TestReport& t) { return t.threshold(&AllThresholds::initiation); }},
+        {"CD, MPa", in_megapascals, [](const TestReport& t) { return t.threshold(&AllThresholds::damage); }}};
     std::vector<std::string> head{"test", "plane", "runs"};
     for (const Value& value : values) head.emplace_back(value.head);
     head.insert(head.end(), {"without peak", "over Brazilian"});

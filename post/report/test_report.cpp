@@ -63,12 +63,7 @@ TestReport read_test_report(const RunReader& run) {
     report.predicted = predict_moduli(header, specimen);
     report.grains = grain_moduli(header, specimen);
     report.class_names = contact_class_names(specimen);
-    if (is_compression(header)) {
-        report.thresholds = measure_thresholds(report.curve, VolumeKind::plane);
-        report.pseudo_thresholds = measure_thresholds(report.curve, VolumeKind::pseudo_3d);
-        report.initiation = initiation_by_count(report.data, report.curve);
-        report.initiation_by_damage = initiation_by_damage(report.data, report.curve, log);
-    }
+    if (is_compression(header)) report.thresholds = measure_all_thresholds(report.data, report.curve, log);
     std::optional<BrazilianSplit> split;
     if (splits(report.data)) split = measure_split(report.data, report.curve, specimen, log);
     report.caveats = caveats_of(report.data, split);

@@ -1,6 +1,7 @@
 // The data of one run that a report uses, read in a single pass over its file.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,13 +38,10 @@ struct TestReport {
     std::optional<Moduli> moduli;
     fpz::AssemblageModuli predicted;
     GrainModuli grains;
-    std::vector<std::string> class_names;         ///< of the contacts, in the order of `RunHeader::fabric`
-    std::optional<Thresholds> thresholds;         ///< 2D, compression tests
-    std::optional<Thresholds> pseudo_thresholds;  ///< the same by the pseudo-3D volume
-    std::optional<double> initiation;             ///< by crack count, Pa
-    InitiationByDamage initiation_by_damage;
-    std::vector<Caveat> caveats;  ///< caveats of the strength
-    CrackBalance at_peak;         ///< by the event of the run
+    std::vector<std::string> class_names;     ///< of the contacts, in the order of `RunHeader::fabric`
+    std::optional<AllThresholds> thresholds;  ///< of compression tests
+    std::vector<Caveat> caveats;              ///< caveats of the strength
+    CrackBalance at_peak;                     ///< by the event of the run
     CrackBalance at_end;
     ModeCounts by_sign_at_peak;  ///< by the event of the run and the sign of the opening then
     FailureBranches branches;
@@ -52,6 +50,12 @@ struct TestReport {
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;
     std::vector<std::string> command_line;  ///< words
+
+    /// \param stress what gives a stress of `AllThresholds` \return empty of a test without them
+    template <class Stress>
+    [[nodiscard]] std::optional<double> threshold(const Stress& stress) const {
+        return thresholds ? std::invoke(stress, *thresholds) : std::nullopt;
+    }
 };
 
 /// Evaluates a run for the report. \throws InputError if it cannot be read or evaluated

@@ -143,6 +143,17 @@ inline History synthetic_history(const Recipe& r) {
     return h;
 }
 
+/// Adds to the lateral strain, elongation positive, from half the peak on: `extra` times the square of the stress beyond, MPa².
+/// After the peak all of it stays.
+inline void widen(History& history, const Recipe& r, double extra) {
+    double widest = 0;
+    for (std::size_t row = 0; row < history.size(); ++row) {
+        const double beyond = std::max(std::abs(history[HistoryColumn::axial_stress][row]) - 0.5 * r.peak, 0.0) * 1e-6;
+        widest = std::max(widest, extra * beyond * beyond);
+        history[HistoryColumn::gauge_lateral_strain][row] += widest;
+    }
+}
+
 inline RunHeader synthetic_header(const Recipe& r) {
     RunHeader header;
     header.test = r.test;

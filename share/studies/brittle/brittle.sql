@@ -1,8 +1,8 @@
 -- One row per variant and quantity: number of tests that have it, mean, half of its 95 % interval. Strengths in MPa; K_IC in MPa√m; the work of
 -- fracture is what tension has lost to cracks and friction when the specimen has parted, over its width.
 WITH fractures AS (
-    SELECT file, total(CASE WHEN class NOT LIKE 'within%' THEN tensile_cracks_at_peak + shear_cracks_at_peak END)
-        / total(tensile_cracks_at_peak + shear_cracks_at_peak) AS between_share
+    SELECT file, total(CASE WHEN class NOT LIKE 'within%' THEN tensile_cracks + shear_cracks END)
+        / total(tensile_cracks + shear_cracks) AS between_share
     FROM cracks GROUP BY file
 ), tests AS (
     SELECT runs.rowid AS place, runs.variant, runs.series, strength.*, moduli.*, between_share, "mode_i_toughness_MPa.m^0.5" AS toughness,
@@ -41,10 +41,10 @@ WITH fractures AS (
     SELECT nth, min(place) AS place, variant, quantity, count(value) AS n, mean(value) AS mean, half_interval(value) AS half_interval
     FROM measured GROUP BY quantity, variant
 ), tension AS (
-    SELECT min(place) AS place, variant, total(mean) FILTER (quantity = 'direct_tension_MPa') AS direct,
-        total(mean) FILTER (quantity = 'Brazilian_MPa') AS brazilian,
-        sum(half_interval) FILTER (quantity = 'direct_tension_MPa') AS direct_half,
-        sum(half_interval) FILTER (quantity = 'Brazilian_MPa') AS brazilian_half, min(n) AS n
+    SELECT min(place) AS place, variant, total(mean) FILTER (WHERE quantity = 'direct_tension_MPa') AS direct,
+        total(mean) FILTER (WHERE quantity = 'Brazilian_MPa') AS brazilian,
+        sum(half_interval) FILTER (WHERE quantity = 'direct_tension_MPa') AS direct_half,
+        sum(half_interval) FILTER (WHERE quantity = 'Brazilian_MPa') AS brazilian_half, min(n) AS n
     FROM summed WHERE quantity IN ('direct_tension_MPa', 'Brazilian_MPa') GROUP BY variant
 )
 SELECT variant, quantity, n, mean, half_interval FROM (

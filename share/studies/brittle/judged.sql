@@ -1,7 +1,9 @@
--- For --pivot: the criteria of each variant, those that hold in bold, those that are undecided with a question mark.
+-- For --pivot: the criteria of the variants of :PART; those that hold in bold, those that are undecided with a question mark.
+WITH judged AS (SELECT criteria.*, variants.rowid AS place, criteria.rowid AS nth FROM variants JOIN criteria USING (variant) WHERE part = :PART)
 SELECT variant, heading, value FROM (
-    SELECT variant, criterion AS heading, CASE WHEN holds THEN '**' ELSE '' END || text('{:.2f}', mean) || ifnull(text(' ± {:.2f}', half_interval), '') ||
-        CASE WHEN holds THEN '**' ELSE '' END || CASE WHEN undecided THEN ' ?' ELSE '' END AS value, criteria.rowid AS place, 1 AS nth FROM criteria
-    UNION ALL SELECT variant, 'hold', text('{:.0f} of {:.0f}', sum(holds), count(*)), min(criteria.rowid), 2 FROM criteria GROUP BY variant
-    UNION ALL SELECT variant, 'distance', text('{:.2f}', mean(distance)), min(criteria.rowid), 3 FROM criteria GROUP BY variant
-) ORDER BY nth, place
+    SELECT place, nth, variant, criterion AS heading, CASE WHEN holds THEN '**' ELSE '' END || ifnull(text('{:.2f}', mean), 'none') ||
+        ifnull(text(' ± {:.2f}', half_interval), '') || CASE WHEN holds THEN '**' ELSE '' END || CASE WHEN undecided THEN ' ?' ELSE '' END AS value
+    FROM judged
+    UNION ALL SELECT place, 1e6, variant, 'hold', text('{:.0f} of {:.0f}', sum(holds), count(*)) FROM judged GROUP BY variant
+    UNION ALL SELECT place, 2e6, variant, 'distance', text('{:.2f}', mean(distance)) FROM judged GROUP BY variant
+) ORDER BY place, nth

@@ -196,6 +196,20 @@ TEST_F(Commands, DesignFitAndSolveByTheirTables) {
     EXPECT_THROW((void)output_of({"ccd", "solve", runs}), UsageError);
 }
 
+TEST_F(Commands, ThresholdsShowOtherDefinitionsOnRequest) {
+    const std::string run = folder_.file("run.h5");
+    const auto picture = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"plot", "thresholds", run, "-o", folder_.file("t.svg")};
+        words.insert(words.end(), more.begin(), more.end());
+        (void)output_of(words);
+        return test::read_text(folder_.file("t.svg"));
+    };
+    EXPECT_EQ(picture({}).find("count of cracks"), std::string::npos);
+    EXPECT_EQ(picture({"--definitions", "default"}), picture({}));
+    EXPECT_NE(picture({"--definitions", "all"}).find("CI by count of cracks"), std::string::npos);
+    test::expect_one_line<UsageError>([&] { (void)picture({"--definitions", "some"}); }, {"--definitions", "all"});
+}
+
 TEST_F(Commands, WrongUseIsRefused) {
     const std::string run = folder_.file("run.h5");
     EXPECT_THROW((void)output_of({"strength", "-", "-"}), UsageError);

@@ -113,12 +113,11 @@ protected:
 
     static inline const std::vector<std::string> strength_columns{"tensile_strength_MPa", "first_peak_MPa", "residual_MPa",
                                                                   "wall_time_s"};
-    static inline const std::vector<std::string> moduli_columns{"young_modulus_GPa", "poisson_ratio",
-                                                                "crack_initiation_count_MPa"};
+    static inline const std::vector<std::string> moduli_columns{"young_modulus_GPa", "poisson_ratio", "crack_initiation_MPa"};
     test::TemporaryFolder folder_;
     std::set<std::string> made_;
     std::string strength_ = "file\ttensile_strength_MPa\tfirst_peak_MPa\tresidual_MPa\twall_time_s\n";
-    std::string moduli_ = "file\tyoung_modulus_GPa\tpoisson_ratio\tcrack_initiation_count_MPa\n";
+    std::string moduli_ = "file\tyoung_modulus_GPa\tpoisson_ratio\tcrack_initiation_MPa\n";
 };
 
 TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {

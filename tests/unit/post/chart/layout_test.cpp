@@ -92,7 +92,11 @@ TEST_P(Layout, PicturesOfOneRun) {
         "counts");
     expect_fit_to_print(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5", style_), "emission");
     expect_fit_to_print(draw_energy(data, Abscissa::time, style_), "energy");
-    expect_fit_to_print(draw_thresholds(data, style_), "thresholds");
+    expect_fit_to_print(draw_thresholds(data, ThresholdMarks::usual, style_), "thresholds");
+    RunData opening = data;
+    test::widen(opening.history, recipe_, 4e-7);
+    expect_fit_to_print(draw_thresholds(opening, ThresholdMarks::usual, style_), "thresholds that are reached");
+    expect_fit_to_print(draw_thresholds(opening, ThresholdMarks::all, style_, all), "thresholds by all definitions");
     expect_fit_to_print(draw_laws(data.header.contact, "Augig granite, plane strain", {}, style_), "law");
     expect_fit_to_print(draw_lennard_jones(style_), "lennard-jones");
 }

@@ -145,7 +145,9 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
     expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragment\n", "100.0 % of the area"});
     expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
-    expect(draw_thresholds(data), {"do not compare with laboratory", "crack count: 62.5 MPa"});
+    expect(draw_thresholds(data), {"the third strain is taken as ε3", "crack initiation CI: not reached before the peak",
+                                   "crack damage CD: not reached before the peak"});
+    expect(draw_thresholds(data, ThresholdMarks::all, {}, all), {"do not compare with laboratory", "count of cracks, 1\u00a0%"});
     expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
     EXPECT_LT(draw_laws(data.header.contact, "granite", {}).height(), 1900);
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});

@@ -63,6 +63,43 @@ TEST(Thresholds, ElasticUpToThePeakHasNone) {
     EXPECT_FALSE(none.initiation_by_lateral_response.has_value());
 }
 
+// A curve whose three volumes and count set in at stresses that differ: the default is that of the pseudo-3D volume.
+TEST(Thresholds, TheDefaultIsThatOfStrainGaugesOnACylinder) {
+    constexpr double extra = 1e-6;
+    const LoadCurve curve = opening_curve(extra);
+    RunData run;
+    run.history = test::synthetic_history({});
+    for (std::vector<double>& column : run.history.columns) column.resize(curve.stress.size());
+    for (std::size_t row = 0; row < curve.stress.size(); ++row) {
+        run.history[HistoryColumn::tensile_cracks][row] = row < 900 ? 0 : static_cast<double>(row);
+        run.history[HistoryColumn::shear_cracks][row] = 0;
+    }
+    const AllThresholds all = measure_all_thresholds(run, curve, {});
+    EXPECT_NEAR(*all.initiation() * 1e-6, 50 + std::sqrt(crack_strain_offset / (2 * extra)), 0.11);
+    EXPECT_NEAR(*all.damage() * 1e-6, 50 + 0.4 / 25e3 / (4 * extra), 0.11);
+    EXPECT_NEAR(*all.initiation_by_count * 1e-6, 90, 1e-6);
+    for (const ThresholdDefinition& other : other_threshold_definitions()) {
+        const auto stress = other.stress(all);
+        EXPECT_NE(stress, other.is_damage ? all.damage() : all.initiation()) << other.name();
+        if (other.name().find("damaged") != std::string::npos) {
+            EXPECT_FALSE(stress.has_value()) << other.name();  // there is no log
+        } else {
+            EXPECT_TRUE(stress.has_value()) << other.name();
+        }
+    }
+}
+
+TEST(Thresholds, CrackStrainIsWhatTheElasticLineDoesNotTell) {
+    constexpr double extra = 1e-6;
+    const LoadCurve curve = opening_curve(extra);
+    const std::vector<double> volume = volumetric_strain(curve, VolumeKind::pseudo_3d);
+    EXPECT_NEAR(volume[400], 40e6 / 25e9 * 0.4, 1e-12);
+    const std::vector<double> cracks = crack_strain(curve, volume);
+    ASSERT_EQ(cracks.size(), curve.stress.size());
+    EXPECT_NEAR(cracks[400], 0, 1e-12);
+    EXPECT_NEAR(cracks[700], -2 * extra * 400, 1e-12);  // (70 − 50)² MPa²
+}
+
 TEST(Thresholds, CountIsOnePercentOfThatAtThePeak) {
     test::Recipe recipe;  // 25 contacts at the peak, the first tensile one at (0.5 + 1/40) of the way
     RunData run;
@@ -128,6 +165,9 @@ TEST(Thresholds, TableLabelsThemAndKeepsTensionEmpty) {
     };
     const std::string table = table_of({});
     EXPECT_NEAR(std::stod(test::field(table, "crack_initiation_count_MPa")), 0.5 * 125, 1e-5);
+    EXPECT_LT(table.find("\tcrack_initiation_MPa\tcrack_damage_MPa\tcrack_initiation_crack_strain_2d_MPa\t"), table.find('\n'));
+    EXPECT_EQ(test::field(table, "crack_initiation_MPa"), test::field(table, "crack_initiation_crack_strain_pseudo_3d_MPa"));
+    EXPECT_EQ(test::field(table, "crack_damage_MPa"), test::field(table, "crack_damage_pseudo_3d_MPa"));
     EXPECT_NE(test::field(table, "threshold_note").find("do not compare with laboratory"), std::string::npos);
     test::Recipe tension;
     tension.test = "tension";

@@ -1,4 +1,5 @@
 // What pictures say by the places of their lines and markers, and by their words.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "post/measure/thresholds.hpp"
 #include "post/plot/counts.hpp"
 #include "post/plot/cracks.hpp"
 #include "post/plot/energy.hpp"
@@ -45,18 +47,85 @@ protected:
     test::TemporaryFolder folder_;
 };
 
-TEST_F(Plot, ThresholdsLieOnTheCurve) {
-    const Drawing page = draw_thresholds(run());
-    const auto curves = lines_of(page, palette::series(0), 4.5);
-    ASSERT_EQ(curves.size(), 1U);
-    const auto& curve = curves[0].points;
-    const auto markers = lines_of(page, palette::tensile, 0.15 * 26);  // of the crack count: in the frame and in the legend
+class ThresholdsPlot : public Plot {
+protected:
+    void SetUp() override {
+        Plot::SetUp();
+        data_ = run();
+        test::widen(data_.history, recipe_, 4e-7);
+    }
+    RunData data_;
+};
+
+TEST_F(ThresholdsPlot, LinesAreAtTheDefaultThresholdsWithTheirShareOfThePeak) {
+    const LoadCurve curve = load_curve(data_);
+    const Thresholds gauges = measure_thresholds(curve, VolumeKind::pseudo_3d);
+    ASSERT_TRUE(gauges.initiation_by_crack_strain && gauges.damage);
+    const Drawing page = draw_thresholds(data_);
+    const auto expected = [&](const std::string& name, double stress) {
+        return fmt::format("{}: {:.1f} MPa, {:.2f} of the peak\n", name, stress * 1e-6, stress / 125e6);
+    };
+    EXPECT_TRUE(says(page, expected("crack initiation CI", *gauges.initiation_by_crack_strain))) << page.words();
+    EXPECT_TRUE(says(page, expected("crack damage CD", *gauges.damage))) << page.words();
+    EXPECT_FALSE(says(page, "count"));
+    EXPECT_FALSE(says(page, "2D"));
+    // Level above, upright below, and in the legend.
+    for (const Colour colour : {palette::tensile, palette::shear}) {
+        const auto lines = lines_of(page, colour, 3);
+        ASSERT_EQ(lines.size(), 3U);
+        EXPECT_EQ(lines[0].points.front().y, lines[0].points.back().y);
+        EXPECT_EQ(lines[2].points.front().x, lines[2].points.back().x);
+    }
+}
+
+TEST_F(ThresholdsPlot, VolumeTurnsWhereCrackDamageIs) {
+    const Drawing page = draw_thresholds(data_);
+    const auto volumes = lines_of(page, palette::series(2), 4);  // above, its legend, below, its legend
+    ASSERT_EQ(volumes.size(), 4U);
+    const auto& above = volumes[0].points;
+    const auto farthest = std::max_element(above.begin(), above.end(), [](Pixel a, Pixel b) { return a.x < b.x; });
+    EXPECT_NEAR(farthest->y, lines_of(page, palette::shear, 3)[0].points[0].y, 0.5);
+    const auto& below = volumes[2].points;
+    const auto highest = std::min_element(below.begin(), below.end(), [](Pixel a, Pixel b) { return a.y < b.y; });
+    EXPECT_NEAR(highest->x, lines_of(page, palette::shear, 3)[2].points[0].x, 0.5);
+}
+
+TEST_F(ThresholdsPlot, AllDefinitionsHaveMarksAndThoseThatCoincideShareOne) {
+    std::vector<Crack> cracks = test::synthetic_cracks(test::Recipe().specimen);
+    for (Crack& crack : cracks) crack.damaged_10.time = crack.damaged_50.time = 0.6;
+    PictureStyle wide;
+    wide.page_width = 2000;  // each entry of the legend has one line
+    const Drawing page = draw_thresholds(data_, ThresholdMarks::all, wide, cracks);
+    EXPECT_TRUE(says(page, "count of cracks, 1\u00a0%: ")) << page.words();
+    EXPECT_TRUE(
+        says(page, "CI by 1\u00a0% of the points damaged by 10\u00a0%; 1\u00a0% of the points damaged by 50\u00a0%: 75.0 MPa\n"))
+        << page.words();
+    EXPECT_TRUE(says(page, "Not reached before the peak: CI by 1\u00a0% of the points damaged by 90\u00a0%."));
+    EXPECT_TRUE(says(page, "CD by reversal of volumetric strain, 2D: "));
+    EXPECT_TRUE(says(page, "crack damage CD: "));
+    // The mark of the smallest stress lies on the axial strain.
+    const auto axial = lines_of(page, palette::series(0), 4.5);
+    const auto markers = lines_of(page, palette::series(0), 0.15 * 26);  // in the frame and in the legend
+    ASSERT_EQ(axial.size(), 2U);
     ASSERT_EQ(markers.size(), 2U);
+    const auto& curve = axial[0].points;
     const auto& corners = markers[0].points;
     const Pixel place{corners[0].x, corners[0].y + 1.2 * 13};  // below the tip of the triangle
     double nearest = 1e300;
     for (std::size_t i = 1; i < curve.size(); ++i) nearest = std::min(nearest, distance(place, curve[i - 1], curve[i]));
     EXPECT_LT(nearest, 0.5);
+    // A definition that coincides with the default is named there.
+    const double initiation = *measure_thresholds(load_curve(data_), VolumeKind::pseudo_3d).initiation_by_crack_strain;
+    for (Crack& crack : cracks) crack.damaged_10.time = initiation / 125e6 - 1e-9;
+    const Drawing same = draw_thresholds(data_, ThresholdMarks::all, wide, cracks);
+    EXPECT_TRUE(says(same, "of the peak; the same by 1\u00a0% of the points damaged by 10\u00a0%\n")) << same.words();
+}
+
+TEST_F(ThresholdsPlot, SaysWhatIsNotReached) {
+    const Drawing page = draw_thresholds(run());  // elastic up to the peak
+    EXPECT_TRUE(says(page, "crack initiation CI: not reached before the peak\n"));
+    EXPECT_TRUE(says(page, "crack damage CD: not reached before the peak\n"));
+    EXPECT_EQ(lines_of(page, palette::shear, 3).size(), 1U);  // in the legend
 }
 
 TEST_F(Plot, EnergyIsOverTimeOrStrainAndLeavesOutWhatIsNothing) {

@@ -36,9 +36,9 @@ protected:
 TEST_F(Comparison, HasTargetsAndWhetherMeansAreWithinTheirDeviation) {
     for (const std::int64_t seed : {1, 2, 3}) {
         TestReport& test = add("uniaxial", seed, (119 + static_cast<double>(seed)) * 1e6);
-        test.initiation = 80e6 + static_cast<double>(seed) * 1e5;
-        test.initiation_by_damage = {80.2e6, 80.21e6, 90e6};
-        test.thresholds->damage = (100 + 10 * static_cast<double>(seed)) * 1e6;  // 120 ± 25
+        test.thresholds->pseudo_3d.initiation_by_crack_strain = 80e6 + static_cast<double>(seed) * 1e5;
+        test.thresholds->initiation_by_count = 50e6;
+        test.thresholds->pseudo_3d.damage = (100 + 10 * static_cast<double>(seed)) * 1e6;  // 120 ± 25
     }
     add("triaxial", 1, 200e6, 8e6);
     const std::string html = table(read_material("augig-granite-calibrated"));
@@ -57,19 +57,46 @@ TEST_F(Comparison, HasTargetsAndWhetherMeansAreWithinTheirDeviation) {
          "<td>Brazilian tensile strength</td><td>8.8 ± 0.44\u00a0MPa</td><td colspan=\"4\">not tested</td>", "1 undecided"});
 }
 
-TEST_F(Comparison, OneDefinitionOfCrackInitiationStandsFirstAndEqualOnesShareARow) {
+TEST_F(Comparison, DefinitionsOfStrainGaugesStandFirstAndEqualOnesShareARow) {
     TestReport& test = add("uniaxial", 1, 120e6);
-    test.initiation = 80e6;
-    test.initiation_by_damage = {70.02e6, 69.98e6, 90e6};
+    AllThresholds& thresholds = *test.thresholds;
+    thresholds.pseudo_3d.initiation_by_crack_strain = 80e6;
+    thresholds.pseudo_3d.damage = 110e6;
+    thresholds.plane.damage = 115e6;
+    thresholds.initiation_by_count = 60e6;
+    thresholds.initiation_by_damage = {70.02e6, 69.98e6, 90e6};
     const std::string html = table(std::nullopt);
     const std::size_t details = html.find("<details>");
     ASSERT_NE(details, std::string::npos);
     EXPECT_EQ(html.substr(0, details).find("damaged"), std::string::npos);
-    expect_texts(html.substr(0, details), {"<th>property</th><th>computed", "<td>crack initiation CI</td><td>80\u00a0MPa"});
-    expect_texts(html.substr(details),
-                 {"<td>CI by 1 % of the points damaged by 10 %\nCI by 1 % of the points damaged by 50 %</td><td>70</td>",
-                  "<td>CI by 1 % of the points damaged by 90 %</td><td>90</td>"});
+    EXPECT_EQ(html.substr(0, details).find("count"), std::string::npos);
+    expect_texts(html.substr(0, details), {"<th>property</th><th>computed", "<td>crack initiation CI</td><td>80\u00a0MPa",
+                                           "<td>crack damage CD</td><td>110\u00a0MPa", "as strain gauges tell them"});
+    expect_texts(html.substr(details), {"<td>CI by count of cracks, 1\u00a0%</td><td>60</td>",
+                                        "<td>CD by reversal of volumetric strain, 2D</td><td>115</td>",
+                                        "<td>CI by 1\u00a0% of the points damaged by 10\u00a0%\nCI by 1\u00a0% of the points "
+                                        "damaged by 50\u00a0%</td><td>70</td>",
+                                        "<td>CI by 1\u00a0% of the points damaged by 90\u00a0%</td><td>90</td>"});
     EXPECT_EQ(html.find("not tested"), std::string::npos);
+}
+
+TEST_F(Comparison, MeansOverSeedsHaveTheDefaultThresholds) {
+    for (const std::int64_t seed : {1, 2}) {
+        AllThresholds& thresholds = *add("uniaxial", seed, 120e6).thresholds;
+        thresholds.pseudo_3d.initiation_by_crack_strain = static_cast<double>(60 + 10 * seed) * 1e6;
+        thresholds.pseudo_3d.damage = static_cast<double>(90 + 10 * seed) * 1e6;
+        thresholds.plane = {};
+        thresholds.initiation_by_count = {};
+    }
+    expect_texts(group_table(seed_groups(tests_)), {"<th>CI, MPa</th><th>CD, MPa</th>", "<td>75 (7.1)\n", "<td>105 (7.1)\n"});
+}
+
+TEST_F(Comparison, ACountOfCracksIsATargetOfItsOwn) {
+    TestReport& test = add("uniaxial", 1, 120e6);
+    test.thresholds->pseudo_3d.initiation_by_crack_strain = 80e6;
+    test.thresholds->initiation_by_count = 60e6;
+    EXPECT_EQ(value_of(test, calibrate::target_of("crack_initiation", "test")), 80e6);
+    EXPECT_EQ(value_of(test, calibrate::target_of("crack_initiation_count", "test")), 60e6);
 }
 
 TEST_F(Comparison, OneRunIsWithinOrOutside) {
