@@ -79,9 +79,9 @@ TEST(Calibration, ARockThatIsInReachIsCalibrated) {
     // E of the grains, of which assemblages have 95 %.
     EXPECT_NEAR(decision.point[0].second, 25.8e9 / 0.95, 0.01e9);
     EXPECT_NEAR(decision.point[1].second, 0.22, 1e-6);
-    // 2 for E and ν twice; 28 points of 3 discs and 5 rectangles, twice; 3 discs and 5 times 3 rectangles: discs scatter by 2.9
-    // %, rectangles by 2.1 % at most, about surfaces.
-    EXPECT_EQ(laboratory.n_runs(), 4U + 2 * 28 * 8 + 18) << decision.reason;
+    // 2 for E and ν twice; 28 points of 3 discs and 5 rectangles, twice; 4 discs, which scatter by 2.9 % (t s/√n is 7.1 % of
+    // three and 4.5 % of four, for 5 %), and 5 times 3 rectangles, which scatter by 2.1 % at most.
+    EXPECT_EQ(laboratory.n_runs(), 4U + 2 * 28 * 8 + 19);
 }
 
 // Half of the interval of the mean of n is t s/√n: of a scatter s of 4 % and a deviation of 5 % 5.0 % for n = 5 and t = 2.78.
@@ -97,7 +97,6 @@ TEST(Calibration, TheConfirmationHasAsManySpecimensAsTheScatterAsksFor) {
         problem.study.confirmation_rectangles = most;
         Laboratory laboratory(rock);
         const Decision decision = decide(problem, laboratory.find());
-        EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
         return decision.outcomes.at(2).tests;
     };
     EXPECT_EQ(specimens(0.1, 6), 3U);
@@ -107,26 +106,21 @@ TEST(Calibration, TheConfirmationHasAsManySpecimensAsTheScatterAsksFor) {
     EXPECT_EQ(specimens(1, 2), 2U);
 }
 
-// A target that the designs do not have, and that is missed in the end: all specimens that the study allows are asked for.
+// A target that no place has is missed by three discs: ten are asked for. Tests whose targets are within need no more.
 TEST(Calibration, WhereFewSpecimensDoNotShowATargetWithinTheMostAreMade) {
     SyntheticRock rock = SyntheticRock::usual();
-    rock.scatter = 0.1;
+    rock.scatter = 0.01;
+    rock.responses["brazilian tensile_strength_MPa"].exponents.clear();
     Problem problem = rock.problem(nothing_planted(rock));
     for (Target& t : problem.targets) {
-        if (t.name() != "brazilian") continue;
-        t.value *= 4;
-        t.deviation *= 4;
+        if (t.name() == "brazilian") t.value *= 2;
     }
     Laboratory laboratory(rock);
-    for (const Outcome& outcome : decide(problem, laboratory.find()).outcomes) {
-        const bool is_missed = outcome.target.name() == "brazilian";
-        if (!outcome.target.is_elastic()) {
-            EXPECT_EQ(outcome.tests == 3, outcome.verdict == "within") << outcome.target.name();
-        }
-        if (is_missed) {
-            EXPECT_EQ(outcome.tests, 10U);
-        }
-    }
+    std::map<std::string, std::size_t> tests;
+    for (const Outcome& outcome : decide(problem, laboratory.find()).outcomes) tests[outcome.target.name()] = outcome.tests;
+    EXPECT_EQ(tests["brazilian"], 10U);
+    EXPECT_EQ(tests["direct_tension"], 3U);
+    EXPECT_EQ(tests["first_peak_20MPa"], 3U);
 }
 
 TEST(Calibration, ATargetBeyondAllParametersIsNotReached) {

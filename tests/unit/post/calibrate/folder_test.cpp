@@ -93,7 +93,7 @@ protected:
         }
         std::ofstream(folder_.file("strength.tsv")) << strength_;
         std::ofstream(folder_.file("moduli.tsv")) << moduli_;
-        std::ofstream(folder_.file("toughness.tsv")) << toughness_;
+        if (toughness_.find(".h5") != std::string::npos) std::ofstream(folder_.file("toughness.tsv")) << toughness_;
     }
     /// Asks and runs until the end. \param share of the wanted runs that are made before the next interruption
     FolderDecision to_the_end(const SyntheticRock& synthetic, double share) {
@@ -154,7 +154,7 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
           "- 5 predicted targets: first peak at 4 MPa", "- K_IC was not tested on half-discs", "√(Ẽ G_I) = 1.5 MPa √m",
           "contact.fracture_energy 78.", "J/m2 (derived)",
           "- first peaks: UCS in 40 of 40 tests; first peak at 8 MPa in 40 of 40 tests", "## Targets", "## Values", "## Surfaces",
-          "## What tells what", "## Steps", "| crack damage, MPa | predicted |  |  | 0 of 6 |"}) {
+          "## What tells what", "## Steps", "| crack damage, MPa | predicted |  |  | 0 of 3 |"}) {
         EXPECT_NE(report.find(part), std::string::npos) << part;
     }
     // d ln UCS / d ln cc = 0.6 and twice the curvature times ln(cc/55 MPa), which is nearly 0.
@@ -372,7 +372,7 @@ TEST_F(CalibrateFolder, AChangeOfTheFabricMakesItsRunsAgainAndNoOther) {
 
 TEST_F(CalibrateFolder, CrystalsThatBreakBeginNear) {
     std::string stone = granite();
-    stone.replace(stone.find("cohesion = \"74.57 MPa\""), 22, "law = \"cohesive-frictional\"\n");
+    stone.insert(stone.find("cohesion = \"74.57 MPa\""), "law = \"cohesive-frictional\"\n");
     const auto parameters = [&](const std::string& more) {
         std::ofstream(folder_.file("material.toml")) << stone << "\n[fabric]\ntessellation = \"trigon\"\ngrain_size = \"4 mm\"\n"
                                                      << more;
@@ -393,6 +393,7 @@ TEST_F(CalibrateFolder, CrystalsThatBreakBeginNear) {
     expect_box(usual[2], "contact.friction_angle", 0.65 * 53 * degree, 0.85 * 53 * degree, 1.05 * 53 * degree);
     expect_box(usual[3], "contact.residual_friction_angle", 0.5 * 53 * degree, 0.7 * 53 * degree, 0.9 * 53 * degree);
     // A cohesion that is given as a ratio stays one.
+    stone.insert(stone.find("cohesion = \"74.57 MPa\""), "# ");
     const std::vector<Parameter> by_ratio = parameters("[ratios]\ncohesion = 6\n");
     ASSERT_EQ(by_ratio.size(), 4U);
     expect_box(by_ratio[1], "ratios.cohesion", 4, 6, 9);
@@ -400,6 +401,7 @@ TEST_F(CalibrateFolder, CrystalsThatBreakBeginNear) {
     const std::string named =
         "[parameters]\n\"ratios.process_zone\" = {}\n\"pairs.within.tensile_strength\" = {}\n"
         "\"pairs.within.fracture_energy\" = {}\n\"contact.cohesion\" = {}\n";
+    stone.erase(stone.find("# cohesion = \"74.57 MPa\""), 2);
     const std::vector<Parameter> ratios = parameters(named);
     expect_box(ratios.at(0), "ratios.process_zone", 0.3, 0.7, 3);
     expect_box(ratios.at(1), "pairs.within.tensile_strength", 1, 1.25, 1.5);
@@ -445,10 +447,10 @@ TEST_F(CalibrateFolder, RatiosAreParametersAndChangeRuns) {
         ADD_FAILURE() << key;
         return Parameter{};
     };
-    const Parameter cohesion = find(read_problem(material()).parameters, "contact.cohesion");
-    EXPECT_NEAR(cohesion.first, 48.3e6, 1);
-    EXPECT_NEAR(cohesion.low, 24.15e6, 1);
-    EXPECT_NEAR(cohesion.high, 96.6e6, 1);
+    const Parameter strength = find(read_problem(material()).parameters, "contact.cohesion");
+    EXPECT_NEAR(strength.first, 48.3e6, 1);
+    EXPECT_NEAR(strength.low, 24.15e6, 1);
+    EXPECT_NEAR(strength.high, 96.6e6, 1);
 
     with(
         "[parameters]\n\"ratios.process_zone\" = {}\n\"pairs.within.tensile_strength\" = {low = 0.8, high = 1.6}\n"
