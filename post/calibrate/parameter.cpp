@@ -193,8 +193,8 @@ Parameter ratio_box(const Basis& basis, const std::string& key) {
 void begin_at_ratio(Parameter& p, const Material& rock) {
     const GivenContact given = given_contact(rock, PlaneCondition::strain, std::nullopt);
     for (const ContactParameter& row : all_contact_parameters()) {
-        if (p.key != "contact." + row.key() || !(rock.ratios.*row.given) || rock.contact.*row.given || !(given.*row.given))
-            continue;
+        const bool follows = rock.ratios.*row.given && !(rock.contact.*row.given) && given.*row.given;
+        if (p.key != "contact." + row.key() || !follows) continue;
         if (std::isnan(p.first)) p = {p.key, true, 0.5, 2, 0.1, 10, 1};
         const double factor = *(given.*row.given) / p.first;
         for (double* value : {&p.low, &p.high, &p.least, &p.most, &p.first}) *value *= factor;
