@@ -63,6 +63,10 @@ public:
 private:
     [[nodiscard]] const Study& study() const { return problem_.study; }
     [[nodiscard]] const Target* target(const char* name) const;
+    /// Of a test, at each point of a design.
+    [[nodiscard]] std::size_t specimens_at_point(const std::string& test) const {
+        return test == "brazilian" ? study().discs : 1;
+    }
     void record(std::string stage, std::string what, std::string result) {
         decision.steps.push_back({std::move(stage), std::move(what), std::move(result)});
     }
@@ -78,6 +82,8 @@ private:
     void fit(const Box& box);
     void find_place();
     void correct_elasticity();
+    [[nodiscard]] std::size_t specimens_for(const Test& test, std::size_t most) const;
+    [[nodiscard]] Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs) const;
     void confirm();
     [[nodiscard]] Miss miss_of(const Outcome& outcome) const;
     void end();
@@ -186,7 +192,7 @@ void Calibration::make_design(const Box& box) {
             run.point = with_grains(point_at(problem_.parameters, places[i]));
             run.label = fmt::format("d{}p{:02}", designs_, i + 1);
             run.reason = fmt::format("design {}, point {} of {}", designs_, i + 1, n);
-            const auto runs = get(run, run.test.name == "brazilian" ? study().discs : 1);
+            const auto runs = get(run, specimens_at_point(run.test.name));
             for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
                 Response& response = fit_.responses[r];
                 if (!run.test.has(response.target)) continue;
@@ -307,16 +313,44 @@ std::string verdict_on(const Target& target, const Sample& ours) {
     return off - half > target.deviation ? "outside" : "undecided";
 }
 
-/// The optimum on new specimens, whose numbers were fixed beforehand.
+/// Specimens of which, by the scatter about the surfaces, half of the 95 % interval of the mean is below the deviation of every
+/// target of a test, three at least; the most where a target has no surface.
+std::size_t Calibration::specimens_for(const Test& test, std::size_t most) const {
+    std::size_t n = std::min<std::size_t>(3, most);
+    for (const Response& response : fit_.responses) {
+        const Target& target = response.target;
+        if (target.use != Use::fit || !test.has(target)) continue;
+        if (!response.surface) return most;
+        const double scatter = response.surface->scatter() * std::sqrt(static_cast<double>(specimens_at_point(test.name)));
+        const auto half = [&] { return student_t_95(static_cast<int>(n) - 1) * scatter / std::sqrt(static_cast<double>(n)); };
+        while (n < most && !(n > 1 && half() <= target.log_deviation())) ++n;
+    }
+    return n;
+}
+
+Outcome Calibration::outcome_of(const Target& target, const std::vector<const Measures*>& runs) const {
+    const std::vector<double> values = values_of(target, runs);
+    Outcome outcome{target, {}, runs.size(), ""};
+    if (!values.empty()) outcome.ours = sample(values);
+    const auto share = static_cast<double>(values.size()) / static_cast<double>(runs.size());
+    if (std::isfinite(target.value)) {
+        const bool lacking = target.kind.needs_first_peak && share < study().first_peak_share;
+        outcome.verdict = !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
+    }
+    return outcome;
+}
+
+/// The optimum on new specimens: as many as the scatter of the designs asks for, and where these do not show every target
+/// within its bound, as many as the study has at most.
 void Calibration::confirm() {
     const std::vector<Test> all = tests_of(problem_.targets);
     std::vector<std::vector<const Measures*>> runs;
     for (std::size_t t = 0; t < all.size(); ++t) {
-        const bool fitted = std::any_of(problem_.targets.begin(), problem_.targets.end(),
-                                        [&](const Target& target) { return target.use == Use::fit && all[t].has(target); });
-        const std::size_t n = !fitted                      ? study().predicted
-                              : all[t].name == "brazilian" ? study().confirmation_discs
-                                                           : study().confirmation_rectangles;
+        const auto is_fitted = [&](const Target& target) { return target.use == Use::fit && all[t].has(target); };
+        const bool fitted = std::any_of(problem_.targets.begin(), problem_.targets.end(), is_fitted);
+        const std::size_t most = !fitted                      ? study().predicted
+                                 : all[t].name == "brazilian" ? study().confirmation_discs
+                                                              : study().confirmation_rectangles;
         const std::int64_t seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
                                   static_cast<std::int64_t>(designs_) * seeds::after_design;
         WantedRun run;
@@ -325,29 +359,27 @@ void Calibration::confirm() {
         run.point = decision.point;
         run.label = fmt::format("c{}", designs_);
         run.reason = fitted ? "the optimum on new specimens" : "a prediction";
+        const std::size_t n = fitted ? specimens_for(all[t], most) : most;
         runs.push_back(get(run, n));
+        if (runs.back().size() < n) continue;
+        const bool enough = n == most || std::all_of(problem_.targets.begin(), problem_.targets.end(), [&](const Target& target) {
+                                return !is_fitted(target) || outcome_of(target, runs.back()).verdict == "within";
+                            });
+        if (!enough) runs.back() = get(run, most);
     }
     require_all();
     for (const Target& target : problem_.targets) {
         const auto t = std::find_if(all.begin(), all.end(), [&](const Test& test) { return test.has(target); }) - all.begin();
-        const std::vector<const Measures*>& its = runs[static_cast<std::size_t>(t)];
-        const std::vector<double> values = values_of(target, its);
-        Outcome outcome{target, {}, its.size(), ""};
-        if (!values.empty()) outcome.ours = sample(values);
-        const auto share = static_cast<double>(values.size()) / static_cast<double>(its.size());
-        if (std::isfinite(target.value)) {
-            const bool lacking = target.kind.needs_first_peak && share < study().first_peak_share;
-            outcome.verdict = !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
-        }
-        decision.outcomes.push_back(outcome);
+        decision.outcomes.push_back(outcome_of(target, runs[static_cast<std::size_t>(t)]));
     }
     // Repeated tests say how equal points scatter.
     for (Response& response : fit_.responses) {
         const auto outcome = std::find_if(decision.outcomes.begin(), decision.outcomes.end(),
                                           [&](const Outcome& o) { return o.target.name() == response.target.name(); });
-        if (outcome == decision.outcomes.end() || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 4) continue;
-        const double n = response.target.test() == "brazilian" ? static_cast<double>(study().discs) : 1;
+        if (outcome == decision.outcomes.end() || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 3) continue;
+        const auto n = static_cast<double>(specimens_at_point(response.target.test()));
         response.pure_error = *outcome->ours->deviation / outcome->ours->mean.value / std::sqrt(n);
+        response.pure_freedom = static_cast<int>(outcome->ours->n) - 1;
     }
     decision.fit = fit_;
 }

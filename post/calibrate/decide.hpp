@@ -28,6 +28,7 @@ struct Response {
     std::vector<double> values;              ///< ln of the mean over the specimens of a point; NaN: none of them has it
     std::optional<ResponseSurface> surface;  ///< through the points inside the last box
     std::optional<double> pure_error;        ///< standard deviation of a value between equal points, by repeated tests
+    int pure_freedom = 0;                    ///< its degrees of freedom
     std::size_t tests = 0;                   ///< of the designs
     std::size_t measured = 0;                ///< of them that have it
 };

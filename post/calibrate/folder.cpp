@@ -91,7 +91,7 @@ double time_of(const std::vector<WantedRun>& wanted, const FinishedRuns& finishe
 
 FinishedRuns read_finished(const std::string& folder) {
     FinishedRuns runs;
-    for (const char* name : {"strength.tsv", "moduli.tsv"}) {
+    for (const char* name : {"strength.tsv", "moduli.tsv", "toughness.tsv"}) {
         const fs::path path = fs::path(folder) / name;
         if (fs::exists(path)) add_measures(path.string(), runs);
     }

@@ -3,6 +3,7 @@
 //     material.toml    the rock with its targets; may be elsewhere                      given
 //     strength.tsv     `strength` of the finished runs; absent: none are finished       given
 //     moduli.tsv       `moduli` of those of rectangles under compression                given
+//     toughness.tsv    `toughness` of those of half-discs                               given
 //     wanted.tsv       the next runs with their reasons                                 written while runs are missing
 //     calibrated.toml  the material with the values found, and [fitted]                 written if calibrated
 //     nearest.toml     the same for the nearest point                                   written if it ends otherwise
@@ -24,7 +25,8 @@ namespace graincrack::calibrate {
 /// What finished runs measured, by the name of their file without its folder.
 using FinishedRuns = std::map<std::string, Measures>;
 
-/// From the tables `strength` and, if it is there, `moduli` of a folder. \throws InputError for a table without files
+/// From the tables `strength` and, if they are there, `moduli` and `toughness` of a folder. \throws InputError for a table
+/// without files
 FinishedRuns read_finished(const std::string& folder);
 
 /// What a material asks of a calibration: [targets], [parameters], [study] and [laboratory]. \param settings as of `read_study`

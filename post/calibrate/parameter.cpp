@@ -25,6 +25,10 @@ struct Basis {
     double ucs;             ///< NaN if the laboratory has none; its boxes then have no defaults
     double friction_angle;  ///< of the rock
     bool frictional;        ///< law `cohesive-frictional`, whose friction adds to its cohesion
+    /// Crystals that break, with that law. 300 crystals of eight elements with tc 7.54 MPa, cc 50 MPa, φ 44°, a process zone of
+    /// 0.7 grain sizes and contacts within crystals 1.25 times as strong have a Brazilian strength of 7.2 MPa and a UCS of 126
+    /// MPa.
+    bool crystals;
 };
 
 /// A box about a first guess, as parts of a reference value. The limits of boxes that move are wider.
@@ -40,12 +44,25 @@ Parameter parts_of(double reference, double first, double low, double high, doub
             std::move(source)};
 }
 
+/// How far boxes of crystals reach to each side, a factor: their first guess is near.
+constexpr double crystals_reach = 1.5;
+
 Parameter tensile_strength(const Basis& b) {
+    if (b.crystals) {
+        constexpr double first = 1.05;
+        return parts_of(b.rock.rock.tensile_strength, first, first / crystals_reach, first * crystals_reach, 0.2, 3, true,
+                        "1.05 of the Brazilian strength, of crystals that break");
+    }
     if (b.frictional) return parts_of(b.rock.rock.tensile_strength, 0.9, 0.6, 1.4, 0.2, 3, true, "0.9 of the Brazilian strength");
     const double guess = fpz::contact_tensile_strength_from_toughness(b.rock.rock.mode_i_toughness, b.edge);
     return parts_of(guess, 1, 0.5, 2, 0.1, 4, true, "2 K_IC/√(π dp), Eq 40");
 }
 Parameter cohesion(const Basis& b) {
+    if (b.crystals) {
+        constexpr double first = 0.4;
+        return parts_of(b.ucs, first, first / crystals_reach, first * crystals_reach, 0.03, 1.5, true,
+                        "0.4 UCS, of crystals that break");
+    }
     if (b.frictional) return parts_of(b.ucs, 0.3, 0.15, 0.6, 0.03, 1.5, true, "0.3 UCS, because friction adds to it");
     return parts_of(b.ucs, 0.5, 0.25, 1, 0.05, 3, true, "UCS/2, the centre of Kazerani & Zhao's design");
 }
@@ -134,25 +151,41 @@ Basis basis_of(const Material& rock, double edge) {
         const auto found = rock.laboratory.find(key);
         return found == rock.laboratory.end() ? NAN : found->second;
     };
-    Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional"};
+    Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional", false};
+    basis.crystals = basis.frictional && rock.grains.tessellation == "trigon";
     if (const auto b = laboratory_slope(rock); b && std::isnan(basis.friction_angle)) {
         basis.friction_angle = std::asin((*b - 1) / (*b + 1));
     }
     return basis;
 }
 
-/// Half to twice a ratio that the material has itself: a key of [ratios], or a factor within crystals. Of other keys no bounds.
-Parameter own_ratio(const Material& rock, const std::string& key) {
-    Parameter p{"", true, NAN, NAN, NAN, NAN, NAN};
-    const auto take = [&](const std::string& name, const std::optional<double>& value) {
-        if (name == key && value) p = parts_of(*value, 1, 0.5, 2, 0.1, 10, true, "the material's own");
-    };
+/// Ratios with a box whatever the material has; first guesses where it has none.
+const Parameter ratio_boxes[] = {
+    {"ratios.process_zone", true, 0.3, 3, 0.1, 10, 0.7, "process zones about as long as grains"},
+    {"pairs.within.tensile_strength", false, 1, 1.5, 1, 2, 1.25, "crystals somewhat stronger than their boundaries"},
+    {"pairs.within.fracture_energy", true, 1, 30, 1, 100, 8, "crystals tougher than their boundaries"}};
+
+/// The box of a ratio: a key of [ratios], or a factor within crystals. It begins with what the material has itself; where that is
+/// outside of the box, or the key has none, from half to twice that. Of other keys no bounds.
+Parameter ratio_box(const Basis& basis, const std::string& key) {
+    const Material& rock = basis.rock;
+    std::optional<double> own;
+    bool is_factor = false;
     for (const ContactParameter& row : all_contact_parameters()) {
         const bool is_energy = row.value == &ContactParameters::fracture_energy;
-        take("ratios." + (is_energy ? "process_zone" : row.key()), rock.ratios.*row.given);
-        take("pairs.within." + row.key(), (rock.fabric.within.*row.given).value_or(1));
+        if (key == "ratios." + (is_energy ? "process_zone" : row.key())) own = rock.ratios.*row.given;
+        if (key != "pairs.within." + row.key()) continue;
+        is_factor = true;
+        own = rock.fabric.within.*row.given;
     }
-    return p;
+    for (Parameter p : ratio_boxes) {
+        if (p.key != key || (own && !(*own >= p.low && *own <= p.high))) continue;
+        p.first = own.value_or(p.first);
+        return p;
+    }
+    if (!own && !is_factor) return {"", true, NAN, NAN, NAN, NAN, NAN};
+    const double to_each_side = basis.crystals && key == "ratios.cohesion" ? crystals_reach : 2;
+    return parts_of(own.value_or(1), 1, 1 / to_each_side, to_each_side, 0.1, 10, true, "the material's own");
 }
 
 /// A box whose first guess is what [ratios] of the material make of its laboratory: as wide about it as the default is about its
@@ -160,8 +193,8 @@ Parameter own_ratio(const Material& rock, const std::string& key) {
 void begin_at_ratio(Parameter& p, const Material& rock) {
     const GivenContact given = given_contact(rock, PlaneCondition::strain, std::nullopt);
     for (const ContactParameter& row : all_contact_parameters()) {
-        if (p.key != "contact." + row.key() || !(rock.ratios.*row.given) || rock.contact.*row.given || !(given.*row.given))
-            continue;
+        const bool follows = rock.ratios.*row.given && !(rock.contact.*row.given) && given.*row.given;
+        if (p.key != "contact." + row.key() || !follows) continue;
         if (std::isnan(p.first)) p = {p.key, true, 0.5, 2, 0.1, 10, 1};
         const double factor = *(given.*row.given) / p.first;
         for (double* value : {&p.low, &p.high, &p.least, &p.most, &p.first}) *value *= factor;
@@ -221,7 +254,7 @@ double Parameter::coordinate_by_log(double value) const {
 std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file, double edge) {
     const Basis basis = basis_of(rock, edge);
     const auto usual = [&](const std::string& key) {
-        Parameter p = own_ratio(rock, key);
+        Parameter p = ratio_box(basis, key);
         for (const Row& row : rows) {
             if (key == row.key) p = row.box(basis);
         }
@@ -252,7 +285,9 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
     if (parameters.empty()) {
         for (const Row& row : rows) {
             if (!(basis.frictional ? row.free_when_frictional : row.free_by_default)) continue;
-            parameters.push_back(usual(row.key));
+            // Crystals keep the ratio by which the material gives the cohesion: as parts of tc it is known before tc is.
+            const bool by_ratio = basis.crystals && row.box == cohesion && rock.ratios.cohesion && !rock.contact.cohesion;
+            parameters.push_back(usual(by_ratio ? "ratios.cohesion" : row.key));
             require_sound(parameters.back(), file.file);
         }
     }

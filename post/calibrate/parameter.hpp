@@ -31,8 +31,9 @@ struct Parameter {
     [[nodiscard]] double coordinate_by_log(double value) const;
 };
 
-/// The rows of [parameters]; without that table those that the law of the material has by default. A key of a material that has
-/// no default box needs low and high. \param edge mean grain edge, m
+/// The rows of [parameters]; without that table those that the law of the material has by default. Crystals that break whose
+/// cohesion is by [ratios] have that ratio instead of the cohesion. A key of a material that has no default box needs low and
+/// high. \param edge mean grain edge, m
 /// \throws InputError naming file and key of what is wrong
 std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file, double edge);
 

@@ -47,10 +47,12 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
     if (at) {
         const ContactParameters contact = contact_parameters(*at, PlaneCondition::strain, std::nullopt);
         const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * contact.fracture_energy);
+        const bool is_tested = std::any_of(problem.targets.begin(), problem.targets.end(),
+                                           [](const Target& t) { return t.kind.name == "toughness"; });
         text += fmt::format(
-            "- K_IC was not tested: a notch long enough for it needs a large plate. The fracture energy of contacts, {:.4g} "
-            "J/m², corresponds to √(Ẽ G_I) = {:.3g} MPa √m; the rock has {:.3g} MPa √m\n",
-            contact.fracture_energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
+            "- K_IC was {}tested on half-discs. The fracture energy of contacts, {:.4g} J/m², corresponds to √(Ẽ G_I) = {:.3g} "
+            "MPa √m; the rock has {:.3g} MPa √m\n",
+            is_tested ? "" : "not ", contact.fracture_energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
         Cells fixed;
         for (const ContactParameter& row : all_contact_parameters()) {
             const std::string key = "contact." + row.key();
@@ -176,8 +178,9 @@ std::string surfaces_text(const Fit& fit) {
         }
         const ResponseSurface& s = *r.surface;
         std::string lack;
-        // Six rectangles or ten discs at one point: five degrees of freedom at least.
-        if (r.pure_error) lack = fmt::format("{:.2g}", f_tail(std::pow(s.scatter() / *r.pure_error, 2), s.freedom(), 5));
+        if (r.pure_error) {
+            lack = fmt::format("{:.2g}", f_tail(std::pow(s.scatter() / *r.pure_error, 2), s.freedom(), r.pure_freedom));
+        }
         text += markdown_row({r.target.symbol(), std::to_string(s.n_values()), std::to_string(s.n_quadratic()),
                               percent(s.scatter()), percent(s.prediction_error()), r.pure_error ? percent(*r.pure_error) : "",
                               lack, r.target.text(std::exp(s.value(fit.optimum.place)))});

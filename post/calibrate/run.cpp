@@ -12,6 +12,11 @@ double Specimens::mean_edge() const {
     return std::sqrt(4 * width * height / (std::numbers::sqrt3 * grains));
 }
 
+double Specimens::half_disc_grains() const {
+    const double ratio = half_disc_diameter.value_or(diameter) / diameter;
+    return std::max(2.0, std::round(0.5 * ratio * ratio * disc_grains));
+}
+
 std::vector<Test> tests_of(const std::vector<Target>& targets) {
     std::vector<Test> tests;
     for (const Target& target : targets) {
@@ -23,7 +28,7 @@ std::vector<Test> tests_of(const std::vector<Target>& targets) {
         }
     }
     const auto length = [](const Test& t) {
-        return t.name == "brazilian" ? -2 : t.name == "tension" ? -1 : t.confining_pressure;
+        return t.name == "bend" ? -3 : t.name == "brazilian" ? -2 : t.name == "tension" ? -1 : t.confining_pressure;
     };
     std::stable_sort(tests.begin(), tests.end(), [&](const Test& a, const Test& b) { return length(a) > length(b); });
     return tests;

@@ -14,7 +14,7 @@ namespace graincrack::calibrate {
 
 /// A kind of test: all of its runs have these options.
 struct Test {
-    std::string name;  ///< brazilian, tension, uniaxial, triaxial
+    std::string name;  ///< brazilian, tension, bend, uniaxial, triaxial
     double confining_pressure = 0;
     double peak_drop = 1;  ///< fall below the peak that ends it; 1: it continues to the strain limit
     [[nodiscard]] std::string label() const { return name + pressure_text(confining_pressure); }
@@ -24,7 +24,8 @@ struct Test {
     }
 };
 
-/// The tests of targets, the longest first; each goes on as far as the target that needs most.
+/// The tests of targets, the longest first but for bending, which is the last so that the others keep their specimens with it;
+/// each goes on as far as the target that needs most.
 std::vector<Test> tests_of(const std::vector<Target>& targets);
 
 /// A run that a decision needs.
@@ -41,17 +42,20 @@ struct WantedRun {
 using FindRun = std::function<const Measures*(const WantedRun&)>;
 
 /// The paper's specimens, unless set or the material's [fabric] has a grain size: rectangles of 80 mm × 160 mm with 1,122 grains,
-/// discs of 80 mm with 452.
+/// discs of 80 mm with 452, half-discs of the same diameter with half of them.
 struct Specimens {
     double width = 0.08;   ///< m
     double height = 0.16;  ///< m
     double diameter = 0.08;
+    std::optional<double> half_disc_diameter;  ///< m; empty: that of the discs
     double grains = 1122;
     double disc_grains = 452;
     std::optional<double> edge;        ///< m: mean edge of the grains, instead of their numbers
     std::optional<double> grain_size;  ///< m: mean equal-area diameter of the grains, instead of both
     /// Mean edge, m: as it is set, or that of equilateral grains of that diameter, or of those that fill a rectangle.
     [[nodiscard]] double mean_edge() const;
+    /// Grains of a half-disc that are as large as those of the discs.
+    [[nodiscard]] double half_disc_grains() const;
 };
 
 /// How a calibration is done. All numbers are set before it begins.
@@ -66,10 +70,10 @@ struct Study {
     std::size_t discs = 3;                               ///< at a point; one of every other test
     std::size_t moves = 2;                               ///< of a box whose optimum lies at an edge, at most
     std::size_t zooms = 1;                               ///< designs of half the width of the one before
-    std::size_t confirmation_discs = 10;
-    std::size_t confirmation_rectangles = 6;  ///< of every test of rectangles
-    std::size_t predicted = 3;                ///< specimens of a test that only predictions need
-    double first_peak_share = 0.5;            ///< of tests that shall have a first peak, at least
+    std::size_t confirmation_discs = 10;                 ///< at most
+    std::size_t confirmation_rectangles = 6;             ///< of every other test, at most
+    std::size_t predicted = 3;                           ///< specimens of a test that only predictions need
+    double first_peak_share = 0.5;                       ///< of tests that shall have a first peak, at least
 };
 
 }  // namespace graincrack::calibrate

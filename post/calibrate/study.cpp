@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -51,6 +52,8 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
     return {{"width", {quantity::width, number(study.specimens.width)}},
             {"height", {quantity::height, number(study.specimens.height)}},
             {"diameter", {quantity::diameter, number(study.specimens.diameter)}},
+            {"half_disc_diameter",
+             {quantity::diameter, [&study](const std::vector<double>& v) { study.specimens.half_disc_diameter = v[0]; }}},
             {"grains", {grains, grains_of(study.specimens.grains)}},
             {"disc_grains", {grains, grains_of(study.specimens.disc_grains)}},
             {"mean_edge", {quantity::mean_edge, edge}},
@@ -77,16 +80,18 @@ std::uint32_t digest(const std::string& text) {
     return hash;
 }
 
-/// What the solver reads of a material.
-std::string made_of(const Material& m) {
+/// What the solver reads of a material. \param point values that replace some of them, and are named elsewhere
+std::string made_of(const Material& m, const Point& point) {
     const Rock& r = m.rock;
+    const bool has_process_zone =
+        std::any_of(point.begin(), point.end(), [](const auto& value) { return value.first == "ratios.process_zone"; });
     std::string text = fmt::format("{} {} {} {} {} {} {} {}", r.young_modulus, r.poisson_ratio, r.density, r.mode_i_toughness,
                                    r.mode_ii_toughness, r.tensile_strength, m.platen_friction_angle, m.law);
     for (const ContactParameter& row : all_contact_parameters()) {
         if (const auto& value = m.contact.*row.given) text += fmt::format(" {}={}", row.key(), *value);
         if (const auto& ratio = m.ratios.*row.given) text += fmt::format(" {}:{}", row.key(), *ratio);
     }
-    if (m.ratios.fracture_energy) text += fmt::format(" grain_size={}", m.grains.grain_size.value_or(0));
+    if (m.ratios.fracture_energy || has_process_zone) text += fmt::format(" grain_size={}", m.grains.grain_size.value_or(0));
     return text + fabric_text(m.fabric);
 }
 
@@ -126,14 +131,29 @@ std::pair<std::string, std::string> grain_options(const GrainFabric& said) {
     return {options, name};
 }
 
+/// The shape of the specimens of a test as the mesher has it, and a name for it. The slit of a half-disc has half its radius
+std::pair<std::string, std::string> shape_options(const Specimens& s, const std::string& test) {
+    constexpr double mm = 1e3;
+    if (test == "brazilian") {
+        return {fmt::format("disc --diameter {:.6g}mm", s.diameter * mm), fmt::format("disc{:.6g}", s.diameter * mm)};
+    }
+    if (test == "bend") {
+        const double diameter = s.half_disc_diameter.value_or(s.diameter) * mm;
+        return {fmt::format("half-disc --diameter {:.6g}mm --slit {:.6g}mm", diameter, diameter / 4),
+                fmt::format("half-disc{:.6g}", diameter)};
+    }
+    return {fmt::format("rectangle --width {:.6g}mm --height {:.6g}mm", s.width * mm, s.height * mm),
+            fmt::format("rectangle{:.6g}x{:.6g}", s.width * mm, s.height * mm)};
+}
+
 /// The size of grains as an option of the mesher, and a name for it.
-std::pair<std::string, std::string> size_option(const Specimens& s, bool is_disc) {
+std::pair<std::string, std::string> size_option(const Specimens& s, const std::string& test) {
     const auto length = [](const char* option, const char* letter, double value) {
         return std::pair(fmt::format(" {} {:.6g}mm", option, value * 1e3), fmt::format("{}{:.6g}", letter, value * 1e3));
     };
     if (s.grain_size) return length("--grain-size", "d", *s.grain_size);
     if (s.edge) return length("--edge", "e", *s.edge);
-    const double n = is_disc ? s.disc_grains : s.grains;
+    const double n = test == "brazilian" ? s.disc_grains : test == "bend" ? s.half_disc_grains() : s.grains;
     return {fmt::format(" --grains {:.7g}", n), fmt::format("g{:.7g}", n)};
 }
 
@@ -188,30 +208,30 @@ Study read_study(const Material& rock, const TomlFile& file, const std::vector<s
 
 RunRow row_of(const Material& rock, const Study& study, const WantedRun& run) {
     const Specimens& s = study.specimens;
-    const bool disc = run.test.name == "brazilian";
+    const auto [shape, shape_name] = shape_options(s, run.test.name);
+    const auto [size, size_name] = size_option(s, run.test.name);
+    const auto [grain, grain_name] = grain_options(rock.grains);
     const auto [fabric, fabric_name] = fabric_options(rock.fabric);
     RunRow row;
-    row.mesh = disc ? fmt::format("disc --diameter {:.6g}mm", s.diameter * 1e3)
-                    : fmt::format("rectangle --width {:.6g}mm --height {:.6g}mm", s.width * 1e3, s.height * 1e3);
-    row.specimen =
-        disc ? fmt::format("disc{:.6g}", s.diameter * 1e3) : fmt::format("rectangle{:.6g}x{:.6g}", s.width * 1e3, s.height * 1e3);
-    const auto [size, size_name] = size_option(s, disc);
-    const auto [grain, grain_name] = grain_options(rock.grains);
-    row.mesh += fmt::format("{}{}{} --seed {}", size, grain, fabric, run.seed);
-    row.specimen += fmt::format("{}{}{}-s{}", size_name, grain_name, fabric_name, run.seed);
+    row.mesh = fmt::format("{}{}{}{} --seed {}", shape, size, grain, fabric, run.seed);
+    row.specimen = fmt::format("{}{}{}{}-s{}", shape_name, size_name, grain_name, fabric_name, run.seed);
     for (const auto& [key, value] : settings_of(run.point)) {
         row.material += fmt::format("{}--set {}={}", row.material.empty() ? "" : " ", key, value);
     }
     row.solve = run.test.name;
     if (run.test.name == "triaxial") row.solve += " --confining-pressure " + pressure_text(run.test.confining_pressure);
-    if (run.test.name == "tension") row.solve += " --plane stress";  // as the Brazilian test, with which it is compared
+    if (run.test.name == "bend") {
+        row.solve += fmt::format(" --span {:.6g}mm", 0.6e3 * s.half_disc_diameter.value_or(s.diameter));  // ISRM 2014
+    }
+    // As the Brazilian test, with which they are compared.
+    if (run.test.name == "tension" || run.test.name == "bend") row.solve += " --plane stress";
     if (run.test.is_compression()) {
         row.solve +=
             fmt::format(" --max-strain {:.5g} --peak-drop {} --rate-tolerance {:.6g}", run.max_strain.value_or(study.max_strain),
                         run.test.peak_drop < 1 ? fmt::format("{:g}", run.test.peak_drop) : "none", study.rate_tolerance);
     }
     row.file = fmt::format("{}_{}_{}_{:08x}.h5", run.test.label(), row.specimen, run.label,
-                           digest(made_of(rock) + row.mesh + row.material + row.solve));
+                           digest(made_of(rock, run.point) + row.mesh + row.material + row.solve));
     return row;
 }
 

@@ -46,6 +46,8 @@ const std::vector<TargetKind>& target_kinds() {
          [](const Measures& m) { return column(m, "tensile_strength_MPa", MPa); }, "tensile_strength"},
         {"direct_tension", "direct tensile strength", "tension", none, stress, "MPa", MPa, 0.05, false, usual_drop, false,
          [](const Measures& m) { return column(m, "tensile_strength_MPa", MPa); }, "direct_tensile_strength"},
+        {"toughness", "K_IC", "bend", none, quantity::mode_i_toughness, "MPa√m", MPa, 0.1, false, usual_drop, false,
+         [](const Measures& m) { return column(m, "mode_i_toughness_MPa.m^0.5", MPa); }, "mode_i_toughness"},
         {"uniaxial", "UCS", "compression", none, stress, "MPa", MPa, 0.05, false, behind_first_peak, true, first_peak,
          "compressive_strength"},
         {"first_peak", "first peak", "compression", name, stress, "MPa", MPa, 0.05, false, behind_first_peak, true, first_peak,
@@ -156,6 +158,8 @@ std::vector<Target> laboratory_targets(const Material& rock, double pressure, co
     }
     add("direct_tension", 0, measured("direct_tensile_strength"), Use::predict);
     for (const char* name : {"crack_initiation", "crack_damage"}) add(name, 0, measured(name), Use::predict);
+    // Half-discs measure nothing else: they are made for those alone who have a value to compare with.
+    if (const double toughness = measured("mode_i_toughness"); toughness > 0) add("toughness", 0, toughness, Use::predict);
     return targets;
 }
 

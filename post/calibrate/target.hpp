@@ -11,7 +11,7 @@
 
 namespace graincrack::calibrate {
 
-/// What the tables `strength` and `moduli` say of a run, by column; what does not apply is not there.
+/// What the tables `strength`, `moduli` and `toughness` say of a run, by column; what does not apply is not there.
 using Measures = std::map<std::string, double>;
 
 /// Where a kind of target takes its confining pressure from: the end of its name, "first_peak_8MPa".
@@ -21,7 +21,7 @@ enum class PressureOf { none, name, either };
 struct TargetKind {
     std::string name;    ///< of [targets], without a pressure
     std::string symbol;  ///< in reports
-    std::string test;    ///< brazilian, tension, compression
+    std::string test;    ///< brazilian, tension, bend, compression
     PressureOf pressure = PressureOf::none;
     Quantity quantity;
     std::string unit;  ///< of reports
@@ -50,7 +50,7 @@ struct Target {
     [[nodiscard]] std::string name() const;         ///< "first_peak_8MPa"
     [[nodiscard]] std::string fitted_name() const;  ///< of the same in [fitted]: "confined_strength_8MPa"
     [[nodiscard]] std::string symbol() const;       ///< "first peak at 8 MPa"
-    [[nodiscard]] std::string test() const;         ///< brazilian, tension, uniaxial, triaxial
+    [[nodiscard]] std::string test() const;         ///< brazilian, tension, bend, uniaxial, triaxial
     /// Met by scaling the grains.
     [[nodiscard]] bool is_elastic() const { return kind.name == "young_modulus" || kind.name == "poisson_ratio"; }
     [[nodiscard]] double usual_deviation() const;  ///< of its value, by its kind
@@ -66,8 +66,8 @@ std::vector<Target> given_targets(const TomlFile& file);
 
 /// The rows of [targets]; without that table the laboratory's values: E, ν, Brazilian and uniaxial strength, and the first peak
 /// at a confining pressure on the line σ1 = UCS + b σ3, with b of the friction angle, or of cohesion and UCS; predicted are the
-/// first peak at further pressures, direct tension and crack thresholds. \throws InputError naming file and key of what is wrong
-/// or missing
+/// first peak at further pressures, direct tension, crack thresholds and, if it was measured, K_IC. \throws InputError naming
+/// file and key of what is wrong or missing
 std::vector<Target> targets_of(const Material& rock, const TomlFile& file, double confining_pressure,
                                const std::vector<double>& predicted_pressures);
 

@@ -71,7 +71,7 @@ Command calibrate_command() {
     return make_command<CalibrateOptions>(
         "calibrate", "the next runs of a calibration, or the calibrated material; starts no runs itself",
         {"results/my-rock", "results/my-rock --material augig-granite --set zooms=2"},
-        FileArguments{"folder", "folder with strength.tsv and moduli.tsv of the finished runs"},
+        FileArguments{"folder", "folder with strength.tsv, moduli.tsv and toughness.tsv of the finished runs"},
         [](OptionSet set, CalibrateOptions& options) {
             add_text(set, "--material", options.material,
                      "material with [targets], [parameters] and [study], or with [laboratory] alone: a name of "

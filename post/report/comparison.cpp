@@ -38,6 +38,7 @@ const std::map<std::string, ValueOfTest>& values_by_kind() {
         {"poisson_ratio", modulus(&ElasticPair::poisson_ratio)},
         {"brazilian", strength_of},
         {"direct_tension", strength_of},
+        {"toughness", [](const TestReport& t) { return t.mode_i_toughness; }},
         {"uniaxial", strength_of},
         {"first_peak", strength_of},
         {"largest", strength(StrengthKind::largest)},
@@ -185,7 +186,8 @@ void add_envelope_rows(ComparisonTable& table, const std::vector<SizedEnvelope>&
 }
 
 bool stands_before_envelope(const LaboratoryProperty& property) {
-    constexpr std::array names{"young_modulus", "poisson_ratio", "brazilian", "direct_tension", "uniaxial", "first_peak"};
+    constexpr std::array names{"young_modulus", "poisson_ratio", "brazilian", "direct_tension",
+                               "toughness",     "uniaxial",      "first_peak"};
     return std::find(names.begin(), names.end(), property.target.kind.name) != names.end();
 }
 
@@ -225,7 +227,7 @@ std::optional<double> value_of(const TestReport& test, const Target& target) {
     const RunHeader& header = test.data.header;
     const bool is_asked = header.test == target.test() &&
                           std::abs(header.confining_pressure - target.confining_pressure) <= 1e-6 * target.confining_pressure;
-    if (!is_asked || !distinct_shape(test.data).empty()) return std::nullopt;
+    if (!is_asked || distinct_shape(test.data) != (header.test == "bend" ? "half-disc" : "")) return std::nullopt;
     const auto found = values_by_kind().find(target.kind.name);
     return found == values_by_kind().end() ? std::nullopt : found->second(test);
 }

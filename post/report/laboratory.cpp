@@ -26,6 +26,7 @@ const std::map<std::string, std::string>& laboratory_names() {
                                                           {"poisson_ratio", "Poisson's ratio ν"},
                                                           {"brazilian", "Brazilian tensile strength"},
                                                           {"direct_tension", "direct tensile strength"},
+                                                          {"toughness", "fracture toughness K_IC"},
                                                           {"uniaxial", "UCS"},
                                                           {"first_peak", "σ1"},
                                                           {"crack_initiation", "crack initiation CI"},
@@ -60,7 +61,7 @@ std::optional<double> laboratory_entry(const Material& material, const Target& t
         {"young_modulus", "young_modulus"},       {"poisson_ratio", "poisson_ratio"},
         {"brazilian", "tensile_strength"},        {"direct_tension", "direct_tensile_strength"},
         {"crack_initiation", "crack_initiation"}, {"crack_damage", "crack_damage"},
-        {"uniaxial", "compressive_strength"}};
+        {"uniaxial", "compressive_strength"},     {"toughness", "mode_i_toughness"}};
     const auto key = keys.find(target.kind.name);
     return key == keys.end() ? std::nullopt : entry_of(material, key->second);
 }
@@ -153,8 +154,8 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
             all.push_back({target, true, origin_of(*material, target, true)});
         }
     }
-    std::vector<std::string> usual{"young_modulus", "poisson_ratio",    "brazilian",   "direct_tension",
-                                   "uniaxial",      "crack_initiation", "crack_damage"};
+    std::vector<std::string> usual{"young_modulus", "poisson_ratio", "brazilian",        "direct_tension",
+                                   "toughness",     "uniaxial",      "crack_initiation", "crack_damage"};
     for (const double pressure : pressures) usual.push_back("first_peak_" + calibrate::pressure_text(pressure));
     for (const std::string& name : usual) {
         Target target = calibrate::target_of(name, "report");

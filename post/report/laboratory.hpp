@@ -33,10 +33,10 @@ struct LaboratoryProperty {
 /// name, the elastic constants or density of its rock differ. \param words of the command line
 std::optional<Material> material_of_run(const RunHeader& header, const std::vector<std::string>& words);
 
-/// The targets of a material, and E, ν, strengths at the given pressures and crack thresholds, in the order of `target_kinds`.
-/// What [targets] lacks is filled from [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3, with b of the
-/// friction angle, or of cohesion and UCS. Without a material nothing has a value. \param pressures of tests, Pa
-/// \throws InputError if [targets] is wrong
+/// The targets of a material, and E, ν, strengths at the given pressures, crack thresholds and K_IC, in the order of
+/// `target_kinds`. What [targets] lacks is filled from [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3, with
+/// b of the friction angle, or of cohesion and UCS. Without a material nothing has a value. \param pressures of tests, Pa \throws
+/// InputError if [targets] is wrong
 std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,
                                                       const std::vector<double>& pressures);
 

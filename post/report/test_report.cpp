@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "post/measure/caveats.hpp"
+#include "post/measure/toughness.hpp"
 #include "post/run/run_state.hpp"
+#include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
 
@@ -30,6 +32,15 @@ ProvenanceEntries provenance_of(const H5Input& file) {
     list("command_line");
     list("libraries");
     return entries;
+}
+
+/// Empty without a slit or a peak.
+std::optional<double> toughness_of(const RunData& run, const Specimen& specimen) {
+    try {
+        return measure_toughness(run, specimen).mode_i_toughness;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
 }
 
 }  // namespace
@@ -64,6 +75,7 @@ TestReport read_test_report(const RunReader& run) {
     report.grains = grain_moduli(header, specimen);
     report.class_names = contact_class_names(specimen);
     if (is_compression(header)) report.thresholds = measure_all_thresholds(report.data, report.curve, log);
+    if (header.test == "bend" && specimen.shape == "half-disc") report.mode_i_toughness = toughness_of(report.data, specimen);
     std::optional<BrazilianSplit> split;
     if (splits(report.data)) split = measure_split(report.data, report.curve, specimen, log);
     report.caveats = caveats_of(report.data, split);

@@ -40,6 +40,7 @@ struct TestReport {
     GrainModuli grains;
     std::vector<std::string> class_names;     ///< of the contacts, in the order of `RunHeader::fabric`
     std::optional<AllThresholds> thresholds;  ///< of compression tests
+    std::optional<double> mode_i_toughness;   ///< Pa √m, of half-discs with a slit that have a peak
     std::vector<Caveat> caveats;              ///< caveats of the strength
     CrackBalance at_peak;                     ///< by the event of the run
     CrackBalance at_end;

@@ -16,4 +16,5 @@ endef
 .PHONY: measured
 measured: $(runs)
 	$(call add,moduli,$(call of_test,uniaxial triaxial,$(runs)))
+	$(call add,toughness,$(call of_test,bend,$(runs)))
 	$(call add,strength,$(runs))

@@ -79,8 +79,48 @@ TEST(Calibration, ARockThatIsInReachIsCalibrated) {
     // E of the grains, of which assemblages have 95 %.
     EXPECT_NEAR(decision.point[0].second, 25.8e9 / 0.95, 0.01e9);
     EXPECT_NEAR(decision.point[1].second, 0.22, 1e-6);
-    // 2 for E and ν twice; 28 points of 3 discs and 5 rectangles, twice; 10 discs and 5 times 6 rectangles.
-    EXPECT_EQ(laboratory.n_runs(), 4U + 2 * 28 * 8 + 40);
+    // 2 for E and ν twice; 28 points of 3 discs and 5 rectangles, twice; 4 discs, which scatter by 2.9 % (t s/√n is 7.1 % of
+    // three and 4.5 % of four, for 5 %), and 5 times 3 rectangles, which scatter by 2.1 % at most.
+    EXPECT_EQ(laboratory.n_runs(), 4U + 2 * 28 * 8 + 19);
+}
+
+// Half of the interval of the mean of n is t s/√n: of a scatter s of 4 % and a deviation of 5 % 5.0 % for n = 5 and t = 2.78.
+TEST(Calibration, TheConfirmationHasAsManySpecimensAsTheScatterAsksFor) {
+    const auto specimens = [](double scatter, std::size_t most) {
+        SyntheticRock rock = SyntheticRock::usual();
+        rock.responses = {{"uniaxial first_peak_MPa", {122, {{cohesion, 0.6}}, 0.04}}};
+        rock.reference = {{cohesion, 40e6}};
+        rock.scatter = scatter;
+        Problem problem = rock.problem(nothing_planted(rock));
+        problem.study.points = 99;
+        problem.study.zooms = 0;
+        problem.study.confirmation_rectangles = most;
+        Laboratory laboratory(rock);
+        const Decision decision = decide(problem, laboratory.find());
+        return decision.outcomes.at(2).tests;
+    };
+    EXPECT_EQ(specimens(0.1, 6), 3U);
+    EXPECT_GE(specimens(1, 20), 5U);
+    EXPECT_LE(specimens(1, 20), 7U);
+    EXPECT_EQ(specimens(1, 4), 4U);
+    EXPECT_EQ(specimens(1, 2), 2U);
+}
+
+// A target that no place has is missed by three discs: ten are asked for. Tests whose targets are within need no more.
+TEST(Calibration, WhereFewSpecimensDoNotShowATargetWithinTheMostAreMade) {
+    SyntheticRock rock = SyntheticRock::usual();
+    rock.scatter = 0.01;
+    rock.responses["brazilian tensile_strength_MPa"].exponents.clear();
+    Problem problem = rock.problem(nothing_planted(rock));
+    for (Target& t : problem.targets) {
+        if (t.name() == "brazilian") t.value *= 2;
+    }
+    Laboratory laboratory(rock);
+    std::map<std::string, std::size_t> tests;
+    for (const Outcome& outcome : decide(problem, laboratory.find()).outcomes) tests[outcome.target.name()] = outcome.tests;
+    EXPECT_EQ(tests["brazilian"], 10U);
+    EXPECT_EQ(tests["direct_tension"], 3U);
+    EXPECT_EQ(tests["first_peak_20MPa"], 3U);
 }
 
 TEST(Calibration, ATargetBeyondAllParametersIsNotReached) {

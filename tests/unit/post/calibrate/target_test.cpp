@@ -21,6 +21,18 @@ TEST(CalibrationTarget, CrackThresholdsAreThoseOfStrainGaugesUnlessTheCountIsAsk
     EXPECT_TRUE(std::isnan(target_of("crack_damage", "targets").kind.read({{"crack_damage_2d_MPa", 110}})));
 }
 
+TEST(CalibrationTarget, ToughnessIsOfHalfDiscs) {
+    calibrate::Target target = target_of("toughness", "targets");
+    target.value = 1.5e6;
+    EXPECT_EQ(target.test(), "bend");
+    EXPECT_DOUBLE_EQ(target.kind.read({{"mode_i_toughness_MPa.m^0.5", 1.2}}), 1.2e6);
+    EXPECT_TRUE(std::isnan(target.kind.read({{"strength_MPa", 1.2}})));
+    EXPECT_DOUBLE_EQ(target.usual_deviation(), 0.15e6);
+    EXPECT_EQ(target.text(target.value), "1.5 MPa√m");
+    EXPECT_EQ(target.symbol(), "K_IC");
+    EXPECT_EQ(target.fitted_name(), "mode_i_toughness");
+}
+
 TEST(CalibrationTarget, ANameThatBeginsWithAnotherIsNotTakenForIt) {
     EXPECT_EQ(target_of("crack_initiation_8MPa", "targets").kind.name, "crack_initiation");
     EXPECT_EQ(target_of("crack_initiation_count", "targets").kind.name, "crack_initiation_count");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "post/measure/bending.hpp"
 #include "post/report/seed_groups.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -97,6 +98,39 @@ TEST_F(Comparison, ACountOfCracksIsATargetOfItsOwn) {
     test.thresholds->initiation_by_count = 60e6;
     EXPECT_EQ(value_of(test, calibrate::target_of("crack_initiation", "test")), 80e6);
     EXPECT_EQ(value_of(test, calibrate::target_of("crack_initiation_count", "test")), 60e6);
+}
+
+TEST_F(Comparison, ToughnessIsThatOfHalfDiscsWithASlit) {
+    test::Recipe recipe;
+    recipe.test = "bend";
+    recipe.span = 0.048;
+    recipe.specimen = test::grid_specimen(16, 8, 0.08, 0.04);
+    recipe.specimen.shape = "half-disc";
+    recipe.peak = 0.5e6;
+    const auto report = [&] {
+        test::write_run(folder_.file("bent.h5"), recipe);
+        return read_test_report(RunReader(folder_.file("bent.h5")));
+    };
+    const calibrate::Target target = calibrate::target_of("toughness", "test");
+    EXPECT_FALSE(value_of(report(), target));  // without a slit
+    Specimen& s = recipe.specimen;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        const auto& a = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
+        const auto& b = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        const bool is_upright = std::abs(a[0]) < 1e-9 && std::abs(b[0]) < 1e-9;
+        if (is_upright && std::max(a[1], b[1]) < 1e-9) s.contact_kind[c] = 1;
+    }
+    const double expected = half_disc_intensity(0.5e6 * 0.08, 0.02, 0.048, 0.04);
+    tests_.push_back(report());
+    EXPECT_NEAR(value_of(tests_.back(), target).value(), expected, 1e-5 * expected);
+    tests_.back().mode_i_toughness = 1.2e6;
+    Material rock = read_material("augig-granite");
+    rock.laboratory["mode_i_toughness"] = 1.3e6;
+    expect_texts(table(rock),
+                 {"<td>fracture toughness K_IC</td><td>1.3 ± 0.13*\u00a0MPa√m</td><td>1.2\u00a0MPa√m\n(1\u00a0run)</td>"
+                  "<td>-7.7\u00a0%</td><td>within</td>"});
+    tests_.back().data.specimen.shape = "beam";
+    EXPECT_FALSE(value_of(tests_.back(), target));
 }
 
 TEST_F(Comparison, OneRunIsWithinOrOutside) {

@@ -46,6 +46,16 @@ TEST(LaboratoryProperties, WithoutTargetsAreThoseOfTheLaboratory) {
     EXPECT_DOUBLE_EQ(property_of(all, "Brazilian tensile strength").target.value, 8.8e6);
     EXPECT_NEAR(property_of(all, "Poisson's ratio ν").target.deviation, 0.015, 1e-12);
     EXPECT_FALSE(property_of(all, "crack initiation CI").is_measured());
+    Material tough = read_material("augig-granite");
+    tough.laboratory["mode_i_toughness"] = 1.3e6;
+    tough.fitted = {{"mode_i_toughness", "1.3 MPa√m; 1.21 (1.1 to 1.32) on 3 new specimens"}};
+    const LaboratoryProperty toughness = property_of(laboratory_properties(tough, {}), "fracture toughness K_IC");
+    EXPECT_DOUBLE_EQ(toughness.target.value, 1.3e6);
+    EXPECT_DOUBLE_EQ(toughness.target.deviation, 0.13e6);
+    EXPECT_EQ(name_of(toughness.origin), "fitted");
+    EXPECT_NE(fitted_table(tough).find("<td>fracture toughness K_IC</td><td>1.3 MPa√m</td><td>1.21\u00a0MPa√m</td>"),
+              std::string::npos)
+        << fitted_table(tough);
     EXPECT_EQ(name_of(property_of(all, "UCS").origin), "");
     for (const LaboratoryProperty& each : laboratory_properties(std::nullopt, {8e6})) {
         EXPECT_FALSE(each.is_measured()) << each.name();
