@@ -60,7 +60,7 @@ TEST_F(MaterialWith, EntersValuesIntoATemplate) {
     const auto read = read_incomplete_material(file(text));
     EXPECT_EQ(read.values, (std::map<std::string, double>{{"laboratory.cohesion", 23e6}, {"rock.density", 2700}}));
     EXPECT_NE(text.find("\ndensity = 2700                          # hardly enters"), std::string::npos) << text;
-    EXPECT_EQ(text.find("# density = "), std::string::npos);
+    EXPECT_EQ(text.find("# density = "), text.rfind("# density = "));  // that of the laboratory
     expect_one_line<UsageError>(
         [] {
             std::ignore = new_material("every-key", "marble", {{"rock.colour", "white"}});
