@@ -18,11 +18,11 @@ WITH fractures AS (
     SELECT 1 AS nth, 'UCS_MPa' AS quantity, ucs AS value, place, variant FROM uniaxial
     UNION ALL SELECT 2, 'young_modulus_GPa', young_modulus_GPa, place, variant FROM uniaxial
     UNION ALL SELECT 3, 'poisson_ratio', poisson_ratio, place, variant FROM uniaxial
-    UNION ALL SELECT 4, 'CI_over_UCS', crack_initiation_crack_strain_pseudo_3d_MPa / ucs, place, variant FROM uniaxial
+    UNION ALL SELECT 4, 'CI_over_UCS', crack_initiation_MPa / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 5, 'CI_by_lateral_response_over_UCS', crack_initiation_lateral_response_pseudo_3d_MPa / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 6, 'CI_by_count_over_UCS', crack_initiation_count_MPa / ucs, place, variant FROM uniaxial
     -- Without a reversal before the peak the volume begins to grow at the peak.
-    UNION ALL SELECT 7, 'CD_over_UCS', ifnull(crack_damage_pseudo_3d_MPa, ucs) / ucs, place, variant FROM uniaxial
+    UNION ALL SELECT 7, 'CD_over_UCS', ifnull(crack_damage_MPa, ucs) / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 8, 'CD_2d_over_UCS', ifnull(crack_damage_2d_MPa, ucs) / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 9, 'tensile_share_by_traction', tensile_cracks / (tensile_cracks + shear_cracks), place, variant FROM uniaxial
     UNION ALL SELECT 10, 'tensile_share_by_sign', tensile_cracks_by_sign / (tensile_cracks_by_sign + shear_cracks_by_sign), place, variant FROM uniaxial
