@@ -10,6 +10,11 @@ const std::string values =
     " --set laboratory.grain_size=4mm --set laboratory.mode_i_toughness=1.4MPa.m^0.5 --set laboratory.crack_initiation=60MPa"
     " --set laboratory.crack_damage=110MPa --quiet";
 
+/// A value of [ratios] of a material.
+double ratio(const Shell& shell, const std::string& material, const std::string& key) {
+    return std::stod(shell.must("graincrack-post material value ratios." + key + " " + material + ".toml --quiet"));
+}
+
 TEST(Kinds, EachIsListedWrittenAndTested) {
     const Shell shell;
     const std::string list = "\n" + shell.must("graincrack-post material init --list");
@@ -21,17 +26,19 @@ TEST(Kinds, EachIsListedWrittenAndTested) {
                    kind + ".h5");
         const std::string info = shell.must("graincrack-post info " + kind + ".h5");
         EXPECT_NE(info.find("trigon, grain-size 4 mm, spread 0.3, elements-per-crystal 8"), std::string::npos) << info;
-        // tc is 0.9 of the Brazilian strength, and the run file has what follows from it.
+        // The run file has what follows from the Brazilian strength.
         const std::string strength = shell.must("graincrack-post --quiet strength " + kind + ".h5 --format tsv");
-        EXPECT_NEAR(std::stod(cell(strength, "contact_cohesion_MPa")), 6.6 * 0.9 * 9, 1e-3);
+        EXPECT_NEAR(std::stod(cell(strength, "contact_cohesion_MPa")),
+                    ratio(shell, kind, "cohesion") * ratio(shell, kind, "tensile_strength") * 9, 1e-3);
     }
     // An option that moves the tensile strength moves what follows from it.
     shell.must(
         "graincrack-solve uniaxial s.h5 --material quartzite.toml --contact-tensile-strength 4MPa --rate 50mm/s "
         "--max-strain 0.0001 --quiet -o other.h5");
     const std::string other = shell.must("graincrack-post --quiet strength other.h5 --format tsv");
-    EXPECT_NEAR(std::stod(cell(other, "contact_cohesion_MPa")), 6.6 * 4, 1e-3);
-    EXPECT_NEAR(std::stod(cell(other, "contact_fracture_energy_J/m2")), 0.7 * 4e-3 * 16e12 / 60e9, 1e-4);
+    EXPECT_NEAR(std::stod(cell(other, "contact_cohesion_MPa")), ratio(shell, "quartzite", "cohesion") * 4, 1e-3);
+    EXPECT_NEAR(std::stod(cell(other, "contact_fracture_energy_J/m2")),
+                ratio(shell, "quartzite", "process_zone") * 4e-3 * 16e12 / 60e9, 1e-4);
 }
 
 TEST(Kinds, ACalibrationBeginsWithLaboratoryValues) {
