@@ -42,7 +42,8 @@ struct WantedRun {
 using FindRun = std::function<const Measures*(const WantedRun&)>;
 
 /// The paper's specimens, unless set or the material's [fabric] has a grain size: rectangles of 80 mm × 160 mm with 1,122 grains,
-/// discs of 80 mm with 452, half-discs of the same diameter with half of them.
+/// discs of 80 mm with 452, half-discs of the same diameter with half of them. Crystals that break, of a size that [fabric]
+/// gives, have specimens in proportion to it.
 struct Specimens {
     double width = 0.08;   ///< m
     double height = 0.16;  ///< m

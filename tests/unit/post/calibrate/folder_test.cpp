@@ -322,12 +322,12 @@ TEST_F(CalibrateFolder, SpecimensHaveTheFabricOfTheMaterial) {
     const auto row = [&] {
         return row_of(material(), read_problem(material()).study, {{"uniaxial", 0, 0.3}, 7, {}, {}, "d1p01", ""});
     };
-    const std::string size = "rectangle --width 80mm --height 160mm ";
+    const std::string size = "rectangle --width 68mm --height 136mm ";  // in proportion to the crystals
     const std::string grains =
         " --tessellation trigon --spread 0.3 --elements-per-crystal 12 --elongation 1.5 --elongation-angle 30deg --seed 7";
     write_material(fabric);
     EXPECT_EQ(row().mesh, size + "--grain-size 6mm" + grains);
-    EXPECT_EQ(row().specimen, "rectangle80x160d6trigonv0.3t12l1.5a30-s7");
+    EXPECT_EQ(row().specimen, "rectangle68x136d6trigonv0.3t12l1.5a30-s7");
     // The equilateral triangle of the area of that diameter has the edge d √(π/√3).
     EXPECT_NEAR(read_problem(material()).study.specimens.mean_edge(), 6e-3 * std::sqrt(3.14159265 / std::sqrt(3.0)), 1e-9);
     write_material(fabric + "[study]\ngrains = 300\n");
