@@ -23,11 +23,16 @@ std::vector<std::string> history_columns() {
     return columns;
 }
 
-/// The rows flushed so far; empty if the file is being flushed, or no longer exists.
+std::vector<char> bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The rows flushed so far; empty if the file is being flushed, or no longer exists. A flush between two reads shows in their
+/// difference: one read alone may have half of it.
 std::optional<History> peek(const std::string& part) {
-    std::ifstream file(part, std::ios::binary);
-    const std::vector<char> image{std::istreambuf_iterator<char>(file), {}};
-    if (image.empty()) return std::nullopt;
+    const std::vector<char> image = bytes_of(part);
+    if (image.empty() || bytes_of(part) != image) return std::nullopt;
     try {
         return read_history(H5Input::from_image(image, part, "run"));
     } catch (const InputError&) {
