@@ -102,6 +102,9 @@ endef
 run_files = $(patsubst $(RUNS)/%,%,$(filter $(RUNS)/%,$^))
 # $(call of_runs,SUBCOMMAND): the postprocessor on these runs
 of_runs = cd $(RUNS) && $(POST) --quiet $(1) $(run_files)
+# The last rows of the histories of these runs, with the file before each.
+last_rows = { cd $(RUNS) && for run in $(run_files); do \
+    $(POST) --quiet history $$run | sed -n -e '1s/^/file\t/p' -e "\$$s/^/$$run\t/p"; done | awk '!/^file/ || !n++'; }
 # Tables that depend on runs depend on these too: with other SEEDS or laboratory values they are made anew, though no run is.
 runs_list = $(HERE)/runs.tsv $(HERE)/material.toml
 $(HERE)/material.toml: $$(if $$(call same,$$(file <$$@),$$(file <$$(MATERIAL_FILE))),,FORCE)
