@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
@@ -54,6 +56,9 @@ struct Miss {
     std::string remedy;         ///< which parameter would have to go where
 };
 
+/// Adds to a list in a sentence.
+void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; }
+
 class Calibration {
 public:
     Calibration(const Problem& problem, const FindRun& find) : problem_(problem), find_(find) {}
@@ -75,7 +80,7 @@ private:
     void require_all() const {
         if (!decision.wanted.empty()) throw RunsMissing{};
     }
-    [[nodiscard]] Point with_grains(Point point) const;
+    [[nodiscard]] static Point with_grains(Point point, double modulus, double ratio);
 
     void find_elasticity();
     void make_design(const Box& box);
@@ -84,13 +89,16 @@ private:
     void correct_elasticity();
     [[nodiscard]] std::size_t specimens_for(const Test& test, std::size_t most) const;
     [[nodiscard]] Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs) const;
-    void confirm();
+    [[nodiscard]] WantedRun run_at_optimum(std::size_t t, std::string reason) const;
+    std::string confirm();
+    void predict();
     [[nodiscard]] Miss miss_of(const Outcome& outcome) const;
     void end();
 
     const Problem& problem_;
     const FindRun& find_;
-    std::vector<Test> tests_;  ///< of the designs
+    std::vector<Test> tests_;      ///< of the designs
+    std::vector<Test> confirmed_;  ///< of all targets
     double grain_modulus_ = 0;
     double grain_ratio_ = 0;
     std::size_t designs_ = 0;
@@ -117,8 +125,8 @@ std::vector<const Measures*> Calibration::get(WantedRun run, std::size_t n) {
     return runs;
 }
 
-Point Calibration::with_grains(Point point) const {
-    point.insert(point.begin(), {{grain_modulus, grain_modulus_}, {grain_ratio, grain_ratio_}});
+Point Calibration::with_grains(Point point, double modulus, double ratio) {
+    point.insert(point.begin(), {{grain_modulus, modulus}, {grain_ratio, ratio}});
     return point;
 }
 
@@ -142,7 +150,7 @@ void Calibration::find_elasticity() {
         WantedRun run;
         run.test = Test{"uniaxial", 0, 0.1};
         run.seed = seeds::elastic;
-        run.point = with_grains(contacts);
+        run.point = with_grains(contacts, grain_modulus_, grain_ratio_);
         run.max_strain = limit;
         run.label = fmt::format("e{}", attempt + 1);
         run.reason = "E and ν of assemblages of such grains";
@@ -189,7 +197,7 @@ void Calibration::make_design(const Box& box) {
             run.test = tests_[t];
             run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + static_cast<std::int64_t>(designs_) * seeds::design +
                        static_cast<std::int64_t>(i) * seeds::point;
-            run.point = with_grains(point_at(problem_.parameters, places[i]));
+            run.point = with_grains(point_at(problem_.parameters, places[i]), grain_modulus_, grain_ratio_);
             run.label = fmt::format("d{}p{:02}", designs_, i + 1);
             run.reason = fmt::format("design {}, point {} of {}", designs_, i + 1, n);
             const auto runs = get(run, specimens_at_point(run.test.name));
@@ -247,13 +255,14 @@ void Calibration::fit(const Box& box) {
                     "ask for more points (setting points=N), or for targets that these tests have"};
     }
     fit_.optimum = find_optimum(box, first_guess(problem_.parameters), aims, shares);
-    decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
+    decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place), grain_modulus_, grain_ratio_);
     decision.fit = fit_;
     record("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_),
            label_of(point_at(problem_.parameters, fit_.optimum.place)));
 }
 
-/// Designs until the optimum is inside the last box, then smaller ones about it.
+/// Designs until the optimum is inside the last box and new specimens are within every bound there; where they are not, a smaller
+/// design about it.
 void Calibration::find_place() {
     const auto p = static_cast<Eigen::Index>(problem_.parameters.size());
     const Box limits = limits_of(problem_.parameters);
@@ -280,28 +289,33 @@ void Calibration::find_place() {
             ++moves;
             box = moved;
             record("move", "the optimum is at an edge of the box: " + moving, "the box moves there");
-        } else if (zooms < study().zooms) {
-            ++zooms;
-            box = box.about(at, 0.5, limits);
-            record("zoom", "a box of half the width about the optimum", "");
-        } else {
-            if (!moving.empty()) record("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
-            return;
+            continue;
         }
+        if (!moving.empty()) record("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
+        correct_elasticity();
+        const std::string missed = confirm();
+        if (missed.empty() || zooms == study().zooms) return;
+        ++zooms;
+        decision.outcomes.clear();
+        box = box.about(at, 0.5, limits);
+        record("zoom", "new specimens are not within every bound: " + missed, "a box of half the width about the optimum");
     }
 }
 
-/// E and ν change a little with the contacts: the grains are scaled once more, by the surfaces.
+/// E and ν change a little with the contacts: the grains of the confirmation are scaled once more, by the surfaces.
 void Calibration::correct_elasticity() {
+    const Place at = fit_.optimum.place;
+    double modulus = grain_modulus_;
+    double ratio = grain_ratio_;
     for (const Response& response : fit_.responses) {
         if (response.target.use != Use::fit || !response.surface) continue;
-        const double expected = std::exp(response.surface->value(fit_.optimum.place));
-        if (response.target.kind.name == "young_modulus") grain_modulus_ *= response.target.value / expected;
+        const double expected = std::exp(response.surface->value(at));
+        if (response.target.kind.name == "young_modulus") modulus *= response.target.value / expected;
         if (response.target.kind.name == "poisson_ratio") {
-            grain_ratio_ = std::clamp(grain_ratio_ + response.target.value - expected, 0.01, 0.45);
+            ratio = std::clamp(ratio + response.target.value - expected, 0.01, 0.45);
         }
     }
-    decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place));
+    decision.point = with_grains(point_at(problem_.parameters, at), modulus, ratio);
 }
 
 /// Within: the mean is within the bound, and its standard error no larger; outside: the whole 95 % interval is beyond the bound.
@@ -340,38 +354,69 @@ Outcome Calibration::outcome_of(const Target& target, const std::vector<const Me
     return outcome;
 }
 
+/// New specimens of a test at the optimum.
+WantedRun Calibration::run_at_optimum(std::size_t t, std::string reason) const {
+    WantedRun run;
+    run.test = confirmed_[t];
+    run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
+               static_cast<std::int64_t>(designs_) * seeds::after_design;
+    run.point = decision.point;
+    run.label = fmt::format("c{}", designs_);
+    run.reason = std::move(reason);
+    return run;
+}
+
 /// The optimum on new specimens: as many as the scatter of the designs asks for, and where these do not show every target
 /// within its bound, as many as the study has at most.
-void Calibration::confirm() {
-    const std::vector<Test> all = tests_of(problem_.targets);
-    std::vector<std::vector<const Measures*>> runs;
-    for (std::size_t t = 0; t < all.size(); ++t) {
-        const auto is_fitted = [&](const Target& target) { return target.use == Use::fit && all[t].has(target); };
-        const bool fitted = std::any_of(problem_.targets.begin(), problem_.targets.end(), is_fitted);
-        const std::size_t most = !fitted                      ? study().predicted
-                                 : all[t].name == "brazilian" ? study().confirmation_discs
-                                                              : study().confirmation_rectangles;
-        const std::int64_t seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
-                                  static_cast<std::int64_t>(designs_) * seeds::after_design;
-        WantedRun run;
-        run.test = all[t];
-        run.seed = seed;
-        run.point = decision.point;
-        run.label = fmt::format("c{}", designs_);
-        run.reason = fitted ? "the optimum on new specimens" : "a prediction";
-        const std::size_t n = fitted ? specimens_for(all[t], most) : most;
-        runs.push_back(get(run, n));
-        if (runs.back().size() < n) continue;
-        const bool enough = n == most || std::all_of(problem_.targets.begin(), problem_.targets.end(), [&](const Target& target) {
-                                return !is_fitted(target) || outcome_of(target, runs.back()).verdict == "within";
+/// \return what is not within its bound; empty: nothing
+std::string Calibration::confirm() {
+    std::vector<std::pair<std::size_t, std::vector<const Measures*>>> runs;
+    for (std::size_t t = 0; t < confirmed_.size(); ++t) {
+        std::vector<const Target*> fitted;
+        for (const Target& target : problem_.targets) {
+            if (target.use == Use::fit && confirmed_[t].has(target)) fitted.push_back(&target);
+        }
+        if (fitted.empty()) continue;
+        const std::size_t most = confirmed_[t].name == "brazilian" ? study().confirmation_discs : study().confirmation_rectangles;
+        const WantedRun run = run_at_optimum(t, "the optimum on new specimens");
+        const std::size_t n = specimens_for(confirmed_[t], most);
+        std::vector<const Measures*> found = get(run, n);
+        if (found.size() < n) continue;
+        const bool enough = n == most || std::all_of(fitted.begin(), fitted.end(), [&](const Target* target) {
+                                return outcome_of(*target, found).verdict == "within";
                             });
-        if (!enough) runs.back() = get(run, most);
+        if (!enough) found = get(run, most);
+        runs.emplace_back(t, std::move(found));
     }
     require_all();
-    for (const Target& target : problem_.targets) {
-        const auto t = std::find_if(all.begin(), all.end(), [&](const Test& test) { return test.has(target); }) - all.begin();
-        decision.outcomes.push_back(outcome_of(target, runs[static_cast<std::size_t>(t)]));
+    std::string missed;
+    for (const auto& [t, found] : runs) {
+        for (const Target& target : problem_.targets) {
+            if (!confirmed_[t].has(target)) continue;
+            decision.outcomes.push_back(outcome_of(target, found));
+            if (target.use == Use::fit && decision.outcomes.back().verdict != "within") add(missed, target.symbol());
+        }
     }
+    return missed;
+}
+
+/// Tests of predictions alone, and the outcomes in the order of the targets.
+void Calibration::predict() {
+    const std::vector<Outcome> outcomes = std::exchange(decision.outcomes, {});
+    std::map<std::size_t, std::vector<const Measures*>> runs;  // by the test
+    for (const Target& target : problem_.targets) {
+        const auto known =
+            std::find_if(outcomes.begin(), outcomes.end(), [&](const Outcome& o) { return o.target.name() == target.name(); });
+        if (known != outcomes.end()) {
+            decision.outcomes.push_back(*known);
+            continue;
+        }
+        const auto t = std::find_if(confirmed_.begin(), confirmed_.end(), [&](const Test& test) { return test.has(target); });
+        const auto test = static_cast<std::size_t>(t - confirmed_.begin());
+        if (!runs.contains(test)) runs[test] = get(run_at_optimum(test, "a prediction"), study().predicted);
+        decision.outcomes.push_back(outcome_of(target, runs[test]));
+    }
+    require_all();
     // Repeated tests say how equal points scatter.
     for (Response& response : fit_.responses) {
         const auto outcome = std::find_if(decision.outcomes.begin(), decision.outcomes.end(),
@@ -396,8 +441,6 @@ std::string off_text(const Outcome& o) {
     if (o.ours->n < o.tests) text += fmt::format(", {} of {} tests have a value", o.ours->n, o.tests);
     return text;
 }
-
-void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; }
 
 Miss Calibration::miss_of(const Outcome& outcome) const {
     const Target& t = outcome.target;
@@ -483,6 +526,7 @@ void Calibration::run() {
         if (t.use == Use::fit) fitted.push_back(t);
     }
     tests_ = tests_of(fitted);
+    confirmed_ = tests_of(problem_.targets);
     const auto add_response = [&](const Target& t) {
         for (const Response& known : fit_.responses) {
             if (known.target.name() == t.name() || (known.target.test() == t.test() && known.target.kind.read == t.kind.read &&
@@ -507,8 +551,7 @@ void Calibration::run() {
     peaks_.resize(fit_.responses.size());
     find_elasticity();
     find_place();
-    correct_elasticity();
-    confirm();
+    predict();
     end();
 }
 

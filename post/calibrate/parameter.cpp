@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -25,10 +26,7 @@ struct Basis {
     double ucs;             ///< NaN if the laboratory has none; its boxes then have no defaults
     double friction_angle;  ///< of the rock
     bool frictional;        ///< law `cohesive-frictional`, whose friction adds to its cohesion
-    /// Crystals that break, with that law. 300 crystals of eight elements with tc 7.54 MPa, cc 50 MPa, φ 44°, a process zone of
-    /// 0.7 grain sizes and contacts within crystals 1.25 times as strong have a Brazilian strength of 7.2 MPa and a UCS of 126
-    /// MPa.
-    bool crystals;
+    bool crystals;          ///< that break, with that law
 };
 
 /// A box about a first guess, as parts of a reference value. The limits of boxes that move are wider.
@@ -44,14 +42,21 @@ Parameter parts_of(double reference, double first, double low, double high, doub
             std::move(source)};
 }
 
-/// How far boxes of crystals reach to each side, a factor: their first guess is near.
-constexpr double crystals_reach = 1.5;
+// Strengths of 300 crystals of eight elements with the ratios of share/materials/kinds, by a design of 24 points about Augig
+// granite (share/doc/studies.md#crystals): Brazilian strength 0.89 tc; UCS over it 16.1 (cc/tc / 5)^0.40 at φ 44° and residual
+// friction of 30°.
+constexpr double crystals_tensile_strength = 1.12;
+
+/// cc/tc of crystals with the UCS and Brazilian strength of a rock.
+double crystals_cohesion_ratio(const Basis& b) {
+    return std::clamp(5 * std::pow(b.ucs / b.rock.rock.tensile_strength / 16.1, 1 / 0.40), 2.0, 15.0);
+}
 
 Parameter tensile_strength(const Basis& b) {
     if (b.crystals) {
-        constexpr double first = 1.05;
-        return parts_of(b.rock.rock.tensile_strength, first, first / crystals_reach, first * crystals_reach, 0.2, 3, true,
-                        "1.05 of the Brazilian strength, of crystals that break");
+        constexpr double first = crystals_tensile_strength;
+        return parts_of(b.rock.rock.tensile_strength, first, first / 1.35, first * 1.35, 0.2, 3, true,
+                        "1.12 of the Brazilian strength, of crystals that break");
     }
     if (b.frictional) return parts_of(b.rock.rock.tensile_strength, 0.9, 0.6, 1.4, 0.2, 3, true, "0.9 of the Brazilian strength");
     const double guess = fpz::contact_tensile_strength_from_toughness(b.rock.rock.mode_i_toughness, b.edge);
@@ -59,9 +64,8 @@ Parameter tensile_strength(const Basis& b) {
 }
 Parameter cohesion(const Basis& b) {
     if (b.crystals) {
-        constexpr double first = 0.4;
-        return parts_of(b.ucs, first, first / crystals_reach, first * crystals_reach, 0.03, 1.5, true,
-                        "0.4 UCS, of crystals that break");
+        const double guess = crystals_tensile_strength * b.rock.rock.tensile_strength * crystals_cohesion_ratio(b);
+        return parts_of(guess, 1, 0.5, 2, 0.1, 10, true, "by UCS over Brazilian strength, of crystals that break");
     }
     if (b.frictional) return parts_of(b.ucs, 0.3, 0.15, 0.6, 0.03, 1.5, true, "0.3 UCS, because friction adds to it");
     return parts_of(b.ucs, 0.5, 0.25, 1, 0.05, 3, true, "UCS/2, the centre of Kazerani & Zhao's design");
@@ -75,7 +79,9 @@ Parameter friction_angle(const Basis& b) {
     return p;
 }
 Parameter residual_friction_angle(const Basis& b) {
-    Parameter p = parts_of(b.friction_angle, 0.7, 0.5, 0.9, 0, 0, false, "0.7 φ, somewhat below that of intact contacts");
+    Parameter p = b.crystals
+                      ? parts_of(b.friction_angle, 0.57, 0.4, 0.75, 0, 0, false, "0.57 φ, of crystals that break")
+                      : parts_of(b.friction_angle, 0.7, 0.5, 0.9, 0, 0, false, "0.7 φ, somewhat below that of intact contacts");
     p.least = 5 * degree;
     p.most = 75 * degree;
     return p;
@@ -166,7 +172,8 @@ const Parameter ratio_boxes[] = {
     {"pairs.within.fracture_energy", true, 1, 30, 1, 100, 8, "crystals tougher than their boundaries"}};
 
 /// The box of a ratio: a key of [ratios], or a factor within crystals. It begins with what the material has itself; where that is
-/// outside of the box, or the key has none, from half to twice that. Of other keys no bounds.
+/// outside of the box, or the key has none, from half to twice that. Of other keys no bounds. The cohesion of crystals begins
+/// with what the rock's UCS over its Brazilian strength wants.
 Parameter ratio_box(const Basis& basis, const std::string& key) {
     const Material& rock = basis.rock;
     std::optional<double> own;
@@ -184,8 +191,10 @@ Parameter ratio_box(const Basis& basis, const std::string& key) {
         return p;
     }
     if (!own && !is_factor) return {"", true, NAN, NAN, NAN, NAN, NAN};
-    const double to_each_side = basis.crystals && key == "ratios.cohesion" ? crystals_reach : 2;
-    return parts_of(own.value_or(1), 1, 1 / to_each_side, to_each_side, 0.1, 10, true, "the material's own");
+    if (key == "ratios.cohesion" && basis.crystals && std::isfinite(basis.ucs)) {
+        return parts_of(crystals_cohesion_ratio(basis), 1, 0.5, 2, 0.1, 10, true, "by UCS over Brazilian strength");
+    }
+    return parts_of(own.value_or(1), 1, 0.5, 2, 0.1, 10, true, "the material's own");
 }
 
 /// A box whose first guess is what [ratios] of the material make of its laboratory: as wide about it as the default is about its

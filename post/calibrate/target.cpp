@@ -50,7 +50,7 @@ const std::vector<TargetKind>& target_kinds() {
          [](const Measures& m) { return column(m, "mode_i_toughness_MPa.m^0.5", MPa); }, "mode_i_toughness"},
         {"uniaxial", "UCS", "compression", none, stress, "MPa", MPa, 0.05, false, behind_first_peak, true, first_peak,
          "compressive_strength"},
-        {"first_peak", "first peak", "compression", name, stress, "MPa", MPa, 0.05, false, behind_first_peak, true, first_peak,
+        {"first_peak", "first peak", "compression", name, stress, "MPa", MPa, 0.08, false, behind_first_peak, true, first_peak,
          "confined_strength"},
         {"largest", "largest stress", "compression", either, stress, "MPa", MPa, 0.05, false, never, false,
          [](const Measures& m) { return column(m, "peak_compressive_stress_MPa", MPa); }},

@@ -79,9 +79,9 @@ TEST(Calibration, ARockThatIsInReachIsCalibrated) {
     // E of the grains, of which assemblages have 95 %.
     EXPECT_NEAR(decision.point[0].second, 25.8e9 / 0.95, 0.01e9);
     EXPECT_NEAR(decision.point[1].second, 0.22, 1e-6);
-    // 2 for E and ν twice; 28 points of 3 discs and 5 rectangles, twice; 4 discs, which scatter by 2.9 % (t s/√n is 7.1 % of
+    // 2 for E and ν twice; 28 points of 3 discs and 5 rectangles; 4 discs, which scatter by 2.9 % (t s/√n is 7.1 % of
     // three and 4.5 % of four, for 5 %), and 5 times 3 rectangles, which scatter by 2.1 % at most.
-    EXPECT_EQ(laboratory.n_runs(), 4U + 2 * 28 * 8 + 19);
+    EXPECT_EQ(laboratory.n_runs(), 4U + 28 * 8 + 19);
 }
 
 // Half of the interval of the mean of n is t s/√n: of a scatter s of 4 % and a deviation of 5 % 5.0 % for n = 5 and t = 2.78.
