@@ -13,7 +13,7 @@ namespace graincrack {
 std::optional<std::string> specimen_option(const H5Input& file, const std::string& key);
 
 /// The grains that were asked for, by a material or by options: "delaunay, grain-size 3.811 mm, spread 0.1 (material
-/// augig-granite-calibrated)"; "" if the file does not say.
+/// augig-granite-triangles)"; "" if the file does not say.
 std::string asked_grains(const H5Input& file);
 
 /// The polygons of a specimen.

@@ -60,7 +60,7 @@ State state_with_all_histories(const Specimen& specimen, const Setup& setup) {
 }
 
 /// Share of the most steps that a test takes at the automatic rate, which is fast until contacts fail. Measured with
-/// augig-granite-calibrated: uniaxial 1/69, 1/63 (280 grains), 1/59 (twice the tolerance), 1/71 (masses as they are); triaxial at
+/// augig-granite-triangles: uniaxial 1/69, 1/63 (280 grains), 1/59 (twice the tolerance), 1/71 (masses as they are); triaxial at
 /// 8 MPa 1/15; direct tension 1/616; Brazilian 1/502. With augig-granite: bending of four beams and two half-discs 1/53 to 1/94.
 double usual_share(TestKind test) {
     switch (test) {

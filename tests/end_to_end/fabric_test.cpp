@@ -72,20 +72,20 @@ TEST(Fabric, OptionsOverrideItOneByOne) {
               "# edge =\nspread = 0.3\n");
 }
 
-TEST(Fabric, TheCalibratedGranitesHaveTheGrainsOfTheirCalibration) {
+TEST(Fabric, GranitesOfTrianglesHaveTheGrainsOfTheirCalibration) {
     const Shell shell;
     shell.must(
-        "graincrack-mesh rectangle --width 80mm --height 160mm --material augig-granite-calibrated --quiet -o own.h5\n"
-        "graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 --material augig-granite-calibrated --quiet -o "
+        "graincrack-mesh rectangle --width 80mm --height 160mm --material augig-granite-triangles --quiet -o own.h5\n"
+        "graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 --material augig-granite-triangles --quiet -o "
         "counted.h5");
     EXPECT_EQ(fact(shell, "own.h5", "grains"), "1122");
     EXPECT_EQ(content_digest(shell, "own.h5"), content_digest(shell, "counted.h5"));
     for (const std::string words :
-         {"wausau-granite-calibrated --width 40mm --height 80mm", "red-bohus-granite-calibrated --width 46mm --height 92mm"}) {
+         {"wausau-granite-triangles --width 40mm --height 80mm", "red-bohus-granite-triangles --width 46mm --height 92mm"}) {
         shell.must("graincrack-mesh rectangle --material " + words + silent + "other.h5");
         EXPECT_EQ(fact(shell, "other.h5", "grains"), "1122") << words;
     }
-    shell.must("graincrack-mesh disc --diameter 80mm --grains 452 --material augig-granite-calibrated --quiet -o disc.h5");
+    shell.must("graincrack-mesh disc --diameter 80mm --grains 452 --material augig-granite-triangles --quiet -o disc.h5");
     EXPECT_EQ(fact(shell, "disc.h5", "grains"), "452");
 }
 

@@ -14,12 +14,12 @@ TEST(Report, TestsOfACalibratedGraniteStandBesideItsTargets) {
     const Shell shell;
     shell.must(
         "for seed in 1 2; do\n"
-        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 4mm --material augig-granite-calibrated --seed $seed "
+        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 4mm --material augig-granite-triangles --seed $seed "
         "--quiet -o $seed.h5\n"
-        "graincrack-solve uniaxial $seed.h5 --material augig-granite-calibrated --rate-tolerance 0.006 --quiet -o u$seed.h5\n"
-        "graincrack-solve triaxial $seed.h5 --confining-pressure 8MPa --material augig-granite-calibrated --rate-tolerance 0.006 "
+        "graincrack-solve uniaxial $seed.h5 --material augig-granite-triangles --rate-tolerance 0.006 --quiet -o u$seed.h5\n"
+        "graincrack-solve triaxial $seed.h5 --confining-pressure 8MPa --material augig-granite-triangles --rate-tolerance 0.006 "
         "--quiet -o t$seed.h5\ndone\n"
-        "graincrack-post report u1.h5 u2.h5 t1.h5 t2.h5 --material augig-granite-calibrated --quiet -o "
+        "graincrack-post report u1.h5 u2.h5 t1.h5 t2.h5 --material augig-granite-triangles --quiet -o "
         "page.html");
     const std::string page = content_of(shell.file("page.html"));
     // The laboratory's values are those of [targets]; each has a verdict, and what the calibration did not use is a prediction.

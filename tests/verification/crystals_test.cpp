@@ -18,7 +18,7 @@ using test::verify;
 TEST(CrystalModuli, AreThoseOfMineralsAndBoundariesForAnyNumberOfElements) {
     const test::Shell shell;
     shell.must(
-        "graincrack-post material with augig-granite-calibrated --set phases.contrast=1 --set platen.friction_angle=0deg "
+        "graincrack-post material with augig-granite-triangles --set phases.contrast=1 --set platen.friction_angle=0deg "
         ">m.toml");
     std::vector<double> moduli;
     for (const std::string elements : {"8", "16", "32"}) {

@@ -42,7 +42,7 @@ TEST_F(Comparison, HasTargetsAndWhetherMeansAreWithinTheirDeviation) {
         test.thresholds->pseudo_3d.damage = (100 + 10 * static_cast<double>(seed)) * 1e6;  // 120 ± 25
     }
     add("triaxial", 1, 200e6, 8e6);
-    const std::string html = table(read_material("augig-granite-calibrated"));
+    const std::string html = table(read_material("augig-granite-triangles"));
     const std::string uniaxial =
         "<td>UCS</td><td>122 ± 6.1\u00a0MPa</td><td>121\u00a0MPa\n118.5 to 123.5 "
         "(3\u00a0runs)</td><td>-0.8\u00a0%</td><td>within</td><td>fitted</td>";

@@ -22,7 +22,7 @@ LaboratoryProperty property_of(const std::vector<LaboratoryProperty>& all, const
 }
 
 TEST(LaboratoryProperties, AreTheTargetsOfACalibratedMaterial) {
-    const auto all = laboratory_properties(read_material("augig-granite-calibrated"), {8e6, 15e6});
+    const auto all = laboratory_properties(read_material("augig-granite-triangles"), {8e6, 15e6});
     const LaboratoryProperty ucs = property_of(all, "UCS");
     EXPECT_DOUBLE_EQ(ucs.target.value, 122e6);
     EXPECT_NEAR(ucs.target.deviation, 0.05 * 122e6, 1);
@@ -98,7 +98,7 @@ TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {
 }
 
 TEST(FittedTable, HasTheWordsOfALaboratory) {
-    const std::string table = fitted_table(read_material("augig-granite-calibrated"));
+    const std::string table = fitted_table(read_material("augig-granite-triangles"));
     EXPECT_NE(table.find("<td>UCS</td><td>122 MPa</td><td>124.6\u00a0MPa</td><td>117.6 to 131.6</td><td>6</td>"),
               std::string::npos)
         << table;
