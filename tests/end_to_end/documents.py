@@ -44,13 +44,17 @@ STAND_INS = {
         "--set 'contact.cohesion=30.4 MPa' --set 'contact.friction_angle=29.2 deg' >results/calibrate/marble/calibrated.toml",
 }
 LARGER_GRAINS = {
-    "README.md": {"--height 100mm --material my": "--height 100mm --grains 80 --material my", "--grains 1122": "--grains 300", "--edge 3mm": "--edge 5mm", "--edge 4mm": "--edge 6mm"},
+    "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "disc --diameter 68mm --slit 17mm": "disc --diameter 40mm --slit 10mm",
+                  "disc --diameter 68mm": "disc --diameter 24mm"},
     "programs.md": {"--edge 3mm": "--edge 5mm"},
     "two-flaws.md": {"--edge 3mm": "--edge 5mm"},
     "polygons.md": {"--grains 300": "--grains 80", "--element-size 1.75mm": "--element-size 3.4mm"},
     "tutorial.md": {"--edge 3mm": "--edge 6mm", "--edge 5mm": "--edge 8mm"},
     "import.md": {"--element-size 2.5mm": "--element-size 5mm", "--rate-tolerance 0.002": "--rate-tolerance 0.02 --rate-share 4 --peak-drop 0.1"},
-    "gallery.md": {"--grains 1122": "--grains 300", "--grains 440": "--grains 120", "--grains 452": "--grains 150"},
+    "gallery.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "--width 40mm --height 80mm": "--width 14mm --height 28mm",
+                   "--diameter 68mm": "--diameter 32mm", "--inner-diameter 25mm": "--inner-diameter 10mm",
+                   "--diameter 80mm --slit 20mm": "--diameter 40mm --slit 10mm", "--rate-tolerance 0.006": "--rate-tolerance 0.02",
+                   "--rate-tolerance 0.004": "--rate-tolerance 0.02"},
 }
 
 

@@ -162,8 +162,10 @@ TEST(Calibration, TargetsThatExcludeEachOtherAreContradictory) {
 TEST(Calibration, TestsThatScatterTooMuchAreUndecided) {
     SyntheticRock rock = SyntheticRock::usual();
     rock.scatter = 6;
+    Problem problem = rock.problem(nothing_planted(rock));
+    problem.study.confirmation_rectangles = 6;
     Laboratory laboratory(rock);
-    const Decision decision = decide(rock.problem(nothing_planted(rock)), laboratory.find());
+    const Decision decision = decide(problem, laboratory.find());
     EXPECT_EQ(decision.ending, Ending::undecided) << decision.reason;
     EXPECT_NE(decision.next.find("confirmation_discs=N"), std::string::npos) << decision.next;
 }
