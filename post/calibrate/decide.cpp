@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -34,7 +35,7 @@ constexpr std::int64_t elastic = 1;
 constexpr std::int64_t design = 1000;  ///< of each design
 constexpr std::int64_t point = 10;     ///< of each of its points
 constexpr std::int64_t confirmation = 9000;
-constexpr std::int64_t after_design = 50;  ///< of each confirmation, by the designs before it
+constexpr std::int64_t again = 50;  ///< of each confirmation, by their number
 }  // namespace seeds
 
 /// Values of a target in the runs that have it.
@@ -83,6 +84,7 @@ private:
     [[nodiscard]] static Point with_grains(Point point, double modulus, double ratio);
 
     void find_elasticity();
+    void add_value(std::size_t r, const std::vector<const Measures*>& runs);
     void make_design(const Box& box);
     void fit(const Box& box);
     void find_place();
@@ -91,6 +93,7 @@ private:
     [[nodiscard]] Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs) const;
     [[nodiscard]] WantedRun run_at_optimum(std::size_t t, std::string reason) const;
     std::string confirm();
+    void add_confirmation();
     void predict();
     [[nodiscard]] Miss miss_of(const Outcome& outcome) const;
     void end();
@@ -102,9 +105,11 @@ private:
     double grain_modulus_ = 0;
     double grain_ratio_ = 0;
     std::size_t designs_ = 0;
+    std::size_t confirmations_ = 0;
     Box all_;  ///< holds the boxes of all designs
     Fit fit_;
-    std::vector<std::vector<bool>> peaks_;  ///< of each response, whether a test has it
+    std::vector<std::vector<std::optional<bool>>> peaks_;  ///< of each response, whether a test has it; empty: there is none
+    std::vector<std::pair<Test, std::vector<const Measures*>>> confirmed_runs_;  ///< of the last confirmation
 };
 
 const Target* Calibration::target(const char* name) const {
@@ -185,6 +190,16 @@ void Calibration::find_elasticity() {
     }
 }
 
+/// Adds what the specimens of a point have of a response.
+void Calibration::add_value(std::size_t r, const std::vector<const Measures*>& runs) {
+    Response& response = fit_.responses[r];
+    const std::vector<double> values = values_of(response.target, runs);
+    response.values.push_back(values.empty() ? NAN : log_or_nan(sample(values).mean.value));
+    response.tests += runs.size();
+    response.measured += values.size();
+    peaks_[r].push_back(!values.empty());
+}
+
 /// Adds the points of one more design: a specimen of each test at each place, three discs.
 void Calibration::make_design(const Box& box) {
     const auto p = static_cast<std::size_t>(box.size());
@@ -202,13 +217,7 @@ void Calibration::make_design(const Box& box) {
             run.reason = fmt::format("design {}, point {} of {}", designs_, i + 1, n);
             const auto runs = get(run, specimens_at_point(run.test.name));
             for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
-                Response& response = fit_.responses[r];
-                if (!run.test.has(response.target)) continue;
-                const std::vector<double> values = values_of(response.target, runs);
-                response.values.push_back(values.empty() ? NAN : log_or_nan(sample(values).mean.value));
-                response.tests += runs.size();
-                response.measured += values.size();
-                peaks_[r].push_back(!values.empty());
+                if (run.test.has(fit_.responses[r].target)) add_value(r, runs);
             }
         }
     }
@@ -240,11 +249,14 @@ void Calibration::fit(const Box& box) {
             aims.push_back({&*response.surface, std::log(response.target.value), response.target.log_deviation()});
         }
         if (!response.target.kind.needs_first_peak || response.measured == response.tests) continue;
-        Eigen::MatrixXd factors(static_cast<Eigen::Index>(inside.size()), box.size());
+        std::vector<std::size_t> tested;
+        std::copy_if(inside.begin(), inside.end(), std::back_inserter(tested),
+                     [&](std::size_t i) { return peaks_[r][i].has_value(); });
+        Eigen::MatrixXd factors(static_cast<Eigen::Index>(tested.size()), box.size());
         Eigen::VectorXd happened(factors.rows());
-        for (std::size_t i = 0; i < inside.size(); ++i) {
-            factors.row(static_cast<Eigen::Index>(i)) = places[i].transpose();
-            happened(static_cast<Eigen::Index>(i)) = peaks_[r][inside[i]] ? 1 : 0;
+        for (std::size_t i = 0; i < tested.size(); ++i) {
+            factors.row(static_cast<Eigen::Index>(i)) = fit_.places[tested[i]].transpose();
+            happened(static_cast<Eigen::Index>(i)) = *peaks_[r][tested[i]] ? 1 : 0;
         }
         logistics.push_back(fit_logistic(factors, happened));
     }
@@ -261,8 +273,8 @@ void Calibration::fit(const Box& box) {
            label_of(point_at(problem_.parameters, fit_.optimum.place)));
 }
 
-/// Designs until the optimum is inside the last box and new specimens are within every bound there; where they are not, a smaller
-/// design about it.
+/// Designs until the optimum is inside the last box and new specimens are within every bound there. Where they are not, they join
+/// the points of the design, and others are asked at the new optimum; then follows a smaller design about it.
 void Calibration::find_place() {
     const auto p = static_cast<Eigen::Index>(problem_.parameters.size());
     const Box limits = limits_of(problem_.parameters);
@@ -270,9 +282,15 @@ void Calibration::find_place() {
     all_ = box;
     std::size_t moves = 0;
     std::size_t zooms = 0;
-    while (true) {
-        make_design(box);
+    bool corrected = false;  // since the last design
+    const auto begin_design = [&](const Box& in) {
+        box = in;
         all_ = hull(all_, box);
+        make_design(box);
+        corrected = false;
+    };
+    begin_design(box);
+    while (true) {
         fit(box);
         const Place at = fit_.optimum.place;
         const Box moved = box.about(at, 1, limits);
@@ -287,18 +305,26 @@ void Calibration::find_place() {
         }
         if (!moving.empty() && moves < study().moves) {
             ++moves;
-            box = moved;
             record("move", "the optimum is at an edge of the box: " + moving, "the box moves there");
+            begin_design(moved);
             continue;
         }
         if (!moving.empty()) record("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
         correct_elasticity();
         const std::string missed = confirm();
-        if (missed.empty() || zooms == study().zooms) return;
-        ++zooms;
-        decision.outcomes.clear();
-        box = box.about(at, 0.5, limits);
-        record("zoom", "new specimens are not within every bound: " + missed, "a box of half the width about the optimum");
+        if (missed.empty()) return;
+        const std::string reason = "new specimens are not within every bound: " + missed;
+        if (!corrected) {
+            corrected = true;
+            add_confirmation();
+            record("correction", reason, "they join the points of the design");
+        } else if (zooms < study().zooms) {
+            ++zooms;
+            record("zoom", reason, "a box of half the width about the optimum");
+            begin_design(box.about(at, 0.5, limits));
+        } else {
+            return;
+        }
     }
 }
 
@@ -359,9 +385,9 @@ WantedRun Calibration::run_at_optimum(std::size_t t, std::string reason) const {
     WantedRun run;
     run.test = confirmed_[t];
     run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
-               static_cast<std::int64_t>(designs_) * seeds::after_design;
+               static_cast<std::int64_t>(confirmations_) * seeds::again;
     run.point = decision.point;
-    run.label = fmt::format("c{}", designs_);
+    run.label = fmt::format("c{}", confirmations_);
     run.reason = std::move(reason);
     return run;
 }
@@ -370,7 +396,9 @@ WantedRun Calibration::run_at_optimum(std::size_t t, std::string reason) const {
 /// within its bound, as many as the study has at most.
 /// \return what is not within its bound; empty: nothing
 std::string Calibration::confirm() {
-    std::vector<std::pair<std::size_t, std::vector<const Measures*>>> runs;
+    ++confirmations_;
+    decision.outcomes.clear();
+    confirmed_runs_.clear();
     for (std::size_t t = 0; t < confirmed_.size(); ++t) {
         std::vector<const Target*> fitted;
         for (const Target& target : problem_.targets) {
@@ -386,18 +414,36 @@ std::string Calibration::confirm() {
                                 return outcome_of(*target, found).verdict == "within";
                             });
         if (!enough) found = get(run, most);
-        runs.emplace_back(t, std::move(found));
+        confirmed_runs_.emplace_back(confirmed_[t], std::move(found));
     }
     require_all();
     std::string missed;
-    for (const auto& [t, found] : runs) {
+    for (const auto& [test, found] : confirmed_runs_) {
         for (const Target& target : problem_.targets) {
-            if (!confirmed_[t].has(target)) continue;
+            if (!test.has(target)) continue;
             decision.outcomes.push_back(outcome_of(target, found));
             if (target.use == Use::fit && decision.outcomes.back().verdict != "within") add(missed, target.symbol());
         }
     }
     return missed;
+}
+
+/// The specimens of the last confirmation become points at the optimum, of as many specimens as a point has. E and ν are left
+/// out, for the grains were scaled.
+void Calibration::add_confirmation() {
+    std::size_t points = 0;
+    for (const auto& [test, runs] : confirmed_runs_) points = std::max(points, runs.size() / specimens_at_point(test.name));
+    fit_.places.insert(fit_.places.end(), points, Place(fit_.optimum.place));
+    for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
+        Response& response = fit_.responses[r];
+        for (const auto& [test, runs] : confirmed_runs_) {
+            if (!test.has(response.target) || response.target.is_elastic()) continue;
+            const auto n = static_cast<std::ptrdiff_t>(specimens_at_point(test.name));
+            for (auto run = runs.begin(); runs.end() - run >= n; run += n) add_value(r, {run, run + n});
+        }
+        response.values.resize(fit_.places.size(), NAN);
+        peaks_[r].resize(fit_.places.size());
+    }
 }
 
 /// Tests of predictions alone, and the outcomes in the order of the targets.

@@ -21,7 +21,7 @@ rows AS (
         FROM tests WHERE test = 'uniaxial' GROUP BY model
     UNION ALL SELECT 1006, 'first peaks at 8 MPa', '', model, text('{:.0f} of {:.0f}', count(first_peak_MPa), count(*))
         FROM tests WHERE test = 'triaxial' AND confining_pressure_MPa = 8 GROUP BY model
-    UNION ALL SELECT 1007, 'seconds of a uniaxial test', '', model, text('{:.0f}', mean(wall_time_s)) FROM tests WHERE test = 'uniaxial' GROUP BY model
+    UNION ALL SELECT 1007, 'grains × steps of a uniaxial test, millions', '', model, text('{:.0f}', mean(grains * steps) / 1e6) FROM tests WHERE test = 'uniaxial' GROUP BY model
     UNION ALL SELECT 0, 'ended', '', model, entries(ended) FROM targets GROUP BY model
 ),
 ordered AS (SELECT min(nth) AS first, quantity FROM rows GROUP BY quantity)
