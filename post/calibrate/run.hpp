@@ -71,8 +71,8 @@ struct Study {
     std::size_t discs = 3;                               ///< at a point; one of every other test
     std::size_t moves = 2;                               ///< of a box whose optimum lies at an edge, at most
     std::size_t zooms = 1;                               ///< designs of half the width of the one before
-    std::size_t confirmation_discs = 10;                 ///< at most
-    std::size_t confirmation_rectangles = 10;            ///< of every other test, at most
+    std::size_t confirmation_discs = 20;                 ///< at most
+    std::size_t confirmation_rectangles = 20;            ///< of every other test, at most
     std::size_t predicted = 3;                           ///< specimens of a test that only predictions need
     double first_peak_share = 0.5;                       ///< of tests that shall have a first peak, at least
 };
