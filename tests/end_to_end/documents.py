@@ -40,8 +40,8 @@ STAND_INS = {
     "make -C share/studies calibrate ROCK=my-rock.toml":
         "mkdir -p results/calibrate/my-rock; cp my-rock.toml results/calibrate/my-rock/calibrated.toml",
     "make -C share/studies calibrate ROCK=marble.toml":
-        "mkdir -p results/calibrate/marble; graincrack-post material with marble.toml --set 'contact.tensile_strength=8.9 MPa' "
-        "--set 'contact.cohesion=30.4 MPa' --set 'contact.friction_angle=29.2 deg' >results/calibrate/marble/calibrated.toml",
+        "mkdir -p results/calibrate/marble; graincrack-post material with marble.toml --set 'contact.tensile_strength=6.78 MPa' "
+        "--set ratios.cohesion=4.73 --set 'contact.friction_angle=29.9 deg' --set 'contact.residual_friction_angle=21.1 deg' >results/calibrate/marble/calibrated.toml",
 }
 LARGER_GRAINS = {
     "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "disc --diameter 68mm --slit 17mm": "disc --diameter 40mm --slit 10mm",
@@ -49,7 +49,7 @@ LARGER_GRAINS = {
     "programs.md": {"--edge 3mm": "--edge 5mm"},
     "two-flaws.md": {"--edge 3mm": "--edge 5mm"},
     "polygons.md": {"--grains 300": "--grains 80", "--element-size 1.75mm": "--element-size 3.4mm"},
-    "tutorial.md": {"--edge 3mm": "--edge 6mm", "--edge 5mm": "--edge 8mm"},
+    "tutorial.md": {"--width 30mm --height 60mm": "--width 12mm --height 24mm"},
     "import.md": {"--element-size 2.5mm": "--element-size 5mm", "--rate-tolerance 0.002": "--rate-tolerance 0.02 --rate-share 4 --peak-drop 0.1"},
     "gallery.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "--width 40mm --height 80mm": "--width 14mm --height 28mm",
                    "--diameter 68mm": "--diameter 32mm", "--inner-diameter 25mm": "--inner-diameter 10mm",
