@@ -87,6 +87,7 @@ private:
     void add_value(std::size_t r, const std::vector<const Measures*>& runs);
     void make_design(const Box& box);
     void fit(const Box& box);
+    [[nodiscard]] bool meets_targets() const;
     void find_place();
     void correct_elasticity();
     [[nodiscard]] std::size_t specimens_for(const Test& test, std::size_t most) const;
@@ -273,6 +274,15 @@ void Calibration::fit(const Box& box) {
            label_of(point_at(problem_.parameters, fit_.optimum.place)));
 }
 
+/// Whether the surfaces expect every target at the optimum, each within a quarter of its deviation.
+bool Calibration::meets_targets() const {
+    return std::all_of(fit_.responses.begin(), fit_.responses.end(), [&](const Response& response) {
+        if (response.target.use != Use::fit || response.target.is_elastic() || !response.surface) return true;
+        const double off = response.surface->value(fit_.optimum.place) - std::log(response.target.value);
+        return std::abs(off) <= 0.25 * response.target.log_deviation();
+    });
+}
+
 /// Designs until the optimum is inside the last box and new specimens are within every bound there. Where they are not, they join
 /// the points of the design, and others are asked at the new optimum; then follows a smaller design about it.
 void Calibration::find_place() {
@@ -294,12 +304,14 @@ void Calibration::find_place() {
         fit(box);
         const Place at = fit_.optimum.place;
         const Box moved = box.about(at, 1, limits);
-        // At an edge: so near that the box would move by nearly half of its width. Directions that are kept do not move it.
+        // At an edge: so near that the box would move by nearly half of its width. Directions that are kept do not move it, nor
+        // does an edge at which every target is met.
         std::string moving;
+        const bool is_met = meets_targets();
         for (Eigen::Index k = 0; k < p; ++k) {
             const bool at_edge =
                 std::abs(box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - box.centre(k)) > 0.1 * box.half(k);
-            if (at_edge && fit_.optimum.kept_share(k) < 0.5) {
+            if (at_edge && !is_met && fit_.optimum.kept_share(k) < 0.5) {
                 moving += (moving.empty() ? "" : ", ") + problem_.parameters[static_cast<std::size_t>(k)].key;
             }
         }
