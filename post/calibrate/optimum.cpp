@@ -118,17 +118,21 @@ Place minimise_everywhere(const LeastSquares& problem, const Box& box, const Pla
     return best;
 }
 
+double share_in(const std::vector<Place>& directions, Eigen::Index coordinate) {
+    double share = 0;
+    for (const Place& direction : directions) share += direction(coordinate) * direction(coordinate);
+    return share;
+}
+
 }  // namespace
 
 double Optimum::half_interval(Eigen::Index coordinate) const {
     return student_t_95(freedom) * std::sqrt(covariance(coordinate, coordinate));
 }
 
-double Optimum::kept_share(Eigen::Index coordinate) const {
-    double share = 0;
-    for (const Place& direction : kept) share += direction(coordinate) * direction(coordinate);
-    return share;
-}
+double Optimum::kept_share(Eigen::Index coordinate) const { return share_in(kept, coordinate); }
+
+double Optimum::untold_share(Eigen::Index coordinate) const { return share_in(kept, coordinate) + share_in(moved, coordinate); }
 
 Optimum find_optimum(const Box& box, const Place& first, const std::vector<Aim>& aims, const std::vector<LeastShare>& shares) {
     LeastSquares problem(first, aims, shares);
@@ -158,14 +162,16 @@ Optimum find_optimum(const Box& box, const Place& first, const std::vector<Aim>&
             sum = with_it;
         } else {
             problem.kept.pop_back();
+            if (k >= values.size() || values(k) < 1e-9 * values(0)) optimum.moved.emplace_back(svd.matrixV().col(k));
         }
     }
     optimum.kept = problem.kept;
-    Eigen::MatrixXd told = svd.matrixV();  // of which those are left out that are kept
+    Eigen::MatrixXd told = svd.matrixV();  // of which those are left out that are kept or moved
     for (Eigen::Index k = told.cols() - 1; k >= 0; --k) {
-        if (std::none_of(optimum.kept.begin(), optimum.kept.end(), [&](const Place& d) { return d == svd.matrixV().col(k); })) {
-            continue;
-        }
+        const auto is_in = [&](const std::vector<Place>& directions) {
+            return std::any_of(directions.begin(), directions.end(), [&](const Place& d) { return d == svd.matrixV().col(k); });
+        };
+        if (!is_in(optimum.kept) && !is_in(optimum.moved)) continue;
         told.middleCols(k, told.cols() - 1 - k) = told.rightCols(told.cols() - 1 - k).eval();
         told.conservativeResize(Eigen::NoChange, told.cols() - 1);
     }

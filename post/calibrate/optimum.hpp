@@ -23,10 +23,12 @@ struct LeastShare {
 
 struct Optimum {
     Place place;
-    Eigen::MatrixXd covariance;  ///< of the place, by the scatter of surfaces and measured values; 0 along directions kept
+    Eigen::MatrixXd covariance;  ///< of the place, by the scatter of surfaces and measured values; 0 along directions kept or moved
     /// Directions (of length 1) along which the data tell the place no better than by half the width of the first box, one
     /// standard deviation: kept at the first guess.
     std::vector<Place> kept;
+    /// Likewise, of length 1: directions along which no target changes, that were moved as far as the targets wanted.
+    std::vector<Place> moved;
     std::vector<double> deviations;  ///< off the targets over their standard deviations, of each aim
     double condition = 1;            ///< number of the matrix of sensitivities
     int freedom = 0;                 ///< the least of the surfaces
@@ -35,6 +37,8 @@ struct Optimum {
     [[nodiscard]] double half_interval(Eigen::Index coordinate) const;
     /// Share of a coordinate that lies in directions kept, 0 to 1.
     [[nodiscard]] double kept_share(Eigen::Index coordinate) const;
+    /// Share of a coordinate that the data do not tell: in directions kept or moved, 0 to 1.
+    [[nodiscard]] double untold_share(Eigen::Index coordinate) const;
 };
 
 /// \param first guess, inside the box or not \pre there is an aim

@@ -133,7 +133,7 @@ std::string values_text(const Problem& problem, const Decision& decision) {
         const double half = optimum.half_interval(k);
         const double place = optimum.place(k);
         text += markdown_row({key, in(value),
-                              optimum.kept_share(k) > 0.5
+                              optimum.untold_share(k) > 0.5
                                   ? "not determined by the data"
                                   : fmt::format("{} to {}", in(p->value(place - half)), in(p->value(place + half))),
                               in(p->first), fmt::format("{} to {}", in(p->low), in(p->high)),
@@ -148,13 +148,19 @@ std::string values_text(const Problem& problem, const Decision& decision) {
             "near to it as the last box allows.\n",
             direction_text(problem.parameters, direction));
     }
+    for (const Place& direction : optimum.moved) {
+        text += fmt::format(
+            "\nThe data do not determine the combination {} (in widths of the first box): it was moved from the first guess "
+            "because a target would be missed there, and other places along it may do as well.\n",
+            direction_text(problem.parameters, direction));
+    }
     text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
                                              : "\nThere are fewer targets than parameters.";
     Cells pairs;
     for (Eigen::Index k = 0; k < optimum.place.size(); ++k) {
         for (Eigen::Index l = 0; l < k; ++l) {
             const double c = optimum.covariance(k, l) / std::sqrt(optimum.covariance(k, k) * optimum.covariance(l, l));
-            if (std::isfinite(c) && optimum.kept_share(k) < 0.5 && optimum.kept_share(l) < 0.5) {
+            if (std::isfinite(c) && optimum.untold_share(k) < 0.5 && optimum.untold_share(l) < 0.5) {
                 pairs.push_back(fmt::format("{} and {} {:+.2f}", problem.parameters[static_cast<std::size_t>(l)].key,
                                             problem.parameters[static_cast<std::size_t>(k)].key, c));
             }
