@@ -142,6 +142,18 @@ TEST(Optimum, WhatNothingTellsStaysAtTheFirstGuess) {
     EXPECT_NEAR(optimum.kept_share(0), 0.5, 1e-6);
 }
 
+// From (0.9, −0.9) along (1, 1) the box ends at x + y = 0.2: the target 1.6 wants another x − y, of which it tells nothing. x + y
+// is told ± 0.1, x so with a variance of 0.01/4.
+TEST(Optimum, WhatNothingTellsMovesWhereATargetIsMissed) {
+    const Planes planes;
+    const Optimum optimum = find_optimum(unit, place(0.9, -0.9), {{&planes.first, 1.6, 0.1}});
+    EXPECT_NEAR(optimum.place(0) + optimum.place(1), 1.6, 0.05);
+    EXPECT_TRUE(optimum.kept.empty());
+    ASSERT_EQ(optimum.moved.size(), 1U);
+    EXPECT_NEAR(optimum.untold_share(0), 0.5, 1e-6);
+    EXPECT_NEAR(optimum.covariance(0, 0), 0.0025, 1e-5);
+}
+
 // 0.1 (x − y) = t ± 0.1 tells x − y no better than ± 1, along (1, −1)/√2 ± 0.71: it stays 0 as long as that misses the target by
 // little.
 TEST(Optimum, WhatATargetNeedsIsNotKept) {
