@@ -5,6 +5,7 @@
 #include <map>
 
 #include "share/base/error.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack {
 namespace {
@@ -12,6 +13,15 @@ namespace {
 /// Relative difference below which two values are equal: the same strength, derived from other numbers in each plane
 /// condition, differs in its last digits.
 bool differs(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); }
+
+/// Whether a value of a class of contacts is of the specimen and not of the material: the stiffness within crystals is as large
+/// as the length of the contacts there wants.
+bool is_of_specimen(const RunHeader& header, std::size_t contact_class, const ContactParameter& row) {
+    const bool is_stiffness =
+        row.value == &ContactParameters::normal_stiffness || row.value == &ContactParameters::shear_stiffness;
+    return is_stiffness && contact_class < header.class_names.size() &&
+           !phase_of_within_class(header.class_names[contact_class]).empty();
+}
 
 }  // namespace
 
@@ -25,7 +35,7 @@ std::string material_difference(const RunHeader& a, const RunHeader& b) {
     if (a.fabric.phases != b.fabric.phases) return "the phases";
     for (std::size_t k = 0; k < std::min(a.fabric.contacts.size(), b.fabric.contacts.size()); ++k) {
         for (const ContactParameter& row : all_contact_parameters()) {
-            const bool is_compared = !row.follows_plane || a.plane == b.plane;
+            const bool is_compared = (!row.follows_plane || a.plane == b.plane) && !is_of_specimen(a, k, row);
             if (is_compared && differs(a.fabric.contacts[k].*row.value, b.fabric.contacts[k].*row.value)) {
                 return "the contacts between phases";
             }

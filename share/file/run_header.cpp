@@ -205,6 +205,7 @@ RunHeader read_header(const H5Input& file) {
     header.crack_event = read_crack_event(file);
     visit_header(header, HeaderReader{file});
     header.fabric = read_fabric(file);
+    header.class_names = file.attribute<std::vector<std::string>>(schema::classes_group, "names");
     header.span = file.attribute_or<double>(schema::run_group, "span", 0);
     if (!(header.span >= 0 && std::isfinite(header.span)) || (header.test == "bend" && header.span == 0)) {
         throw InputError(fmt::format("{}: attribute span of {} is {}; a test in bending needs a positive number, others none",

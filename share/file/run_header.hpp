@@ -27,15 +27,16 @@ struct RunHeader {
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
     ContactParameters contact;
-    Fabric fabric;                       ///< of phases and classes; empty: all are of the rock and the contact
-    double platen_friction = 0;          ///< rad
-    double confining_pressure = 0;       ///< target, Pa
-    std::string rate = "fixed";          ///< "auto" | "fixed" | "blocks"
-    double rate_tolerance = 0;           ///< bound of the measures that control the automatic rate; 0 with a fixed rate
-    double rate_share = 1;               ///< factor on the speeds, limits and lower bounds of the automatic rate
-    double platen_speed = 0;             ///< of each platen, m/s; with an automatic rate, its mean during axial loading
-    double damping = 0;                  ///< damping force as a share of the unbalanced force; 0 for none
-    std::string damping_form = "local";  ///< "combined" | "local"
+    Fabric fabric;                         ///< of phases and classes; empty: all are of the rock and the contact
+    std::vector<std::string> class_names;  ///< of `fabric.contacts`, in a header that was read
+    double platen_friction = 0;            ///< rad
+    double confining_pressure = 0;         ///< target, Pa
+    std::string rate = "fixed";            ///< "auto" | "fixed" | "blocks"
+    double rate_tolerance = 0;             ///< bound of the measures that control the automatic rate; 0 with a fixed rate
+    double rate_share = 1;                 ///< factor on the speeds, limits and lower bounds of the automatic rate
+    double platen_speed = 0;               ///< of each platen, m/s; with an automatic rate, its mean during axial loading
+    double damping = 0;                    ///< damping force as a share of the unbalanced force; 0 for none
+    std::string damping_form = "local";    ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;
     double span = 0;                    ///< bend: distance of the lower rollers, m; 0 and no attribute in other tests

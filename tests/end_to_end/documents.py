@@ -53,8 +53,7 @@ LARGER_GRAINS = {
     "import.md": {"--element-size 2.5mm": "--element-size 5mm", "--rate-tolerance 0.002": "--rate-tolerance 0.02 --rate-share 4 --peak-drop 0.1"},
     "gallery.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "--width 40mm --height 80mm": "--width 14mm --height 28mm",
                    "--diameter 68mm": "--diameter 32mm", "--inner-diameter 25mm": "--inner-diameter 10mm",
-                   "--diameter 80mm --slit 20mm": "--diameter 40mm --slit 10mm", "--rate-tolerance 0.006": "--rate-tolerance 0.02",
-                   "--rate-tolerance 0.004": "--rate-tolerance 0.02"},
+                   "--diameter 80mm --slit 20mm": "--diameter 40mm --slit 10mm", "--rate-tolerance 0.006": "--rate-tolerance 0.02"},
 }
 
 

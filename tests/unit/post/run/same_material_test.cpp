@@ -80,6 +80,23 @@ TEST(SameMaterial, EveryContactParameterMakesAnotherMaterial) {
     }
 }
 
+// The stiffness within crystals follows from the length of their contacts in a specimen; its cohesion is the material's.
+TEST(SameMaterial, StiffnessWithinCrystalsIsOfTheSpecimen) {
+    RunData first = run_of("a.h5");
+    first.header.fabric = uniform_fabric(first.header.rock, first.header.contact, 1);
+    first.header.fabric.contacts.assign(3, first.header.contact);
+    first.header.class_names = {"rock-rock", "joint", "within_rock"};
+    const auto difference = [&](std::size_t contact_class, double ContactParameters::*value) {
+        RunHeader other = first.header;
+        other.fabric.contacts[contact_class].*value *= 1.1;
+        return material_difference(other, first.header);
+    };
+    EXPECT_EQ(difference(2, &ContactParameters::normal_stiffness), "");
+    EXPECT_EQ(difference(2, &ContactParameters::shear_stiffness), "");
+    EXPECT_EQ(difference(2, &ContactParameters::cohesion), "the contacts between phases");
+    EXPECT_EQ(difference(1, &ContactParameters::normal_stiffness), "the contacts between phases");
+}
+
 // tc √(ks/kt) is derived in each plane condition; a last digit that differs makes no other material.
 TEST(SameMaterial, RoundOffOfWhatIsDerivedIsNoDifference) {
     RunData strain = run_of("a.h5");
