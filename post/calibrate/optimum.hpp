@@ -23,7 +23,8 @@ struct LeastShare {
 
 struct Optimum {
     Place place;
-    Eigen::MatrixXd covariance;  ///< of the place, by the scatter of surfaces and measured values; 0 along directions kept or moved
+    Eigen::MatrixXd
+        covariance;  ///< of the place, by the scatter of surfaces and measured values; 0 along directions kept or moved
     /// Directions (of length 1) along which the data tell the place no better than by half the width of the first box, one
     /// standard deviation: kept at the first guess.
     std::vector<Place> kept;
