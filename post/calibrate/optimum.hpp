@@ -38,7 +38,7 @@ struct Optimum {
     [[nodiscard]] double half_interval(Eigen::Index coordinate) const;
     /// Share of a coordinate that lies in directions kept, 0 to 1.
     [[nodiscard]] double kept_share(Eigen::Index coordinate) const;
-    /// Share of a coordinate that the data do not tell: in directions kept or moved, 0 to 1.
+    /// Share of a coordinate that the data do not determine: in directions kept or moved, 0 to 1.
     [[nodiscard]] double untold_share(Eigen::Index coordinate) const;
 };
 
