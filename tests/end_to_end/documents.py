@@ -51,9 +51,10 @@ LARGER_GRAINS = {
     "polygons.md": {"--grains 300": "--grains 80", "--element-size 1.75mm": "--element-size 3.4mm"},
     "tutorial.md": {"--width 30mm --height 60mm": "--width 12mm --height 24mm"},
     "import.md": {"--element-size 2.5mm": "--element-size 5mm", "--rate-tolerance 0.002": "--rate-tolerance 0.02 --rate-share 4 --peak-drop 0.1"},
-    "gallery.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "--width 40mm --height 80mm": "--width 14mm --height 28mm",
-                   "--diameter 68mm": "--diameter 32mm", "--inner-diameter 25mm": "--inner-diameter 10mm",
-                   "--diameter 80mm --slit 20mm": "--diameter 40mm --slit 10mm", "--rate-tolerance 0.006": "--rate-tolerance 0.02"},
+    "gallery.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "--width 40mm --height 80mm": "--width 20mm --height 40mm",
+                   "--diameter 68mm --inner-diameter 25mm": "--diameter 50mm --inner-diameter 25mm", "--diameter 68mm": "--diameter 32mm",
+                   "--diameter 80mm --slit 20mm": "--diameter 40mm --slit 10mm", "0.006 --peak-drop none": "0.01 --peak-drop none",
+                   "--rate-tolerance 0.006": "--rate-tolerance 0.02"},
 }
 
 
