@@ -5,9 +5,11 @@
 //     brazilian.h5
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 #include <numbers>
 
 #include "share/base/error.hpp"
@@ -99,6 +101,17 @@ void print_summary(const SimulationSummary& s, double width) {
     }
 }
 
+/// What the ranks of a run have told each other.
+void print_ranks(const SimulationSummary& s, const Ranks& ranks) {
+    const MessageCounts counts = ranks.counts();
+    const auto steps = static_cast<double>(std::max<std::int64_t>(s.header.integrations, 1));
+    fmt::print(stderr,
+               "{}: {} ranks: {} ghost nodes of {} at most, {} neighbours, {:.1f} kB and {:.1f} messages a step and rank, {:.1f} % of "
+               "the time waited\n",
+               s.header.test, ranks.size(), s.ghost_nodes, s.own_nodes, s.neighbours, static_cast<double>(counts.bytes) / steps * 1e-3,
+               static_cast<double>(counts.messages) / steps, 100 * counts.waited / s.wall_time);
+}
+
 /// Says so where the fracture energy in sliding leaves no softening.
 void print_sudden_loss(const SimulationRequest& request) {
     const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
@@ -138,13 +151,22 @@ std::string configuration_of(const H5Input& file) {
     }
 }
 
-int solve(int argc, char** argv) {
-    const auto options = read_solve_options(argc, argv);
+/// The specimen. What comes from a pipe, comes to the first rank.
+H5Input open_specimen(const std::string& path, const Ranks& ranks) {
+    if (path != "-" || ranks.is_alone()) return H5Input(path, "specimen");
+    std::vector<char> image;
+    if (ranks.is_first()) image.assign(std::istreambuf_iterator<char>(std::cin), {});
+    return H5Input::from_image(ranks.concatenate(image), "stdin", "specimen");
+}
+
+int solve(int argc, char** argv, const Ranks& ranks) {
+    auto options = read_solve_options(argc, argv);
     if (!options) return 0;
+    options->request.ranks = &ranks;
     if (options->verbosity != Verbosity::quiet) write_notes(std::cerr, "graincrack-solve", options->request.material);
     catch_stop_signals();
     catch_checkpoint_signal();
-    const H5Input input(options->specimen, "specimen");
+    const H5Input input = open_specimen(options->specimen, ranks);
     const Specimen specimen = read_specimen(input);
     require_shape(options->request.loading.test, specimen, input.name());
     if (options->print_program) {
@@ -165,6 +187,7 @@ int solve(int argc, char** argv) {
     if (options->verbosity != Verbosity::quiet) {
         print_summary(summary, specimen.width);
         print_sudden_loss(options->request);
+        if (!ranks.is_alone()) print_ranks(summary, ranks);
     }
     if (options->request.sensitivity) print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
     return 0;
@@ -173,5 +196,11 @@ int solve(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return graincrack::run_tool("graincrack-solve", [&] { return solve(argc, argv); });
+    graincrack::Ranks ranks;
+    const int code = graincrack::run_tool("graincrack-solve", [&] {
+        ranks = graincrack::Ranks(graincrack::messages_of_launcher());
+        return solve(argc, argv, ranks);
+    });
+    ranks.end(code);
+    return code;
 }

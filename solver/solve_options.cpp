@@ -282,7 +282,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     CommonOptions common;
     CommandLine line("graincrack-solve",
                      "Runs laboratory tests on assemblages of grains by the discrete element method with cohesive contacts",
-                     common, examples);
+                     common, examples, {is_built_with_mpi() ? "MPI: yes" : "MPI: no"});
     const auto add = [&](TestKind test, const std::string& help) {
         return add_test(line.options(), options, raw, common, test, help);
     };

@@ -60,6 +60,7 @@ void write_provenance(H5Output& file, const Provenance& provenance) {
     if (!provenance.vector_target.empty()) file.attribute(group, "vector_target", provenance.vector_target);
     file.quantity(group, "wall_time", provenance.wall_time, "s");
     file.attribute(group, "threads", std::int64_t{provenance.threads});
+    file.attribute(group, "ranks", std::int64_t{provenance.ranks});
 }
 
 }  // namespace graincrack

@@ -131,7 +131,7 @@ void move_active_contacts(const Assemblage& a, const StepParameters& parameters,
             move(contacts.size(), b);
         });
         scatter(contacts, b, active);
-        s.contact_pairs.friction[chunk] += sum_values_by_lanes(contacts.size(), b.friction);
+        s.contact_pairs.friction[s.contact_pairs.node_chunks[chunk]] += sum_values_by_lanes(contacts.size(), b.friction);
     }
 }
 
@@ -172,17 +172,16 @@ void append_active(const Assemblage& a, const ContactLaws& laws, std::int32_t ch
 }
 
 double stored_in_active_contacts(const Assemblage& a, const ContactLaws& laws, const ContactPairList& list) {
-    double energy = 0;
+    std::vector<double> energy(a.node_chunks.size(), 0.0);
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
-        double of_chunk = 0;
+        double& of_chunk = energy[list.node_chunks[chunk]];
         list.for_active_of(chunk, [&](std::int32_t i) {
             const std::int32_t pair = list.active.pair[i];
             const NodeEdgeContact& contact = list.contacts[pair];
             of_chunk += contact.active ? node_edge_energy(friction_law(a, laws, list.pairs[pair]), contact) : 0;
         });
-        energy += of_chunk;
     }
-    return energy;
+    return sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return energy[chunk]; });
 }
 
 namespace {

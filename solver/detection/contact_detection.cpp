@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <vector>
 
 #include "solver/detection/active_contacts.hpp"
@@ -222,16 +223,22 @@ bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, c
 }
 
 /// Half of the two outline edges of a node (1 m thick), less the points of its contacts that have not been released and what
-/// node–edge contacts occupy; below 0 where they take more.
-double available_area(const Assemblage& a, const ContactPairList& list, std::int32_t node) {
+/// node–edge contacts occupy; below 0 where they take more. \param occupied by them, m²
+double available_area(const Assemblage& a, const ContactPairList& list, std::int32_t node, double occupied) {
     const GrainSurface& surface = a.surface;
-    double area = 2 * surface.tributary[node] - list.occupied_area[node];
+    double area = 2 * surface.tributary[node] - occupied;
     for (std::int32_t k = surface.edge_begin[node]; k < surface.edge_begin[node + 1]; ++k) {
         const std::int32_t contact = surface.edges[surface.edges_of_node[k]].contact;
         area -= contact >= 0 && list.released[contact] == 0 ? a.contacts[contact].point_area : 0.0;
     }
     return area;
 }
+
+/// What new contacts want of the area of a node, and what of it each gets.
+struct WantedArea {
+    double wanted = 0, occupied = 0;  ///< m²
+    double share = 1;
+};
 
 /// Calls `visit` with the index of each active contact that has not ended and the two nodes whose area it occupies: its own, and
 /// the nearer end of its edge.
@@ -260,38 +267,41 @@ bool belongs_to_neighbour(const Assemblage& a, const State& s, const CandidatePa
     return false;
 }
 
-void find_occupied_area(const Assemblage& a, ContactPairList& list) {
-    list.occupied_area.assign(list.watched.empty() ? 0 : a.position.size(), 0.0);
-    for_occupied(list, [&list](std::int32_t i, std::int32_t node, std::int32_t end) {
-        list.occupied_area[node] += list.active.area[i];
-        list.occupied_area[end] += list.active.area[i];
-    });
-}
-
 /// Each new contact wants the tributary area of its node. All that want area of one node get the same share of it.
 void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& parameters, State& s) {
     ContactPairList& list = s.contact_pairs;
     std::vector<NewContact> contacts;
+    std::unordered_map<std::int32_t, WantedArea> wanted;
     for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
-        if (list.active.area[i] == area_not_found) {
-            contacts.push_back({i, list.pairs[list.active.pair[i]], {node, end}, a.surface.tributary[node]});
+        if (list.active.area[i] != area_not_found) return;
+        contacts.push_back({i, list.pairs[list.active.pair[i]], {node, end}, a.surface.tributary[node]});
+        for (const std::int32_t occupied : contacts.back().occupied) wanted[occupied].wanted += contacts.back().area;
+    });
+    if (contacts.empty() && !s.ghosts) return;
+    for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
+        for (const std::int32_t occupied : {node, end}) {
+            if (const auto found = wanted.find(occupied); found != wanted.end()) found->second.occupied += list.active.area[i];
         }
     });
-    if (contacts.empty()) return;
-    find_occupied_area(a, list);
-    std::vector<double> wanted(a.position.size(), 0.0);
-    for (const NewContact& contact : contacts) {
-        for (const std::int32_t node : contact.occupied) wanted[node] += contact.area;
+    for (auto& [node, area] : wanted) area.share = available_area(a, list, node, area.occupied) / area.wanted;
+    if (s.ghosts) {  // the owner of a node knows all contacts that want area of it
+        s.ghosts->update(
+            [&](std::int32_t node) {
+                const auto found = wanted.find(node);
+                return found != wanted.end() ? found->second.share : 1;
+            },
+            [&](std::int32_t node, double share) {
+                if (const auto found = wanted.find(node); found != wanted.end()) found->second.share = share;
+            });
     }
     for (NewContact& contact : contacts) {
         double share = 1;
-        for (const std::int32_t node : contact.occupied) share = std::min(share, available_area(a, list, node) / wanted[node]);
+        for (const std::int32_t node : contact.occupied) share = std::min(share, wanted[node].share);
         contact.area *= std::max(share, min_area);
     }
     limit_new_areas(a, parameters, contacts, s);
     for (const NewContact& contact : contacts) {
         list.active.area[contact.active] = list.contacts[list.active.pair[contact.active]].area = contact.area;
-        for (const std::int32_t node : contact.occupied) list.occupied_area[node] += contact.area;
     }
 }
 
@@ -319,7 +329,7 @@ void detect_contacts(const Assemblage& a, const StepParameters& parameters, std:
     store_active(chunk, list);  // a contact that has just ended is no obstacle to a new one
     for_nodes(begin_contacts);  // after the move: a new contact begins without a force at the present displacements
     list.active.changed[chunk] = list.active.changed[chunk] != 0 || list.active.count[chunk] != count_before ? 1 : 0;
-    list.friction[chunk] += data.friction;
+    list.friction[list.node_chunks[chunk]] += data.friction;
 }
 
 }  // namespace graincrack

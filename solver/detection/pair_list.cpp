@@ -1,15 +1,17 @@
 #include "solver/detection/pair_list.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
+#include <span>
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
+#include "solver/detection/pair_exchange.hpp"
 #include "solver/detection/pair_geometry.hpp"
 #include "solver/detection/pair_search.hpp"
 #include "solver/detection/stable_area.hpp"
@@ -29,8 +31,9 @@ constexpr double buffer = 0.04;
 /// fragments must not shorten them.
 constexpr std::size_t fastest_one_in = 20;
 /// Bits of the squared speed, from its sign on, that the histogram of speeds keeps: sign, exponent and three of the mantissa, so
-/// that the percentile is too high by 6 % at most.
+/// that the percentile is too high by 6 % at most. It has so many bins, down from the fastest node: to 2⁻⁶⁴ of its speed.
 constexpr int histogram_bits = 15;
+constexpr std::int64_t histogram_bins = 1024;
 /// After debonding a search waits until nodes of that speed may have moved so far.
 constexpr double rebuild_delay_distance = 1e-3;
 /// What nodes of that speed, and the fastest, may move between two updates, if steps are short enough.
@@ -43,8 +46,8 @@ constexpr double safety_factor_p95 = 2;
 /// Steps between two updates.
 constexpr std::int64_t min_steps = 4;
 constexpr std::int64_t detections_between_updates = 8;
-/// Groups of watched pairs, of one node each, in a chunk.
-constexpr std::size_t groups_per_chunk = 32;
+/// Groups of pairs, of one node each, whose geometry is found side by side.
+constexpr std::size_t groups_at_a_time = 32;
 
 /// Whether a contact point has no cohesion left.
 template <class Law>
@@ -52,30 +55,27 @@ bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
     return s.failed[point] != 0 && contact_law::damage<Law>(law, point_history(s, point)) >= 1;
 }
 
-/// Marks contact points that debonded since the last update. \return whether there are any
+/// Contact points of this rank's own that debonded since the last update.
 template <class Law>
-bool find_debonded(const Assemblage& a, const ContactLaws& laws, State& s) {
-    bool found = false;
-    for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
+std::vector<std::int32_t> find_debonded(const Assemblage& a, const ContactLaws& laws, const State& s) {
+    std::vector<std::int32_t> debonded_now;
+    for_each_own_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
         const ContactLaw& law = laws[contact_class];
         const double far = debonding_travel * 2 * a.contacts[c].point_area / a.contacts[c].strength;
         for (const std::size_t point : points_of(c)) {
             if (s.failed[point] == 0 || s.contact_pairs.debonded[point] != 0) continue;
             const bool has_moved = !law.softens_in_shear && std::max(s.opening[point], std::abs(s.sliding[point])) > far;
-            if (has_moved || is_lost<Law>(law, s, point)) {
-                s.contact_pairs.debonded[point] = 1;
-                found = true;
-            }
+            if (has_moved || is_lost<Law>(law, s, point)) debonded_now.push_back(static_cast<std::int32_t>(point));
         }
     });
-    return found;
+    return debonded_now;
 }
 
-/// Contacts without cohesion that have moved by more than `release_travel`.
+/// Contacts of this rank's own without cohesion that have moved by more than `release_travel`.
 template <class Law>
 std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaws& laws, const State& s) {
     std::vector<std::int32_t> released_now;
-    for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
+    for_each_own_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
         const auto [first, second] = points_of(c);
         if (s.contact_pairs.released[c] != 0 || s.contact_pairs.debonded[first] == 0 || s.contact_pairs.debonded[second] == 0) {
             return;
@@ -90,6 +90,7 @@ std::vector<std::int32_t> find_released(const Assemblage& a, const ContactLaws& 
 }
 
 /// Node–edge contacts of the pairs that were listed before; one whose pair is no longer listed, as its node has moved away, ends.
+/// Those of other ranks' nodes come from their owners.
 std::vector<NodeEdgeContact> keep_contacts(const Assemblage& a, const ContactLaws& laws, const std::vector<CandidatePair>& pairs,
                                            ContactPairList& list) {
     std::vector<NodeEdgeContact> contacts(pairs.size());
@@ -99,20 +100,11 @@ std::vector<NodeEdgeContact> keep_contacts(const Assemblage& a, const ContactLaw
         if (at < pairs.size() && pairs[at] == list.pairs[i]) {
             contacts[at] = list.contacts[i];
         } else if (list.contacts[i].active) {
-            list.friction_before += node_edge_energy(friction_law(a, laws, list.pairs[i]), list.contacts[i]);
+            list.friction[chunk_of_node(a, list.pairs[i].node)] +=
+                node_edge_energy(friction_law(a, laws, list.pairs[i]), list.contacts[i]);
         }
     }
     return contacts;
-}
-
-/// Pairs of one node each.
-std::vector<Range> group_pairs(const std::vector<CandidatePair>& pairs) {
-    std::vector<Range> groups;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(pairs.size()); ++i) {
-        if (i == 0 || pairs[i].node != pairs[i - 1].node) groups.push_back({i, i});
-        ++groups.back().end;
-    }
-    return groups;
 }
 
 void search(const Assemblage& a, const ContactLaws& laws, State& s) {
@@ -122,7 +114,7 @@ void search(const Assemblage& a, const ContactLaws& laws, State& s) {
     list.pairs = std::move(pairs);
     list.forces.assign(3 * list.pairs.size(), Vector2{});
     list.watched.clear();
-    list.groups = group_pairs(list.pairs);
+    group_pairs(list);
     list.displacement_at_search = s.displacement;
 }
 
@@ -238,18 +230,14 @@ void find_watched(const Assemblage& a, double duration, double speed_p95, State&
     ContactPairList& list = s.contact_pairs;
     Watch watch(a, duration, speed_p95, s);
     list.watched.clear();
-    list.watched_groups.clear();
     Range seen;
     for (std::size_t i = 0; i < list.groups.size(); ++i) {
         const Range pairs = list.groups[i];
         if (pairs.begin == seen.end) {
-            seen = {pairs.begin, list.groups[std::min(i + groups_per_chunk, list.groups.size()) - 1].end};
+            seen = {pairs.begin, list.groups[std::min(i + groups_at_a_time, list.groups.size()) - 1].end};
             watch.find_geometry(seen);
         }
-        const auto begin = static_cast<std::int32_t>(list.watched.size());
         watch.add_watched(pairs, list.watched);
-        const auto end = static_cast<std::int32_t>(list.watched.size());
-        if (end > begin) list.watched_groups.push_back({begin, end});
     }
 }
 
@@ -258,15 +246,10 @@ void find_watched(const Assemblage& a, double duration, double speed_p95, State&
 /// \param speed_p95 95th percentile of the speeds of all nodes, m/s
 void watch_pairs(const Assemblage& a, const ContactLaws& laws, double duration, double speed_p95, State& s) {
     ContactPairList& list = s.contact_pairs;
-    list.friction_before = std::accumulate(list.friction.begin(), list.friction.end(), list.friction_before);
     find_watched(a, duration, speed_p95, s);
-    list.chunks.clear();
-    for (std::size_t i = 0; i < list.watched_groups.size(); i += groups_per_chunk) {
-        const std::size_t end = std::min(i + groups_per_chunk, list.watched_groups.size());
-        list.chunks.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(end)});
-    }
-    list.friction.assign(list.chunks.size(), 0.0);
+    group_watched(a, list);
     load_active(a, laws, list);
+    list.is_watched_anywhere = a.part.ranks->any(!list.watched.empty());
 }
 
 /// Forces of all node–edge contacts in the present displacements, without moving them.
@@ -289,7 +272,7 @@ struct ReleasedContact {
     double overlap, elastic_slip;  ///< m
 };
 
-/// Releases contacts: removes their forces. \return their closed points
+/// Releases contacts: removes their forces. \return the closed points of those that this rank evaluates
 template <class Law>
 std::vector<ReleasedContact> release_contacts(const Assemblage& a, const ContactLaws& laws,
                                               const std::vector<std::int32_t>& released_now, State& s) {
@@ -298,6 +281,7 @@ std::vector<ReleasedContact> release_contacts(const Assemblage& a, const Contact
         const ContactLaw& law = laws[a.contact_chunks[c / contacts_per_chunk].contact_class];
         const double strength = a.contacts[c].strength;
         s.contact_pairs.released[c] = 1;
+        if (a.part.evaluates_contacts[c / contacts_per_chunk] == 0) continue;
         for (std::int32_t p = 0; p < 2; ++p) {
             const std::size_t point = 2 * static_cast<std::size_t>(c) + static_cast<std::size_t>(p);
             const ContactHistory h = point_history(s, point);
@@ -314,10 +298,12 @@ std::vector<ReleasedContact> release_contacts(const Assemblage& a, const Contact
     return carried;
 }
 
+/// A rank that owns one of the two nodes has the pairs of both, and does the same as the owner of the other.
 void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& carried, State& s) {
     ContactPairList& list = s.contact_pairs;
     for (const ReleasedContact& h : carried) {
         const ContactGeometry& contact = a.contacts[h.contact];
+        if (!a.part.owns(contact.nodes[h.point]) && !a.part.owns(contact.nodes[2 + h.point])) continue;
         // Of the two nodes of the point, the one that is over the edge of the other grain; if both are, the one farther from its
         // ends.
         std::ptrdiff_t best = -1;
@@ -347,22 +333,37 @@ struct Speeds {
     double p95;  ///< that one node in `fastest_one_in` exceeds, m/s; from a histogram, by 6 % too high at most
     double fastest;
 };
-/// Counts and a maximum: what each part of the nodes gives can be put together in any order.
-Speeds find_speeds(const std::vector<Vector2>& velocity) {
-    constexpr int dropped_bits = 64 - histogram_bits;
-    std::vector<std::int32_t> count(std::size_t{1} << histogram_bits, 0);
-    double fastest = 0;
-    for (const Vector2& v : velocity) {
-        const double squared = dot(v, v);
-        ++count[std::bit_cast<std::uint64_t>(squared) >> dropped_bits];
-        fastest = std::max(fastest, squared);
+/// Counts and maxima: what each part of the nodes gives can be put together in any order.
+class SpeedHistogram {
+public:
+    explicit SpeedHistogram(std::span<const Vector2> velocity) : velocity_(velocity) {
+        for (const Vector2& v : velocity) fastest_ = std::max(fastest_, dot(v, v));
     }
-    auto faster = static_cast<std::int32_t>(velocity.size() / fastest_one_in);
-    std::uint64_t bin = std::bit_cast<std::uint64_t>(fastest) >> dropped_bits;
-    while (bin > 0 && faster >= count[bin]) faster -= count[bin--];
-    const auto end_of_bin = std::bit_cast<double>((bin + 1) << dropped_bits);
-    return {std::sqrt(std::min(end_of_bin, fastest)), std::sqrt(fastest)};
-}
+    /// Of the nodes of this rank, squared.
+    [[nodiscard]] double fastest() const { return fastest_; }
+    /// \param fastest of all ranks, squared \param n_nodes of all ranks
+    [[nodiscard]] Speeds of_all(const Ranks& ranks, double fastest, std::int32_t n_nodes) const {
+        const std::int64_t top = bin_of(fastest);
+        std::vector<std::int64_t> count(histogram_bins, 0);  // from the fastest down; the last has all that are slower too
+        for (const Vector2& v : velocity_) ++count[std::clamp<std::int64_t>(top - bin_of(dot(v, v)), 0, histogram_bins - 1)];
+        ranks.take_sums(count);
+        std::int64_t faster = n_nodes / fastest_one_in;
+        std::int64_t below_top = 0;
+        while (below_top < std::min<std::int64_t>(top, histogram_bins - 1) && faster >= count[below_top]) {
+            faster -= count[below_top++];
+        }
+        const auto end_of_bin = std::bit_cast<double>(static_cast<std::uint64_t>(top - below_top + 1) << dropped_bits);
+        return {std::sqrt(std::min(end_of_bin, fastest)), std::sqrt(fastest)};
+    }
+
+private:
+    static constexpr int dropped_bits = 64 - histogram_bits;
+    static std::int64_t bin_of(double squared) {
+        return static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(squared) >> dropped_bits);
+    }
+    std::span<const Vector2> velocity_;
+    double fastest_ = 0;
+};
 
 /// Steps to the next update, at most. The faster the nodes, the fewer; else pairs would have to be watched from far away.
 /// \param travel_p95, travel_fastest of nodes in a step, m
@@ -372,11 +373,13 @@ std::int64_t max_interval(double mean_length, double travel_p95, double travel_f
     return std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), min_steps, max_update_interval);
 }
 
-/// Largest distance of a node from its position at the last search, m; 0 before the first.
-double travel_since_search(const State& s) {
+/// Largest distance of an own node from its position at the last search, m; 0 before the first.
+double travel_since_search(const Assemblage& a, const State& s) {
     const std::vector<Vector2>& at_search = s.contact_pairs.displacement_at_search;
+    if (at_search.empty()) return 0;
     double squared = 0;
-    for (std::size_t i = 0; i < at_search.size(); ++i) {
+    const Range own = a.part.own_nodes();
+    for (std::int32_t i = own.begin; i < own.end; ++i) {
         const Vector2 travel = s.displacement[i] - at_search[i];
         squared = std::max(squared, dot(travel, travel));
     }
@@ -389,6 +392,8 @@ void rebuild(const Assemblage& a, const ContactLaws& laws, const std::vector<std
         laws.variant(), [&](auto kind) { return release_contacts<decltype(kind)>(a, laws, released_now, s); });
     search(a, laws, s);
     transfer_to_pairs(a, carried, s);
+    take_contacts_of_owners(a, s.contact_pairs);
+    find_ghosts(a, s);
     refresh_forces(a, laws, s);
     s.contact_pairs.wants_rebuild = false;
     s.contact_pairs.travel_since_rebuild = 0;
@@ -399,21 +404,31 @@ void rebuild(const Assemblage& a, const ContactLaws& laws, const std::vector<std
 void update_pair_list(const Assemblage& a, const StepParameters& parameters, State& s) {
     ContactPairList& list = s.contact_pairs;
     const ContactLaws& laws = parameters.laws;
-    bool debonded_now = false;
+    const Ranks& ranks = *a.part.ranks;
+    if (s.ghosts) {  // measuring changes velocities of vertex clusters that platens constrain
+        send_motion(s);
+        receive_motion(s);
+    }
+    std::vector<std::int32_t> debonded_now;
     std::vector<std::int32_t> released_now;
     contact_law::with_law(laws.variant(), [&](auto kind) {
-        debonded_now = find_debonded<decltype(kind)>(a, laws, s);
-        released_now = find_released<decltype(kind)>(a, laws, s);
+        debonded_now = ranks.concatenate(find_debonded<decltype(kind)>(a, laws, s));
+        for (const std::int32_t point : debonded_now) list.debonded[point] = 1;
+        released_now = ranks.concatenate(find_released<decltype(kind)>(a, laws, s));
     });
     const bool is_first = list.displacement_at_search.empty();
-    const Speeds speeds = find_speeds(s.velocity);
+    const Range own = a.part.own_nodes();
+    const SpeedHistogram histogram(std::span(s.velocity).subspan(own.begin, own.size()));
+    std::array largest{histogram.fastest(), travel_since_search(a, s)};
+    ranks.take_largest(largest);
+    const Speeds speeds = histogram.of_all(ranks, largest[0], a.n_nodes());
+    double travel = largest[1];
     const double travel_fastest = speeds.fastest * parameters.time_step;
     const double travel_p95 = speeds.p95 * parameters.time_step;
     const std::int64_t longest = max_interval(a.surface.mean_length, travel_p95, travel_fastest);
     const double allowed = 0.5 * buffer * a.surface.mean_length;  // two nodes may move towards each other
-    double travel = travel_since_search(s);
     // After debonding a search may wait as long as nothing has moved far since.
-    list.wants_rebuild = list.wants_rebuild || debonded_now || !released_now.empty();
+    list.wants_rebuild = list.wants_rebuild || !debonded_now.empty() || !released_now.empty();
     list.travel_since_rebuild += list.wants_rebuild ? static_cast<double>(longest) * travel_p95 : 0.0;
     if (is_first || travel + static_cast<double>(longest) * travel_fastest > allowed ||
         list.travel_since_rebuild > rebuild_delay_distance * a.surface.mean_length) {
@@ -423,7 +438,6 @@ void update_pair_list(const Assemblage& a, const StepParameters& parameters, Sta
     limit_contact_areas(a, parameters, s);
     list.detection_interval = std::max<std::int64_t>(longest / detections_between_updates, 1);
     watch_pairs(a, laws, static_cast<double>(longest) * parameters.time_step, speeds.p95, s);
-    find_occupied_area(a, list);
     const double steps =
         travel_fastest > 0 ? 0.5 * (allowed - travel) / travel_fastest : static_cast<double>(max_update_interval);
     list.next_update = s.step + std::clamp(static_cast<std::int64_t>(std::min(steps, 1e6)), min_steps, longest);

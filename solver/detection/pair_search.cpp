@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "solver/detection/pair_exchange.hpp"
 #include "solver/detection/pair_geometry.hpp"
 
 namespace graincrack {
@@ -34,16 +35,6 @@ std::vector<std::int32_t> linked_nodes(const Assemblage& a, const ContactPairLis
     });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(root.size()); ++i) root[i] = find(i);
     return root;
-}
-
-bool is_debonded(const ContactPairList& list, std::int32_t contact) {
-    return contact >= 0 && (list.debonded[2 * static_cast<std::size_t>(contact)] != 0 ||
-                            list.debonded[2 * static_cast<std::size_t>(contact) + 1] != 0);
-}
-
-bool is_exposed(const ContactPairList& list, const GrainSurface& surface, const SurfaceEdge& edge) {
-    const auto has_debonded = [&](std::int32_t e) { return e >= 0 && is_debonded(list, surface.edges[e].contact); };
-    return edge.contact < 0 || is_debonded(list, edge.contact) || has_debonded(edge.previous) || has_debonded(edge.next);
 }
 
 struct Box {
@@ -116,14 +107,16 @@ private:
 
 }  // namespace
 
-std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, const State& s) {
+std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, State& s) {
     const GrainSurface& surface = a.surface;
+    const std::vector<std::int32_t> exposed = find_exposed_edges(a, s.contact_pairs);
+    const std::vector<std::uint8_t> is_known = exchange_exposed_nodes(a, exposed, margin, s);
     std::vector<std::int32_t> edges;
     std::vector<Box> boxes;
     std::vector<std::uint8_t> is_exposed_node(a.position.size(), 0);
-    for (std::int32_t e = 0; e < static_cast<std::int32_t>(surface.edges.size()); ++e) {
+    for (const std::int32_t e : exposed) {
         const SurfaceEdge& edge = surface.edges[e];
-        if (is_exposed(s.contact_pairs, surface, edge)) {
+        if (is_known[edge.nodes[0]] != 0 && is_known[edge.nodes[1]] != 0) {
             edges.push_back(e);
             boxes.push_back(around(position_of(a, s, edge.nodes[0]), position_of(a, s, edge.nodes[1]), margin));
             is_exposed_node[edge.nodes[0]] = is_exposed_node[edge.nodes[1]] = 1;
@@ -151,6 +144,7 @@ std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, const 
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    keep_pairs_of_own_nodes(a, pairs);
     return pairs;
 }
 

@@ -9,7 +9,8 @@
 
 namespace graincrack {
 
-/// All pairs of an exposed node and an exposed edge of another grain it is not linked to, nearer than `margin` (m); ascending.
-std::vector<CandidatePair> find_pairs(const Assemblage& assemblage, double margin, const State& state);
+/// All pairs of an exposed node and an exposed edge of another grain it is not linked to, nearer than `margin` (m); ascending. Of
+/// nodes without a pair that acts on a node of this rank, none. Brings the displacements of other ranks' nodes that it needs.
+std::vector<CandidatePair> find_pairs(const Assemblage& assemblage, double margin, State& state);
 
 }  // namespace graincrack

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 #include "solver/detection/pair_geometry.hpp"
 
@@ -74,6 +75,10 @@ void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s)
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (list.contacts[i].active) add_load(unit_loads(a, p, list.pairs[i], s), list.contacts[i].area, cluster_load);
     }
+    if (s.ghosts) {  // the owner of a cluster knows all contacts that load it
+        s.ghosts->update([&](std::int32_t node) { return cluster_load[a.cluster_of_node[node]]; },
+                         [&](std::int32_t node, double load) { cluster_load[a.cluster_of_node[node]] = load; });
+    }
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (list.contacts[i].active) {
             const UnitLoads unit = unit_loads(a, p, list.pairs[i], s);
@@ -86,21 +91,27 @@ void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s)
 void limit_new_areas(const Assemblage& a, const StepParameters& p, std::vector<NewContact>& contacts, State& s) {
     if (!p.mass_scaling.is_on()) return;
     std::vector<double>& cluster_load = s.contact_pairs.cluster_load;
-    std::vector<double> wanted(cluster_load.size(), 0.0);
+    std::unordered_map<std::int32_t, double> share_of;  // first what contacts want of a cluster's load, then what share each gets
     std::vector<UnitLoads> units;
     for (const NewContact& contact : contacts) {
         units.push_back(unit_loads(a, p, contact.pair, s));
-        add_load(units.back(), contact.area, wanted);
+        for (std::size_t k = 0; k < 3; ++k) share_of[units.back().cluster[k]] += contact.area * units.back().load[k];
     }
-    const auto left = [&](std::int32_t cluster) {
+    for (auto& [cluster, share] : share_of) {
         const double most = max_load(p, cluster);
-        return std::max(most - cluster_load[cluster], share_of_new_contact * most);
-    };
+        share = std::max(most - cluster_load[cluster], share_of_new_contact * most) / share;
+    }
+    if (s.ghosts) {  // the owner of a cluster knows all contacts that want load of it
+        const auto of_node = [&](std::int32_t node) { return share_of.find(a.cluster_of_node[node]); };
+        s.ghosts->update([&](std::int32_t node) { return of_node(node) != share_of.end() ? of_node(node)->second : 1; },
+                         [&](std::int32_t node, double share) {
+                             if (of_node(node) != share_of.end()) of_node(node)->second = share;
+                         });
+    }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         double share = 1;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::int32_t cluster = units[i].cluster[k];
-            share = units[i].load[k] > 0 ? std::min(share, left(cluster) / wanted[cluster]) : share;
+            if (units[i].load[k] > 0) share = std::min(share, share_of[units[i].cluster[k]]);
         }
         contacts[i].area *= share;
     }

@@ -129,6 +129,7 @@ Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& p
     add_contact_slots(a);
     add_element_slots(a);
     a.surface = make_surface(specimen, a.node_of_specimen, a.contact_of_specimen);
+    a.part = whole_part(a);
     return a;
 }
 
@@ -156,10 +157,10 @@ std::size_t memory_of(const Assemblage& assemblage) {
     const auto& [position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, elasticity, element_mass, contacts,
                  contact_slots, element_slots, node_chunks, rows, cluster_of_node, element_chunks, contact_chunks,
                  node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, n_phase_classes, surface, contact_length,
-                 vector_target] = assemblage;
+                 vector_target, part] = assemblage;
     return memory_of_all(position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, elasticity, element_mass,
                          contacts, contact_slots, element_slots, node_chunks, rows, cluster_of_node, element_chunks,
-                         contact_chunks, node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, surface);
+                         contact_chunks, node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, surface, part);
 }
 
 }  // namespace graincrack

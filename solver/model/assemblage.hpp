@@ -2,6 +2,7 @@
 // chunks. A chunk is what a thread works on at a time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include "solver/arithmetic/vector2.hpp"
 #include "solver/model/element.hpp"
 #include "solver/model/node_order.hpp"
+#include "solver/model/part.hpp"
 #include "solver/model/range.hpp"
 #include "solver/model/surface.hpp"
 
@@ -124,6 +126,7 @@ struct Assemblage {
     GrainSurface surface;
     double contact_length = 0;                            ///< sum over contacts, m
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
+    Part part;                                            ///< that this rank works on
 
     /// Of contact forces and of element forces: all chunks, and a slot that stays zero.
     [[nodiscard]] std::size_t n_slot_values() const { return contact_chunks.size() * slot_stride + 2UL * contacts_per_chunk; }
@@ -152,6 +155,15 @@ void for_each_contact(const Assemblage& a, const Act& act) {
         for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) act(c, chunk.contact_class);
     }
 }
+/// Calls `act` with the place and the class of each contact of this rank's own.
+template <class Act>
+void for_each_own_contact(const Assemblage& a, const Act& act) {
+    for (const std::int32_t index : a.part.contacts.own) {
+        const ContactChunk& chunk = a.contact_chunks[index];
+        for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) act(c, chunk.contact_class);
+    }
+}
+
 /// Σ `of_item(i)` over the items of a range.
 template <class OfItem>
 auto sum_over(Range range, const OfItem& of_item) {
@@ -159,20 +171,22 @@ auto sum_over(Range range, const OfItem& of_item) {
     for (std::int32_t i = range.begin; i < range.end; ++i) sum += of_item(i);
     return sum;
 }
-/// The same over ranges, one a chunk: first within each, then over them in their order. All sums of a run are made so, whoever
-/// works on which chunk.
+/// Σ `of_item(i)` over ranges of items, one a chunk of nodes.
 template <class OfItem>
-auto sum_over(const std::vector<Range>& ranges, const OfItem& of_item) {
-    decltype(of_item(0)) total{};
-    for (const Range& range : ranges) total += sum_over(range, of_item);
-    return total;
+auto sum_by_nodes(const Assemblage& a, const std::vector<Range>& ranges, const OfItem& of_item) {
+    return sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return sum_over(ranges[chunk], of_item); });
 }
 /// Σ `of_node(i)` over all nodes, by chunk.
 template <class OfNode>
 auto sum_over_nodes(const Assemblage& a, const OfNode& of_node) {
-    decltype(of_node(0)) total{};
-    for (const NodeChunk& chunk : a.node_chunks) total += sum_over(chunk.nodes, of_node);
-    return total;
+    return sum_over_chunks(a.part, a.part.nodes,
+                           [&](std::int32_t chunk) { return sum_over(a.node_chunks[chunk].nodes, of_node); });
+}
+/// The chunk of a node.
+inline std::int32_t chunk_of_node(const Assemblage& a, std::int32_t node) {
+    const auto after = std::upper_bound(a.node_chunks.begin(), a.node_chunks.end(), node,
+                                        [](std::int32_t i, const NodeChunk& chunk) { return i < chunk.nodes.begin; });
+    return static_cast<std::int32_t>(after - a.node_chunks.begin()) - 1;
 }
 /// Calls `act` with each node of a vertex cluster of a chunk.
 template <class Act>

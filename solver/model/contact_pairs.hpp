@@ -74,11 +74,11 @@ struct ContactPairList {
     std::vector<Range> groups;              ///< pairs of one node
     std::vector<std::int32_t> watched;      ///< pairs that may be in contact before the next update, ascending
     std::vector<Range> watched_groups;      ///< of them, of one node each
-    std::vector<Range> chunks;              ///< of `watched_groups`, that one thread works on at a time
+    std::vector<Range> chunks;              ///< of `watched_groups`: those of a chunk of nodes, that a thread works on at a time
+    std::vector<std::int32_t> node_chunks;  ///< [chunks] the chunk of nodes
     std::int64_t detection_interval = 1;    ///< steps from one detection to the next
     ActiveContacts active;
-    std::vector<double> friction;                  ///< [chunks] dissipated since the last update, J
-    double friction_before = 0;                    ///< and before it, J
+    std::vector<double> friction;                  ///< [chunks of nodes] dissipated since the start, J
     std::vector<NodeForces> node_forces;           ///< ascending by node
     std::vector<std::int32_t> node_force_slots;    ///< into `ActiveContacts::forces`
     std::vector<Range> node_forces_of_chunk;       ///< by chunk of nodes
@@ -86,8 +86,9 @@ struct ContactPairList {
     std::vector<Vector2> displacement_at_search;   ///< [n] m
     bool wants_rebuild = false;                    ///< a point has debonded or a contact is to be released since the last search
     double travel_since_rebuild = 0;               ///< that nodes at the 95th percentile of speed may have moved since then, m
-    std::vector<double> occupied_area;  ///< [n] area of a node that contacts occupied when one began, or at the last update, m²
-    std::vector<double> cluster_load;   ///< [clusters] L_C likewise (stable_area.hpp), N/m; empty without mass scaling
+    /// [clusters] L_C (stable_area.hpp) when a contact began, or at the last update, N/m; empty without mass scaling
+    std::vector<double> cluster_load;
+    bool is_watched_anywhere = true;    ///< whether a rank watches pairs
     std::int64_t next_update = 0;       ///< step before which the list is updated again
 
     [[nodiscard]] std::int32_t first_watched(std::int32_t chunk) const { return watched_groups[chunks[chunk].begin].begin; }
@@ -107,6 +108,11 @@ struct ContactPairList {
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const ContactPairList& list);
+
+/// Finds the groups of the pairs.
+void group_pairs(ContactPairList& list);
+/// Finds the groups of the watched pairs, and their chunks.
+void group_watched(const Assemblage& assemblage, ContactPairList& list);
 
 /// An empty list; pre-existing cracks are found by the first search.
 ContactPairList make_contact_pair_list(const Assemblage& assemblage);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "solver/law/contact_law.hpp"
@@ -13,6 +14,7 @@
 #include "solver/model/damping_load.hpp"
 #include "solver/model/memory.hpp"
 #include "solver/model/vertex_clusters.hpp"
+#include "solver/ranks/ghost_nodes.hpp"
 
 namespace graincrack {
 
@@ -47,6 +49,13 @@ struct ContactSums {
     double fracture_shear = 0;
     double friction = 0;
     double non_conservative_work = 0;
+    ContactSums& operator+=(const ContactSums& other) {
+        fracture_tension += other.fracture_tension;
+        fracture_shear += other.fracture_shear;
+        friction += other.friction;
+        non_conservative_work += other.non_conservative_work;
+        return *this;
+    }
 };
 /// Energies summed over the nodes of a chunk since the start, J.
 struct NodeSums {
@@ -55,6 +64,14 @@ struct NodeSums {
     double load_work = 0;      ///< of gravity and loaded edges, and initial kinetic energy
     double reaction_work = 0;  ///< of nodes with prescribed motion
     double platen_friction = 0;
+    NodeSums& operator+=(const NodeSums& other) {
+        damping += other.damping;
+        platen_work += other.platen_work;
+        load_work += other.load_work;
+        reaction_work += other.reaction_work;
+        platen_friction += other.platen_friction;
+        return *this;
+    }
 };
 
 /// Histories of contact points beyond what `State` keeps in arrays. They exist for chunks of contacts of which a point has needed
@@ -114,9 +131,23 @@ struct State {
     ClusterState clusters;                          ///< with mass scaling
     PrescribedState prescribed;
     DampingLoad damping_load;
+    std::shared_ptr<const GhostNodes> ghosts;  ///< nodes of other ranks that this one reads; none for a rank alone
 };
 /// Bytes of its arrays.
 std::size_t memory_of(const State& state);
+
+/// Sends displacements and velocities to the ranks that read them; waits for those that this rank reads.
+inline void send_motion(const State& s) {
+    s.ghosts->start([&s](std::int32_t i) {
+        return std::array{s.displacement[i].x, s.displacement[i].y, s.velocity[i].x, s.velocity[i].y};
+    });
+}
+inline void receive_motion(State& s) {
+    s.ghosts->finish([&s](std::int32_t i, const double* numbers) {
+        s.displacement[i] = {numbers[0], numbers[1]};
+        s.velocity[i] = {numbers[2], numbers[3]};
+    });
+}
 
 /// Indices of the two points of the contact at a place.
 constexpr std::array<std::size_t, 2> points_of(std::int32_t contact) {

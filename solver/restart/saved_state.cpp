@@ -16,7 +16,9 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
 #include "solver/detection/active_contacts.hpp"
+#include "solver/detection/pair_exchange.hpp"
 #include "solver/restart/state_check.hpp"
+#include "solver/restart/whole_state.hpp"
 #include "solver/step/contact_energy.hpp"
 #include "solver/step/mass_scaling.hpp"
 
@@ -38,10 +40,6 @@ concept Is = std::is_same_v<std::remove_const_t<Type>, Of>;
 template <Is<Vector2> T, class Act>
 void visit_members(T& v, Act&& act) {
     visit_all(act, v.x, v.y);
-}
-template <Is<Range> T, class Act>
-void visit_members(T& r, Act&& act) {
-    visit_all(act, r.begin, r.end);
 }
 template <Is<ContactHistory> T, class Act>
 void visit_members(T& h, Act&& act) {
@@ -97,13 +95,9 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("candidate_pairs", s.contact_pairs.pairs);
     visit("node_edge_contacts", s.contact_pairs.contacts);
     visit("pair_forces", s.contact_pairs.forces);
-    visit("pair_groups", s.contact_pairs.groups);
     visit("watched_pairs", s.contact_pairs.watched);
-    visit("watched_groups", s.contact_pairs.watched_groups);
-    visit("watched_chunks", s.contact_pairs.chunks);
     visit("pair_friction", s.contact_pairs.friction);
     visit("displacement_at_search", s.contact_pairs.displacement_at_search);
-    visit("occupied_area", s.contact_pairs.occupied_area);
     visit("cluster_load", s.contact_pairs.cluster_load);
     visit("active_pairs", s.contact_pairs.active.pair);
     visit("active_counts", s.contact_pairs.active.count);
@@ -119,7 +113,6 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("time", s.time);
     visit("origin_step", s.origin_step);
     visit("origin_time", s.origin_time);
-    visit("pair_friction_before", s.contact_pairs.friction_before);
     visit("next_list_update", s.contact_pairs.next_update);
     visit("wants_rebuild", s.contact_pairs.wants_rebuild);
     visit("travel_since_rebuild", s.contact_pairs.travel_since_rebuild);
@@ -200,9 +193,9 @@ bool same_mesh(const Specimen& a, const Specimen& b) {
 /// Arrays that have as many rows as their lists are long; all others have those that they have in a new state.
 bool is_list(std::string_view name) {
     constexpr std::array names{
-        "platen_points",          "candidate_pairs", "node_edge_contacts", "pair_forces",        "pair_groups",  "watched_pairs",
-        "watched_groups",         "watched_chunks",  "pair_friction",      "occupied_area",      "active_pairs", "active_counts",
-        "displacement_at_search", "cluster_load",    "cluster_energies",   "cluster_near_platen"};
+        "platen_points", "candidate_pairs", "node_edge_contacts",     "pair_forces",  "watched_pairs",
+        "active_pairs",  "active_counts",   "displacement_at_search", "cluster_load", "cluster_energies",
+        "cluster_near_platen"};
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -366,6 +359,8 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
     complete_cluster_state(setup.assemblage, setup.parameters.mass_scaling, s);
+    keep_own_pairs(setup.assemblage, s.contact_pairs);
+    find_ghosts(setup.assemblage, s);
     resume_active(setup.assemblage, setup.parameters.laws, s.contact_pairs);
     const RunHeader& old = run.header();
     if (old.time_step != setup.parameters.time_step) {

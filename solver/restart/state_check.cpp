@@ -91,27 +91,17 @@ public:
         for (const NodeEdgeContact& contact : list.contacts) {
             require(contact.area >= 0 && (contact.area > 0 || !contact.active), "areas of node-edge contacts");
         }
-        for (const std::size_t n : {list.displacement_at_search.size(), list.occupied_area.size()}) {
-            require(n == a_.position.size() || (n == 0 && list.watched.empty()), "nodes of the pair list");
-        }
+        const std::size_t n = list.displacement_at_search.size();
+        require(n == a_.position.size() || (n == 0 && list.watched.empty()), "nodes of the pair list");
         require(!list.displacement_at_search.empty() || list.pairs.empty(), "the last search");
     }
 
-    void check_groups() const {
+    void check_watched() const {
         const ContactPairList& list = s_.contact_pairs;
-        const auto node_of = [&](std::size_t pair) { return list.pairs[pair].node; };
-        require(cover(list.groups, list.pairs.size()), "groups of pairs");
-        require(have_one_node(list.groups, node_of), "nodes of groups of pairs");
         for (std::size_t i = 0; i < list.watched.size(); ++i) {
             require(list.watched[i] >= 0 && static_cast<std::size_t>(list.watched[i]) < list.pairs.size(), "watched pairs");
             require(i == 0 || list.watched[i - 1] < list.watched[i], "order of watched pairs");
         }
-        require(cover(list.watched_groups, list.watched.size()), "groups of watched pairs");
-        require(
-            have_one_node(list.watched_groups, [&](std::size_t i) { return node_of(static_cast<std::size_t>(list.watched[i])); }),
-            "nodes of groups of watched pairs");
-        require(cover(list.chunks, list.watched_groups.size()), "chunks of watched pairs");
-        require(list.friction.size() == list.chunks.size(), "friction of chunks");
     }
 
     void check_active() const {
@@ -134,26 +124,6 @@ public:
     }
 
 private:
-    /// Whether ranges that are not empty follow one another from 0 to `size`.
-    static bool cover(const std::vector<Range>& ranges, std::size_t size) {
-        std::int64_t at = 0;
-        for (const Range& range : ranges) {
-            if (range.begin != at || range.end <= range.begin) return false;
-            at = range.end;
-        }
-        return at == static_cast<std::int64_t>(size);
-    }
-    template <class NodeOf>
-    static bool have_one_node(const std::vector<Range>& groups, const NodeOf& node_of) {
-        return std::all_of(groups.begin(), groups.end(), [&](const Range& group) {
-            const auto first = static_cast<std::size_t>(group.begin);
-            for (auto i = first; i < static_cast<std::size_t>(group.end); ++i) {
-                if (node_of(i) != node_of(first)) return false;
-            }
-            return true;
-        });
-    }
-
     const std::string& name_;
     const Assemblage& a_;
     const Setup& setup_;
@@ -162,13 +132,15 @@ private:
 
 }  // namespace
 
-void require_sound_state(const std::string& name, const Setup& setup, double time_step, const State& state) {
+void require_sound_state(const std::string& name, const Setup& setup, double time_step, State& state) {
     const StateCheck check(name, setup, state);
     check.check_clock(time_step);
     check.check_motion();
     check.check_points();
     check.check_pairs();
-    check.check_groups();
+    check.check_watched();
+    group_pairs(state.contact_pairs);
+    group_watched(setup.assemblage, state.contact_pairs);
     check.check_active();
 }
 

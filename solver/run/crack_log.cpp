@@ -40,11 +40,17 @@ void record_later_event(const ContactEvent& event, double time, Crack& crack) {
 }  // namespace
 
 void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
+    std::vector<ContactEvent> own;
+    for (const std::int32_t chunk : a.part.contacts.own) {
+        for (ContactEvent& event : state.events[chunk]) {
+            event.contact = a.specimen_contact[event.contact];
+            own.push_back(event);
+        }
+    }
+    for_each_evaluated(a.part.evaluated_contacts, [&](std::int32_t chunk) { state.events[chunk].clear(); });
     std::vector<ContactEvent> events;
-    for (std::vector<ContactEvent>& chunk : state.events) {
-        for (ContactEvent& event : chunk) event.contact = a.specimen_contact[event.contact];
-        events.insert(events.end(), chunk.begin(), chunk.end());
-        chunk.clear();
+    for (const std::vector<ContactEvent>& of_rank : a.part.ranks->gather_first(own)) {
+        events.insert(events.end(), of_rank.begin(), of_rank.end());
     }
     std::sort(events.begin(), events.end(), [](const ContactEvent& l, const ContactEvent& r) {
         return std::tie(l.step, l.contact, l.point, l.kind) < std::tie(r.step, r.contact, r.point, r.kind);
@@ -60,10 +66,13 @@ void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
         cracks_.push_back(make_crack(event, a.contacts[a.contact_of_specimen[event.contact]].point_area, time));
         tensile_ += event.mode == CrackMode::tensile ? 1 : 0;
     }
+    count_ = a.part.ranks->of_first(cracks_.size());
+    tensile_ = a.part.ranks->of_first(tensile_);
 }
 
 void CrackLog::restore(const std::vector<Crack>& rows) {
     cracks_ = rows;
+    count_ = rows.size();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         crack_of_point_[2 * static_cast<std::size_t>(rows[i].contact) + rows[i].point] = static_cast<std::int32_t>(i);
         tensile_ += rows[i].mode == CrackMode::tensile ? 1 : 0;

@@ -12,20 +12,21 @@ namespace graincrack {
 class CrackLog {
 public:
     explicit CrackLog(std::size_t n_points) : crack_of_point_(n_points, -1) {}
-    /// Takes the events of all chunks, in the order of step, contact of the specimen and point, and clears them.
+    /// Takes the events of all chunks, in the order of step, contact of the specimen and point, and clears them. The first rank has
+    /// the rows of all, the others their numbers.
     void collect(const Assemblage& assemblage, double time_step, State& state);
     /// Continues the rows of an earlier run.
     void restore(const std::vector<Crack>& rows);
-    /// The rows, with the energy each point has released so far.
+    /// The rows, with the energy each point has released so far. \param state of all ranks
     [[nodiscard]] std::vector<Crack> rows(const Assemblage& assemblage, const State& state) const;
     [[nodiscard]] std::size_t tensile_points() const { return tensile_; }
-    [[nodiscard]] std::size_t shear_points() const { return cracks_.size() - tensile_; }
-    [[nodiscard]] bool empty() const { return cracks_.empty(); }
+    [[nodiscard]] std::size_t shear_points() const { return count_ - tensile_; }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
 
 private:
     std::vector<Crack> cracks_;
     std::vector<std::int32_t> crack_of_point_;  ///< row of a point of a contact of the specimen, −1 for none
-    std::size_t tensile_ = 0;
+    std::size_t count_ = 0, tensile_ = 0;
 };
 
 }  // namespace graincrack

@@ -1,5 +1,7 @@
 #include "solver/run/frame.hpp"
 
+#include "solver/model/gather.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -9,7 +11,7 @@ void add_contacts(const Assemblage& a, const ContactLaws& laws, const State& s, 
     for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) pairs->resize(a.n_contacts());
     frame.traction.resize(a.n_contacts());
     frame.state.resize(a.n_contacts());
-    for_each_contact(a, [&](std::int32_t place, std::int32_t contact_class) {
+    for_each_own_contact(a, [&](std::int32_t place, std::int32_t contact_class) {
         const ContactLaw& law = laws[contact_class];
         const std::int32_t c = a.specimen_contact[place];
         const double strength = a.contacts[place].strength;
@@ -33,15 +35,35 @@ Frame make_frame(const Assemblage& a, const ContactLaws& laws, const State& s) {
     Frame frame;
     frame.time = s.time;
     frame.step = s.step;
-    for (const std::int32_t i : a.node_of_specimen) {
-        frame.displacement.push_back({s.displacement[i].x, s.displacement[i].y});
-        frame.velocity.push_back({s.velocity[i].x, s.velocity[i].y});
+    frame.displacement.resize(a.node_of_specimen.size());
+    frame.velocity.resize(a.node_of_specimen.size());
+    frame.element_stress.resize(a.element_nodes.size());
+    for (std::size_t k = 0; k < a.node_of_specimen.size(); ++k) {
+        const std::int32_t i = a.node_of_specimen[k];
+        if (!a.part.owns(i)) continue;
+        frame.displacement[k] = {s.displacement[i].x, s.displacement[i].y};
+        frame.velocity[k] = {s.velocity[i].x, s.velocity[i].y};
     }
-    for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
-        frame.element_stress.push_back(triangle_stress(a.elasticity[e], element_state(a, e, s)));
+    for (const std::int32_t chunk : a.part.elements.own) {
+        const Range elements = a.element_chunks[chunk];
+        for (std::int32_t e = elements.begin; e < elements.end; ++e) {
+            frame.element_stress[e] = triangle_stress(a.elasticity[e], element_state(a, static_cast<std::size_t>(e), s));
+        }
     }
     contact_law::with_law(laws.variant(), [&](auto kind) { add_contacts<decltype(kind)>(a, laws, s, frame); });
     return frame;
+}
+
+Frame whole_frame(const Assemblage& a, Frame own) {
+    const Part& part = a.part;
+    const auto owner_of_node = [&](std::int32_t k) { return part.owner_of_node(a.node_of_specimen[k]); };
+    const auto owner_of_contact = [&](std::int32_t c) { return part.contacts.owner_of(a.contact_of_specimen[c] / contacts_per_chunk); };
+    for (auto* of_nodes : {&own.displacement, &own.velocity}) gather_items(part, owner_of_node, *of_nodes);
+    gather_chunks(part, part.elements, elements_per_chunk, own.element_stress);
+    for (auto* of_contacts : {&own.opening, &own.sliding, &own.damage}) gather_items(part, owner_of_contact, *of_contacts);
+    gather_items(part, owner_of_contact, own.traction);
+    gather_items(part, owner_of_contact, own.state);
+    return own;
 }
 
 }  // namespace graincrack

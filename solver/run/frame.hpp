@@ -6,7 +6,9 @@
 
 namespace graincrack {
 
-/// The state as a frame of the run file, in the specimen's own order.
+/// The state as a frame of the run file, in the specimen's own order. Each rank has what it owns of it.
 Frame make_frame(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
+/// Brings a frame together on the first rank.
+Frame whole_frame(const Assemblage& assemblage, Frame own);
 
 }  // namespace graincrack

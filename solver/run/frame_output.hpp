@@ -15,12 +15,12 @@ namespace graincrack {
 class FrameOutput {
 public:
     /// \param wanted at least so many evenly spaced frames, 0 for none; in the end there are up to twice as many
-    /// \param first_interval of strain, doubled whenever there are too many
-    FrameOutput(int wanted, double first_interval, RunWriter& writer);
+    /// \param first_interval of strain, doubled whenever there are too many \param writer of the first rank, none on others
+    FrameOutput(int wanted, double first_interval, RunWriter* writer);
     /// Resumes where the run of a checkpoint was, with the frames it has.
     void resume(const FrameProgress& progress, const RunReader& checkpoint);
     /// Writes the frames so far, the state of now last, into a checkpoint. \return what `resume` needs
-    FrameProgress save(const Assemblage& assemblage, const ContactLaws& laws, const State& state, RunWriter& checkpoint) const;
+    FrameProgress save(const Assemblage& assemblage, const ContactLaws& laws, const State& state, RunWriter* checkpoint) const;
     /// Adds a frame when the strain has come to the next interval. \return whether it has
     bool regular(double strain, const Assemblage& assemblage, const ContactLaws& laws, const State& state);
     /// Remembers the frame of the highest stress so far, and adds it once the stress has clearly fallen. \return whether it has
@@ -31,10 +31,11 @@ public:
 
 private:
     void thin_if_too_many();
+    void add(const Assemblage& assemblage, Frame own, FrameRole role);
 
     int wanted_;
     double interval_;
-    RunWriter& writer_;
+    RunWriter* writer_;
     double next_ = 0;
     int regular_ = 0;
     std::optional<Frame> peak_;

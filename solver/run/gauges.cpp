@@ -49,8 +49,8 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
 
 }  // namespace
 
-double Gauge::strain(const std::vector<Vector2>& displacement) const {
-    return sum_over(of_chunk, [&](std::int32_t i) {
+double Gauge::strain(const Assemblage& a, const std::vector<Vector2>& displacement) const {
+    return sum_by_nodes(a, of_chunk, [&](std::int32_t i) {
         const Vector2& u = displacement[terms[i].node];
         return terms[i].weight * (along_y ? u.y : u.x);
     });

@@ -18,7 +18,7 @@ struct Gauge {
     bool along_y = false;
     std::vector<Term> terms;      ///< ascending by node
     std::vector<Range> of_chunk;  ///< by chunk of nodes: its terms
-    [[nodiscard]] double strain(const std::vector<Vector2>& displacement) const;
+    [[nodiscard]] double strain(const Assemblage& assemblage, const std::vector<Vector2>& displacement) const;
 };
 
 /// The four strain measures of the history.

@@ -1,7 +1,6 @@
 #include "solver/run/measure.hpp"
 
 #include <cmath>
-#include <numeric>
 
 #include "solver/step/contact_energy.hpp"
 #include "solver/step/mass_scaling.hpp"
@@ -15,11 +14,15 @@ namespace {
 /// Damping at this instant, into `damping_force`.
 void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
     const MassScaling& scaling = parameters.mass_scaling;
-    for (std::int32_t chunk = 0; scaling.is_on() && chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
-        update_clusters(a, parameters, s.loading, chunk, s);
-        damp_clusters(a, parameters, s.loading, chunk, s);
+    if (scaling.is_on()) {
+        for (const std::int32_t chunk : a.part.nodes.own) {
+            update_clusters(a, parameters, s.loading, chunk, s);
+            damp_clusters(a, parameters, s.loading, chunk, s);
+        }
+        return;
     }
-    for (std::size_t i = 0; i < s.damping_force.size() && !scaling.is_on(); ++i) {
+    const Range nodes = a.part.own_nodes();
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         s.damping_force[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
     }
 }
@@ -46,24 +49,43 @@ struct ElementSums {
     }
 };
 ElementSums sum_over_elements(const Assemblage& a, const State& s) {
-    return sum_over(a.element_chunks, [&](std::int32_t e) {
-        const TriangleGeometry g = a.element_geometry[e];
-        const TriangleState t = element_state(a, e, s);
-        const TriangleForces f = triangle_forces(g, t);
-        return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
+    return sum_over_chunks(a.part, a.part.elements, [&](std::int32_t chunk) {
+        return sum_over(a.element_chunks[chunk], [&](std::int32_t e) {
+            const TriangleGeometry g = a.element_geometry[e];
+            const TriangleState t = element_state(a, e, s);
+            const TriangleForces f = triangle_forces(g, t);
+            return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
+        });
     });
 }
 
 void add_contact_energies(const Assemblage& a, const ContactLaws& laws, const State& s, Energies& energies) {
     energies.contact += stored_in_contacts(a, laws, s);
+    const ContactSums sums =
+        sum_over_chunks(a.part, a.part.contacts, [&](std::int32_t chunk) { return s.contact_sums[chunk]; });
+    energies.fracture_tension += sums.fracture_tension;
+    energies.fracture_shear += sums.fracture_shear;
+    energies.friction += sums.friction;
+    energies.non_conservative_work += sums.non_conservative_work;
+}
+
+void add_node_energies(const Assemblage& a, const State& s, Energies& energies) {
+    const NodeSums sums = sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return s.node_sums[chunk]; });
+    energies.damping += sums.damping;
+    energies.external += sums.platen_work + sums.load_work + sums.reaction_work;
+    energies.platen += sums.platen_friction;
     energies.friction +=
-        std::accumulate(s.contact_pairs.friction.begin(), s.contact_pairs.friction.end(), s.contact_pairs.friction_before);
-    for (const ContactSums& sums : s.contact_sums) {
-        energies.fracture_tension += sums.fracture_tension;
-        energies.fracture_shear += sums.fracture_shear;
-        energies.friction += sums.friction;
-        energies.non_conservative_work += sums.non_conservative_work;
-    }
+        sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return s.contact_pairs.friction[chunk]; });
+}
+
+void add_cluster_energies(const Assemblage& a, const StepParameters& parameters, const State& s, Energies& energies) {
+    if (!parameters.mass_scaling.is_on()) return;
+    energies.kinetic += sum_over_chunks(
+        a.part, a.part.nodes, [&](std::int32_t chunk) { return added_kinetic_energy(a, parameters, s.loading, chunk, s); });
+    const ClusterSums sums = sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return s.clusters.sums[chunk]; });
+    energies.damping += sums.damping;
+    energies.numerical += sums.platen_loss;
+    energies.external += sums.platen_work;
 }
 
 /// What the platens do: energy they keep (J), work of the last half step (J), power (W), forces along the axis by motion (N).
@@ -79,8 +101,8 @@ struct PlatenSums {
         return *this;
     }
 };
-void add_platen_energies(const Boundary& boundary, double time_step, const State& s, Measurement& m) {
-    const PlatenSums sums = sum_over(boundary.platen_points_of_chunk, [&](std::int32_t i) {
+void add_platen_energies(const Assemblage& a, const Boundary& boundary, double time_step, const State& s, Measurement& m) {
+    const PlatenSums sums = sum_by_nodes(a, boundary.platen_points_of_chunk, [&](std::int32_t i) {
         const PlatenPoint& point = s.platen_points[i];
         const Platen& platen = boundary.platens[point.platen];
         const PlatenResponse r =
@@ -101,13 +123,13 @@ void add_platen_energies(const Boundary& boundary, double time_step, const State
 void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, const State& s,
                              Measurement& m) {
     if (prescribed.empty()) return;
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
-        m.energies.external += load_half_work(a, prescribed, chunk, time_step, s);
-    }
-    m.energies.external += reaction_half_work(prescribed, time_step, s);
+    m.energies.external += sum_over_chunks(
+        a.part, a.part.nodes, [&](std::int32_t chunk) { return load_half_work(a, prescribed, chunk, time_step, s); });
+    m.energies.external += reaction_half_work(a, prescribed, time_step, s);
     // Two ends an edge, two sides: the mean of the sides.
-    m.confining_force += sum_over(prescribed.edges_of_chunk,
-                                  [&](std::int32_t i) { return prescribed.edges[i].is_lateral ? s.prescribed.lateral[i] : 0; });
+    m.confining_force += sum_by_nodes(a, prescribed.edges_of_chunk, [&](std::int32_t i) {
+        return prescribed.edges[i].is_lateral ? s.prescribed.lateral[i] : 0;
+    });
 }
 
 }  // namespace
@@ -122,23 +144,12 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     const double unbalanced = sum_over_nodes(a, [&](std::int32_t i) { return length(s.force[i]); });
     m.energies.kinetic = m.own_kinetic;
     m.energies.damping = damping_half_work(a, parameters, s);
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(s.clusters.sums.size()); ++chunk) {
-        m.energies.kinetic += added_kinetic_energy(a, parameters, s.loading, chunk, s);
-    }
-    for (const ClusterSums& sums : s.clusters.sums) {
-        m.energies.damping += sums.damping;
-        m.energies.numerical += sums.platen_loss;
-        m.energies.external += sums.platen_work;
-    }
+    add_cluster_energies(a, parameters, s, m.energies);
     m.unbalanced_ratio = elements.force > 0 ? unbalanced / elements.force : 0;
     add_contact_energies(a, parameters.laws, s, m.energies);
-    add_platen_energies(boundary, parameters.time_step, s, m);
+    add_platen_energies(a, boundary, parameters.time_step, s, m);
     add_prescribed_energies(a, boundary.prescribed, parameters.time_step, s, m);
-    for (const NodeSums& sums : s.node_sums) {
-        m.energies.damping += sums.damping;
-        m.energies.external += sums.platen_work + sums.load_work + sums.reaction_work;
-        m.energies.platen += sums.platen_friction;
-    }
+    add_node_energies(a, s, m.energies);
     return m;
 }
 

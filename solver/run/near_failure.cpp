@@ -1,6 +1,7 @@
 #include "solver/run/near_failure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -50,10 +51,10 @@ private:
 }  // namespace
 
 double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s, double width) {
-    std::size_t intact = 0;
-    SlidingChains chains(a);
+    std::array<std::int64_t, 1> intact{};
+    std::vector<std::array<std::int32_t, 2>> joined;  // nodes that sliding contacts of this rank's own join
     contact_law::with_law(laws.variant(), [&](auto kind) {
-        for_each_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
+        for_each_own_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
             const ContactLaw& law = laws[contact_class];
             bool slides = false;
             for (const std::size_t i : points_of(c)) {
@@ -61,7 +62,7 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
                 const double sliding = s.sliding[i];
                 if (s.failed[i] == 0) {
                     const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
-                    intact += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
+                    intact.front() += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
                 } else if (law.softens_in_shear && s.residual[i] == 0) {
                     slides = true;  // it loses cohesion as it slides on
                 } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
@@ -69,23 +70,26 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
                     slides = slides || std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit;
                 }
             }
-            if (slides) chains.join(a.contacts[c].nodes[0], a.contacts[c].nodes[1]);
+            if (slides) joined.push_back({a.contacts[c].nodes[0], a.contacts[c].nodes[1]});
         });
     });
     const ContactPairList& list = s.contact_pairs;
     for (std::size_t i = 0; i < list.contacts.size(); ++i) {
         const NodeEdgeContact& contact = list.contacts[i];
-        if (contact.active && contact.overlap > 0) {
+        if (contact.active && contact.overlap > 0 && a.part.owns(list.pairs[i].node)) {
             const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
             const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
             if (std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit) {
-                for (const std::int32_t end : a.surface.edges[list.pairs[i].edge].nodes) chains.join(list.pairs[i].node, end);
+                for (const std::int32_t end : a.surface.edges[list.pairs[i].edge].nodes) joined.push_back({list.pairs[i].node, end});
             }
         }
     }
+    a.part.ranks->take_sums(intact);
+    SlidingChains chains(a);
+    for (const auto& [node, other] : a.part.ranks->concatenate(joined)) chains.join(node, other);
     const double points = 2.0 * std::max(a.n_contacts(), 1);
     const double scattered = std::max(0.5 * std::sqrt(points), scattered_share * points);
-    return std::min(1.0, std::max(static_cast<double>(intact) / scattered, chains.longest() / (involving_share * width)));
+    return std::min(1.0, std::max(static_cast<double>(intact.front()) / scattered, chains.longest() / (involving_share * width)));
 }
 
 }  // namespace graincrack

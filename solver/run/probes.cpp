@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "share/base/error.hpp"
 #include "solver/setup/regions.hpp"
@@ -31,33 +30,33 @@ Vector2 centre_of(const Assemblage& a, std::int32_t element) {
 }
 
 /// Σ `of_item(index)` over ascending indices of nodes or elements, by the chunk they belong to.
-/// \param range_of the indices of a chunk
-template <class Chunk, class RangeOf, class OfItem>
-auto sum_over_listed(const std::vector<Chunk>& chunks, const RangeOf& range_of, const std::vector<std::int32_t>& indices,
-                     const OfItem& of_item) {
-    decltype(of_item(0)) total{};
-    std::size_t at = 0;
-    for (const Chunk& chunk : chunks) {
+/// \param range_of (chunk): the indices of a chunk
+template <class RangeOf, class OfItem>
+auto sum_over_listed(const Part& part, const ChunkShare& chunks, const RangeOf& range_of,
+                     const std::vector<std::int32_t>& indices, const OfItem& of_item) {
+    return sum_over_chunks(part, chunks, [&](std::int32_t chunk) {
+        const Range range = range_of(chunk);
         decltype(of_item(0)) sum{};
-        for (; at < indices.size() && indices[at] < range_of(chunk).end; ++at) sum += of_item(indices[at]);
-        total += sum;
-    }
-    return total;
+        for (auto at = std::lower_bound(indices.begin(), indices.end(), range.begin); at != indices.end() && *at < range.end; ++at) {
+            sum += of_item(*at);
+        }
+        return sum;
+    });
 }
 
 Vector2 mean_displacement(const Assemblage& a, const std::vector<std::int32_t>& nodes, const State& s) {
-    const auto nodes_of = [](const NodeChunk& chunk) { return chunk.nodes; };
+    const auto nodes_of = [&a](std::int32_t chunk) { return a.node_chunks[chunk].nodes; };
     return (1 / static_cast<double>(nodes.size())) *
-           sum_over_listed(a.node_chunks, nodes_of, nodes, [&](std::int32_t i) { return s.displacement[i]; });
+           sum_over_listed(a.part, a.part.nodes, nodes_of, nodes, [&](std::int32_t i) { return s.displacement[i]; });
 }
 
-Vector2 force_of_control(std::int32_t condition, const PrescribedConditions& prescribed, const State& s) {
-    const Vector2 on_nodes = sum_over(prescribed.nodes_of_chunk, [&](std::int32_t i) {
+Vector2 force_of_control(const Assemblage& a, std::int32_t condition, const PrescribedConditions& prescribed, const State& s) {
+    const Vector2 on_nodes = sum_by_nodes(a, prescribed.nodes_of_chunk, [&](std::int32_t i) {
         const PrescribedState::Node& node = s.prescribed.nodes[i];
         return Vector2{prescribed.nodes[i].condition[0] == condition ? node.reaction.x : 0,
                        prescribed.nodes[i].condition[1] == condition ? node.reaction.y : 0};
     });
-    return on_nodes + sum_over(prescribed.edges_of_chunk, [&](std::int32_t i) {
+    return on_nodes + sum_by_nodes(a, prescribed.edges_of_chunk, [&](std::int32_t i) {
                return prescribed.edges[i].condition == condition ? 2.0 * s.prescribed.load[i] : Vector2{};
            });
 }
@@ -73,7 +72,8 @@ struct StressSum {
     }
 };
 std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
-    const StressSum sum = sum_over_listed(a.element_chunks, std::identity{}, elements, [&](std::int32_t e) {
+    const auto elements_of = [&a](std::int32_t chunk) { return a.element_chunks[chunk]; };
+    const StressSum sum = sum_over_listed(a.part, a.part.elements, elements_of, elements, [&](std::int32_t e) {
         StressSum of_element{triangle_stress(a.elasticity[e], element_state(a, static_cast<std::size_t>(e), s)),
                              a.element_geometry[e].area};
         for (double& component : of_element.stress) component *= of_element.area;
@@ -136,7 +136,7 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
     std::size_t probe = 0;
     for (std::size_t c = 0; c < nodes_of_boundary_.size(); ++c) {
         const Vector2 u = mean_displacement(a, nodes_of_boundary_[c], s);
-        const Vector2 force = force_of_control(static_cast<std::int32_t>(c), boundary.prescribed, s);
+        const Vector2 force = force_of_control(a, static_cast<std::int32_t>(c), boundary.prescribed, s);
         push(probe++, {u.x, u.y, force.x, force.y});
     }
     for (const auto& [is_circle, at] : request_at_) {
@@ -144,11 +144,14 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
             push(probe++, mean_stress(a, circles_[at], s));
             continue;
         }
+        const std::vector<std::int32_t> nodes(points_[at].nodes.begin(), points_[at].nodes.end());
+        const std::vector<Vector2> displacement = values_at(a.part, nodes, s.displacement);
+        const std::vector<Vector2> velocity = values_at(a.part, nodes, s.velocity);
         Vector2 u;
         Vector2 v;
         for (std::size_t k = 0; k < 3; ++k) {
-            u += points_[at].weights[k] * s.displacement[points_[at].nodes[k]];
-            v += points_[at].weights[k] * s.velocity[points_[at].nodes[k]];
+            u += points_[at].weights[k] * displacement[k];
+            v += points_[at].weights[k] * velocity[k];
         }
         push(probe++, {u.x, u.y, v.x, v.y});
     }

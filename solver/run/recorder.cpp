@@ -76,9 +76,9 @@ void Recorder::push_row(const Measurement& m, double strain, double speed_of_pla
     push(time, state.time);
     push(step, static_cast<double>(state.step));
     push(HistoryColumn::axial_strain, strain);
-    push(lateral_strain, gauges_.widening.strain(state.displacement));
-    push(gauge_axial_strain, gauges_.axial.strain(state.displacement));
-    push(gauge_lateral_strain, gauges_.lateral.strain(state.displacement));
+    push(lateral_strain, gauges_.widening.strain(setup_.assemblage, state.displacement));
+    push(gauge_axial_strain, gauges_.axial.strain(setup_.assemblage, state.displacement));
+    push(gauge_lateral_strain, gauges_.lateral.strain(setup_.assemblage, state.displacement));
     push(HistoryColumn::axial_stress, axial_stress_of(m, specimen_));
     push(force_top, m.force_top);
     push(force_bottom, -m.force_bottom);

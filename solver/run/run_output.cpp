@@ -8,6 +8,7 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/output_file.hpp"
 #include "share/file/platen_faces.hpp"
+#include "solver/restart/whole_state.hpp"
 
 namespace graincrack {
 namespace {
@@ -33,22 +34,27 @@ void write_faces(H5Output& file, const Boundary& boundary, const Specimen& speci
     if (any) write_platen_faces(file, set);
 }
 
-/// The file of a run, and the name of its checkpoints unless it is a stream.
-H5Output open_output(const Run& run, const std::string& output, std::string& checkpoint) {
-    auto place = std::make_unique<OutputFile>(output);
-    if (!place->is_stream()) {
-        checkpoint = checkpoint_of(output);
-        clear_checkpoint_name(checkpoint, run.request.restart, run.request.discard_checkpoint);
-    }
-    return H5Output(std::move(place), "run");
+/// The file of a run on the first rank, and on all the name of its checkpoints unless it is a stream.
+std::unique_ptr<RunWriter> open_writer(const Run& run, const std::string& output, std::string& checkpoint) {
+    std::unique_ptr<RunWriter> writer;
+    bool is_stream = false;
+    run.request.ranks->on_first([&] {
+        auto place = std::make_unique<OutputFile>(output);
+        is_stream = place->is_stream();
+        if (!is_stream) clear_checkpoint_name(checkpoint_of(output), run.request.restart, run.request.discard_checkpoint);
+        writer = std::make_unique<RunWriter>(H5Output(std::move(place), "run"), run.specimen, run.header);
+    });
+    if (!run.request.ranks->of_first(is_stream)) checkpoint = checkpoint_of(output);
+    return writer;
 }
 
 }  // namespace
 
 RunOutput::RunOutput(const Run& run, const std::string& output, const std::optional<FrameProgress>& frames)
     : run_(run),
-      writer_(open_output(run, output, checkpoint_), run.specimen, run.header),
-      frames_(run.request.frames, first_frame_interval, writer_),
+      ranks_(*run.request.ranks),
+      writer_(open_writer(run, output, checkpoint_)),
+      frames_(run.request.frames, first_frame_interval, writer_.get()),
       since_checkpoint_(run.request.wall_clock),
       since_flush_(run.request.wall_clock) {
     if (frames) frames_.resume(*frames, RunReader(run.request.restart));
@@ -68,52 +74,65 @@ void RunOutput::record() {
 }
 
 void RunOutput::append_rows() {
-    run_.program.append(writer_.file(), rows_written_);
+    if (!writer_) return;
+    run_.program.append(writer_->file(), rows_written_);
     rows_written_ = run_.recorder.history().size();
-    writer_.append_history(run_.recorder.history());
+    writer_->append_history(run_.recorder.history());
     since_flush_.restart();
 }
 
 bool RunOutput::wants_checkpoint() const {
     if (checkpoint_.empty()) return false;
     const bool is_asked = take_checkpoint_request();
-    return is_asked || (run_.request.checkpoint_interval && since_checkpoint_.elapsed() >= *run_.request.checkpoint_interval);
+    return ranks_.of_first(is_asked || (run_.request.checkpoint_interval &&
+                                        since_checkpoint_.elapsed() >= *run_.request.checkpoint_interval));
 }
 
 const std::string& RunOutput::write_checkpoint() {
     if (checkpoint_.empty()) return checkpoint_;
-    RunWriter writer(H5Output(OutputFile::covered(checkpoint_), "run"), run_.specimen, run_.header);
-    writer.append_history(run_.recorder.history());
-    run_.program.append(writer.file(), 0);
-    run_.program.write(writer.file());
-    write_faces(writer.file(), run_.setup.boundary, run_.specimen);
-    const FrameProgress frames = frames_.save(run_.setup.assemblage, run_.setup.parameters.laws, run_.state, writer);
-    write_saved_state(writer.file(), run_.state, run_.program.stages().state(), run_.recorder.energy().largest_error());
-    write_frame_progress(writer.file(), frames);
-    RunHeader header = run_.header;
-    header.stop_reason = "checkpoint";
-    header.steps = run_.state.step;
-    header.integrations = run_.state.step;
-    header.peak_axial_stress = run_.recorder.peak();
-    Provenance provenance;
-    provenance.tool = "graincrack-solve";
-    provenance.threads = run_.threads;
-    provenance.vector_target = name_of(run_.setup.assemblage.vector_target);
-    writer.finish(header, run_.recorder.crack_log().rows(run_.setup.assemblage, run_.state), provenance);
+    std::optional<RunWriter> writer;
+    ranks_.on_first([&] { writer.emplace(H5Output(OutputFile::covered(checkpoint_), "run"), run_.specimen, run_.header); });
+    const FrameProgress frames =
+        frames_.save(run_.setup.assemblage, run_.setup.parameters.laws, run_.state, writer ? &*writer : nullptr);
+    const WholeState whole(run_.setup.assemblage, run_.state);
+    ranks_.on_first([&] {
+        const State& state = whole.state();
+        writer->append_history(run_.recorder.history());
+        run_.program.append(writer->file(), 0);
+        run_.program.write(writer->file());
+        write_faces(writer->file(), run_.setup.boundary, run_.specimen);
+        write_saved_state(writer->file(), state, run_.program.stages().state(), run_.recorder.energy().largest_error());
+        write_frame_progress(writer->file(), frames);
+        RunHeader header = run_.header;
+        header.stop_reason = "checkpoint";
+        header.steps = state.step;
+        header.integrations = state.step;
+        header.peak_axial_stress = run_.recorder.peak();
+        Provenance provenance;
+        provenance.tool = "graincrack-solve";
+        provenance.threads = run_.threads;
+        provenance.ranks = ranks_.size();
+        provenance.vector_target = name_of(run_.setup.assemblage.vector_target);
+        writer->finish(header, run_.recorder.crack_log().rows(run_.setup.assemblage, state), provenance);
+    });
     since_checkpoint_.restart();
     return checkpoint_;
 }
 
 void RunOutput::finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance) {
     frames_.last(run_.setup.assemblage, run_.setup.parameters.laws, run_.state);
-    append_rows();
-    run_.program.write(writer_.file());
-    write_faces(writer_.file(), run_.setup.boundary, run_.specimen);
-    if (run_.request.save_state) {
-        write_saved_state(writer_.file(), run_.state, run_.program.stages().state(), run_.recorder.energy().largest_error());
-    }
-    writer_.finish(run_.header, run_.recorder.crack_log().rows(run_.setup.assemblage, run_.state), provenance, sensitivity);
-    if (!checkpoint_.empty()) remove_checkpoint(checkpoint_);
+    const WholeState whole(run_.setup.assemblage, run_.state);
+    ranks_.on_first([&] {
+        const State& state = whole.state();
+        append_rows();
+        run_.program.write(writer_->file());
+        write_faces(writer_->file(), run_.setup.boundary, run_.specimen);
+        if (run_.request.save_state) {
+            write_saved_state(writer_->file(), state, run_.program.stages().state(), run_.recorder.energy().largest_error());
+        }
+        writer_->finish(run_.header, run_.recorder.crack_log().rows(run_.setup.assemblage, state), provenance, sensitivity);
+        if (!checkpoint_.empty()) remove_checkpoint(checkpoint_);
+    });
 }
 
 }  // namespace graincrack

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct Run {
     int threads;
 };
 
+/// The first rank writes; the others bring it what they own.
 class RunOutput {
 public:
     /// \param output file, "-" for stdout \param frames of the checkpoint that the run resumes from, if it does
@@ -35,7 +37,7 @@ public:
     RunOutput(const Run& run, const std::string& output, const std::optional<FrameProgress>& frames);
     /// Takes the last row: frames, and from time to time the rows so far.
     void record();
-    /// Whether a checkpoint is due, or was asked for.
+    /// Whether a checkpoint is due, or was asked for. The first rank decides.
     [[nodiscard]] bool wants_checkpoint() const;
     /// Writes a run file of its own, with all rows, cracks and frames so far and the present state. \return its name, "" for a
     /// run that has none
@@ -47,8 +49,9 @@ private:
     void append_rows();
 
     Run run_;
-    std::string checkpoint_;  ///< its file, "" for none
-    RunWriter writer_;
+    const Ranks& ranks_;
+    std::string checkpoint_;           ///< its file, "" for none
+    std::unique_ptr<RunWriter> writer_;  ///< on the first rank
     FrameOutput frames_;
     std::size_t rows_written_ = 0;
     WallClock since_checkpoint_, since_flush_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <optional>
@@ -63,9 +64,10 @@ public:
           state_(make_state(setup_.assemblage, setup_.boundary, specimen)),
           recorder_(specimen, request, setup_),
           header_(make_header(request, program_, setup_)),
-          progress_(label, verbosity),
+          progress_(label, request.ranks->is_first() ? verbosity : Verbosity::quiet),
           is_quiet_(verbosity == Verbosity::quiet),
-          team_(worthwhile_threads(request.threads, specimen.n_elements(), request.elements_per_thread)) {
+          team_(worthwhile_threads(request.threads, specimen.n_elements() / static_cast<std::size_t>(request.ranks->size()),
+                                   request.elements_per_thread)) {
         set_initial_velocities(program_, setup_.assemblage, specimen, state_);
         if (!request.restart.empty()) restart();
     }
@@ -96,9 +98,16 @@ public:
     /// Completes the file.
     void finish(const std::vector<SensitivityRow>& sensitivity, Provenance provenance) {
         provenance.threads = team_.size();
+        provenance.ranks = request_.ranks->size();
         provenance.vector_target = name_of(setup_.assemblage.vector_target);
         output_->finish(sensitivity, provenance);
     }
+    /// Nodes that this rank reads of others.
+    [[nodiscard]] std::int64_t n_ghosts() const { return state_.ghosts ? static_cast<std::int64_t>(state_.ghosts->n_ghosts()) : 0; }
+    [[nodiscard]] std::int64_t n_neighbours() const {
+        return state_.ghosts ? static_cast<std::int64_t>(state_.ghosts->n_neighbours()) : 0;
+    }
+    [[nodiscard]] std::int64_t n_own_nodes() const { return setup_.assemblage.part.own_nodes().size(); }
     [[nodiscard]] const CrackLog& crack_log() const { return recorder_.crack_log(); }
     [[nodiscard]] TestOutcome outcome() const { return {header_, recorder_.history()}; }
 
@@ -130,13 +139,14 @@ private:
     /// On a signal, keeps what there is in a checkpoint and ends the run.
     void stop_if_asked() {
         const bool asked = request_.stops_after && request_.stops_after(recorder_.history().size());
-        if (stop_signal() == 0 && !asked) return;
+        const int signal = static_cast<int>(request_.ranks->largest(stop_signal()));
+        if (signal == 0 && !asked) return;
         const std::string checkpoint = output_ ? output_->write_checkpoint() : "";
         if (!checkpoint.empty() && !is_quiet_) {
             fmt::print(stderr, "{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
                        checkpoint, checkpoint);
         }
-        throw Interrupted(stop_signal() != 0 ? stop_signal() : SIGTERM);
+        throw Interrupted(signal != 0 ? signal : SIGTERM);
     }
 
     void show_progress() {
@@ -191,6 +201,11 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
     summary.tensile_cracks = whole_contacts(simulation.crack_log().tensile_points());
     summary.shear_cracks = whole_contacts(simulation.crack_log().shear_points());
+    summary.neighbours = simulation.n_neighbours();
+    std::array most{static_cast<double>(simulation.n_ghosts()), static_cast<double>(simulation.n_own_nodes())};
+    request.ranks->take_largest(most);
+    summary.ghost_nodes = static_cast<std::int64_t>(most[0]);
+    summary.own_nodes = static_cast<std::int64_t>(most[1]);
     if (request.sensitivity) summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
     provenance.wall_time = summary.wall_time;
     simulation.finish(summary.sensitivity, provenance);

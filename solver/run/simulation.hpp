@@ -21,6 +21,8 @@ struct SimulationSummary {
     double wall_time = 0;  ///< s
     double ns_per_grain_step = 0;
     std::vector<SensitivityRow> sensitivity;  ///< if asked for
+    std::int64_t ghost_nodes = 0, own_nodes = 0;  ///< of the rank with most of each
+    std::int64_t neighbours = 0;                  ///< of the first rank
     std::string equilibrium_warning;          ///< "" for a test near equilibrium
 };
 

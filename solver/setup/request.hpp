@@ -14,6 +14,7 @@
 #include "solver/law/damping.hpp"
 #include "solver/program/program.hpp"
 #include "solver/program/standard_tests.hpp"
+#include "solver/ranks/ranks.hpp"
 
 namespace graincrack {
 
@@ -48,7 +49,8 @@ struct SimulationRequest {
     std::function<bool(std::size_t)> stops_after;
     bool sensitivity = false;  ///< run again with one thing changed at a time
     int frames = 20;
-    int threads = 1;                            ///< at most
+    const Ranks* ranks = &Ranks::alone();       ///< that share the work
+    int threads = 1;                            ///< of each rank, at most
     std::optional<VectorTarget> vector_target;  ///< `widest_vector_target` unless given
     std::size_t elements_per_thread = 250;      ///< at least: some 15 µs a step, against two barriers of up to 1 µs each
 

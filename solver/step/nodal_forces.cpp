@@ -106,13 +106,9 @@ GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const 
 }  // namespace
 
 void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, State& s) {
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.element_chunks.size()); ++chunk) {
-        find_element_forces(a, chunk, s);
-    }
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
-        find_edge_loads(a, boundary.prescribed, loading, chunk, s);
-    }
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.node_chunks.size()); ++chunk) {
+    for_each_evaluated(a.part.evaluated_elements, [&](std::int32_t chunk) { find_element_forces(a, chunk, s); });
+    for (const std::int32_t chunk : a.part.loaded_chunks) find_edge_loads(a, boundary.prescribed, loading, chunk, s);
+    for (const std::int32_t chunk : a.part.nodes.own) {
         sum_forces(a, boundary, loading, chunk, s, [](const PlatenPoint&, const PlatenResponse&) {});
     }
 }

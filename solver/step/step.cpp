@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
+#include "solver/detection/pair_exchange.hpp"
 #include "solver/detection/pair_list.hpp"
 #include "solver/step/contact_forces.hpp"
 #include "solver/step/element_forces.hpp"
@@ -19,9 +21,11 @@ namespace graincrack {
 
 namespace {
 
-template <class Act>
-void for_each_chunk(Range chunks, const Act& act) {
-    for (std::int32_t chunk = chunks.begin; chunk < chunks.end; ++chunk) act(chunk);
+/// The share of a thread in a list of chunks.
+using Chunks = std::span<const std::int32_t>;
+Chunks chunks_of(Chunks chunks, int thread, int n_threads) {
+    const Range share = share_of(chunks.size(), thread, n_threads);
+    return chunks.subspan(static_cast<std::size_t>(share.begin), static_cast<std::size_t>(share.size()));
 }
 
 /// Whether the last detection found other active contacts than there were before.
@@ -33,7 +37,8 @@ bool have_changed(const ContactPairList& list) {
 }
 
 /// The steps of one thread of the team: its share of the chunks of nodes, elements, contacts and candidate pairs, and the stages
-/// of a step on them. The team waits wherever a stage reads what other threads have written.
+/// of a step on them. The team waits wherever a stage reads what other threads have written, and what reads the nodes of other
+/// ranks waits for their message, which comes while all else is evaluated.
 class ThreadSteps {
 public:
     ThreadSteps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const LoadingClock& clock,
@@ -45,41 +50,54 @@ public:
           s_(s),
           clock_(clock),
           is_first_(thread == 0),
-          nodes_(share_of(a.node_chunks.size(), thread, team.size())),
-          elements_(share_of(a.element_chunks.size(), thread, team.size())),
-          contacts_(share_of(a.contact_chunks.size(), thread, team.size())),
+          nodes_(chunks_of(a.part.nodes.own, thread, team.size())),
+          loaded_(chunks_of(a.part.loaded_chunks, thread, team.size())),
+          inner_{chunks_of(a.part.evaluated_elements.inner, thread, team.size()),
+                 chunks_of(a.part.evaluated_contacts.inner, thread, team.size())},
+          outer_{chunks_of(a.part.evaluated_elements.outer, thread, team.size()),
+                 chunks_of(a.part.evaluated_contacts.outer, thread, team.size())},
           pairs_(share_of(s.contact_pairs.chunks.size(), thread, team.size())) {}
 
     /// Before the first step: what follows from displacements and time alone.
     void begin() {
-        find_forces_without_history();
+        for (const Evaluated& chunks : {inner_, outer_}) find_element_forces_of(chunks);
+        find_loads();
         team_.wait();
     }
     /// A step. The work of loads is booked at the old velocity, then at the new one.
     void advance(std::int64_t step, bool detects_contacts) {
-        for_each_chunk(nodes_, [&](std::int32_t chunk) {
+        for (const std::int32_t chunk : nodes_) {
             advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
             book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
             integrate(chunk);
             book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
-        });
+        }
         team_.wait();
         clock_.tick();
-        find_forces_without_history();
-        for_each_chunk(contacts_, [&](std::int32_t chunk) { advance_contacts(a_, parameters_.laws, chunk, step, s_); });
-        for_each_chunk(pairs_, [&](std::int32_t chunk) {
+        if (s_.ghosts && is_first_) send_motion(s_);
+        evaluate(inner_, step);
+        if (s_.ghosts) {
+            if (is_first_) receive_motion(s_);
+            team_.wait();
+        }
+        evaluate(outer_, step);
+        find_loads();
+        for (std::int32_t chunk = pairs_.begin; chunk < pairs_.end; ++chunk) {
             (detects_contacts ? detect_contacts : move_active_contacts)(a_, parameters_, chunk, s_);
-        });
+        }
         team_.wait();
         if (detects_contacts) complete_detection();
     }
     /// After the last step: writes the active contacts into the pair list.
     void store_contacts() {
-        for_each_chunk(pairs_, [&](std::int32_t chunk) { store_active(chunk, s_.contact_pairs); });
+        for (std::int32_t chunk = pairs_.begin; chunk < pairs_.end; ++chunk) store_active(chunk, s_.contact_pairs);
     }
     [[nodiscard]] const LoadingClock& clock() const { return clock_; }
 
 private:
+    struct Evaluated {
+        Chunks elements, contacts;
+    };
     void integrate(std::int32_t chunk) {
         if (parameters_.mass_scaling.is_on()) {
             update_clusters(a_, parameters_, clock_.now(), chunk, s_);
@@ -88,15 +106,23 @@ private:
             integrate_nodes(a_, boundary_, parameters_, chunk, s_);
         }
     }
-    void find_forces_without_history() {
-        for_each_chunk(elements_, [&](std::int32_t chunk) { find_element_forces(a_, chunk, s_); });
-        for_each_chunk(nodes_, [&](std::int32_t chunk) { find_edge_loads(a_, boundary_.prescribed, clock_.now(), chunk, s_); });
+    void find_element_forces_of(const Evaluated& chunks) {
+        for (const std::int32_t chunk : chunks.elements) find_element_forces(a_, chunk, s_);
     }
+    void find_loads() {
+        for (const std::int32_t chunk : loaded_) find_edge_loads(a_, boundary_.prescribed, clock_.now(), chunk, s_);
+    }
+    void evaluate(const Evaluated& chunks, std::int64_t step) {
+        find_element_forces_of(chunks);
+        for (const std::int32_t chunk : chunks.contacts) advance_contacts(a_, parameters_.laws, chunk, step, s_);
+    }
+    /// The ranks agree on the areas of new contacts wherever they may begin.
     void complete_detection() {
-        if (have_changed(s_.contact_pairs)) {
+        const bool changed = have_changed(s_.contact_pairs);
+        if (changed || (s_.ghosts && s_.contact_pairs.is_watched_anywhere)) {
             if (is_first_) {
                 find_areas_of_new_contacts(a_, parameters_, s_);
-                index_node_forces(a_, s_.contact_pairs);
+                if (changed) index_node_forces(a_, s_.contact_pairs);
             }
             team_.wait();
         }
@@ -109,7 +135,9 @@ private:
     State& s_;
     LoadingClock clock_;
     bool is_first_;
-    Range nodes_, elements_, contacts_, pairs_;
+    Chunks nodes_, loaded_;
+    Evaluated inner_, outer_;
+    Range pairs_;
 };
 
 /// The steps between two updates of the pair list, with a team of threads. Steps with detection are counted from the start, so
@@ -147,9 +175,9 @@ void advance(const Assemblage& a, const Boundary& boundary, const StepParameters
 }
 
 void start(const Assemblage& a, const StepParameters& parameters, State& s) {
-    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(a.contact_chunks.size()); ++chunk) {
-        advance_contacts(a, parameters.laws, chunk, s.step, s);
-    }
+    find_ghosts(a, s);
+    for_each_evaluated(a.part.evaluated_contacts,
+                       [&](std::int32_t chunk) { advance_contacts(a, parameters.laws, chunk, s.step, s); });
     s.clusters = make_cluster_state(a, parameters.mass_scaling);
     complete_cluster_state(a, parameters.mass_scaling, s);
 }

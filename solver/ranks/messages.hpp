@@ -1,0 +1,70 @@
+// Messages between the ranks of a run: several processes, on one machine or many, that work on one specimen. Each has a thread of
+// its own that sends and receives, the one that began it.
+//
+// Collective calls are made by all ranks, in the same order. What they give does not depend on which rank is fast.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace graincrack {
+
+using Bytes = std::vector<std::byte>;
+
+/// Numbers that go to and come from another rank, always the same ones and as many.
+struct ChannelEnd {
+    int rank;
+    std::size_t sends, receives;  ///< numbers
+};
+
+/// Messages of a fixed size to and from some ranks, sent again and again.
+class Channel {
+public:
+    virtual ~Channel() = default;
+    /// What goes to, and what has come from, the rank of an end.
+    [[nodiscard]] virtual std::span<double> to_send(std::size_t end) = 0;
+    [[nodiscard]] virtual std::span<const double> received(std::size_t end) const = 0;
+    /// Sends what `to_send` holds.
+    virtual void start() = 0;
+    /// Waits until all has been sent and received.
+    virtual void finish() = 0;
+};
+
+/// What has been sent and waited for so far.
+struct MessageCounts {
+    std::int64_t messages = 0, bytes = 0;
+    double waited = 0;  ///< s
+};
+
+/// The transport. It knows nothing of what it carries.
+class Messages {
+public:
+    virtual ~Messages() = default;
+    [[nodiscard]] virtual int size() const = 0;
+    [[nodiscard]] virtual int rank() const = 0;
+    /// What each rank gave, by rank.
+    virtual std::vector<Bytes> gather_all(std::span<const std::byte> own) = 0;
+    /// The same for the first rank only; the others get nothing.
+    virtual std::vector<Bytes> gather_first(std::span<const std::byte> own) = 0;
+    /// To each rank what is its own. \return what each rank sent to this one, by rank
+    virtual std::vector<Bytes> exchange(const std::vector<Bytes>& to) = 0;
+    /// Makes the values those of the first rank.
+    virtual void broadcast(std::span<std::byte> values) = 0;
+    /// Makes each value the largest, or the sum, over the ranks.
+    virtual void take_largest(std::span<double> values) = 0;
+    virtual void take_sums(std::span<std::int64_t> values) = 0;
+    virtual std::unique_ptr<Channel> open(const std::vector<ChannelEnd>& ends) = 0;
+    [[nodiscard]] virtual const MessageCounts& counts() const = 0;
+    /// At the end of the tool: whether all ranks have come to it within some seconds. Otherwise the others are ended.
+    virtual void end(int exit_code) = 0;
+};
+
+/// The messages of the ranks that an MPI launcher has begun; none if it is one rank, or this is built without MPI.
+std::unique_ptr<Messages> messages_of_launcher();
+/// Whether this is built with MPI.
+bool is_built_with_mpi();
+
+}  // namespace graincrack

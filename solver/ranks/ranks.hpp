@@ -1,0 +1,138 @@
+// The ranks of a run and what they tell each other. A run alone has one rank; everything here then costs nothing.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "share/base/error.hpp"
+#include "solver/ranks/messages.hpp"
+
+namespace graincrack {
+
+/// Values as bytes, and back.
+template <class Value>
+requires std::is_trivially_copyable_v<Value>
+void append_bytes(std::span<const Value> values, Bytes& bytes) {
+    const auto raw = std::as_bytes(values);
+    bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
+template <class Value>
+requires std::is_trivially_copyable_v<Value>
+void append_bytes(const std::vector<Value>& values, Bytes& bytes) {
+    append_bytes(std::span<const Value>(values), bytes);
+}
+template <class Value>
+requires std::is_trivially_copyable_v<Value>
+std::vector<Value> values_of(const Bytes& bytes) {
+    std::vector<Value> values(bytes.size() / sizeof(Value));
+    std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(Value));
+    return values;
+}
+template <class Value>
+std::vector<std::vector<Value>> values_of_all(const std::vector<Bytes>& bytes) {
+    std::vector<std::vector<Value>> values;
+    for (const Bytes& of_rank : bytes) values.push_back(values_of<Value>(of_rank));
+    return values;
+}
+
+class Ranks {
+public:
+    Ranks() = default;
+    explicit Ranks(std::unique_ptr<Messages> messages) : messages_(std::move(messages)) {}
+    /// Of a run alone.
+    static const Ranks& alone() {
+        static const Ranks one;
+        return one;
+    }
+    [[nodiscard]] int size() const { return messages_ ? messages_->size() : 1; }
+    [[nodiscard]] int rank() const { return messages_ ? messages_->rank() : 0; }
+    [[nodiscard]] bool is_first() const { return rank() == 0; }
+    [[nodiscard]] bool is_alone() const { return size() == 1; }
+
+    /// The values of each rank, by rank.
+    template <class Value>
+    [[nodiscard]] std::vector<std::vector<Value>> gather_all(const std::vector<Value>& own) const {
+        if (is_alone()) return {own};
+        return values_of_all<Value>(messages_->gather_all(std::as_bytes(std::span(own))));
+    }
+    /// The same, one after the other.
+    template <class Value>
+    [[nodiscard]] std::vector<Value> concatenate(const std::vector<Value>& own) const {
+        std::vector<Value> all;
+        for (const std::vector<Value>& of_rank : gather_all(own)) all.insert(all.end(), of_rank.begin(), of_rank.end());
+        return all;
+    }
+    /// The values of each rank on the first, nothing on the others.
+    template <class Value>
+    [[nodiscard]] std::vector<std::vector<Value>> gather_first(const std::vector<Value>& own) const {
+        if (is_alone()) return {own};
+        return values_of_all<Value>(messages_->gather_first(std::as_bytes(std::span(own))));
+    }
+    /// \param to by rank \return what each rank has sent to this one, by rank
+    template <class Value>
+    [[nodiscard]] std::vector<std::vector<Value>> exchange(const std::vector<std::vector<Value>>& to) const {
+        if (is_alone()) return to;
+        std::vector<Bytes> bytes(to.size());
+        for (std::size_t i = 0; i < to.size(); ++i) append_bytes(to[i], bytes[i]);
+        return values_of_all<Value>(messages_->exchange(bytes));
+    }
+    /// The value of the first rank.
+    template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+    [[nodiscard]] Value of_first(Value value) const {
+        if (!is_alone()) messages_->broadcast(std::as_writable_bytes(std::span(&value, 1)));
+        return value;
+    }
+    /// Does something on the first rank. An error there is one of all ranks, and the first one alone tells it.
+    template <class Act>
+    void on_first(const Act& act) const {
+        std::exception_ptr error;
+        int code = 0;
+        if (is_first()) {
+            try {
+                act();
+            } catch (const Error& known) {
+                error = std::current_exception();
+                code = static_cast<int>(known.code());
+            } catch (...) {
+                error = std::current_exception();
+                code = static_cast<int>(ExitCode::internal);
+            }
+        }
+        if (error && is_alone()) std::rethrow_exception(error);
+        code = of_first(code);
+        if (error) std::rethrow_exception(error);
+        if (code != 0) throw Error(static_cast<ExitCode>(code), "the first rank has failed");
+    }
+    [[nodiscard]] double largest(double value) const {
+        take_largest(std::span(&value, 1));
+        return value;
+    }
+    void take_largest(std::span<double> values) const {
+        if (!is_alone()) messages_->take_largest(values);
+    }
+    void take_sums(std::span<std::int64_t> values) const {
+        if (!is_alone()) messages_->take_sums(values);
+    }
+    /// Whether it holds on any rank.
+    [[nodiscard]] bool any(bool holds) const { return largest(holds ? 1 : 0) > 0; }
+    /// \return none for a run alone
+    [[nodiscard]] std::unique_ptr<Channel> open(const std::vector<ChannelEnd>& ends) const {
+        return is_alone() ? nullptr : messages_->open(ends);
+    }
+    [[nodiscard]] MessageCounts counts() const { return messages_ ? messages_->counts() : MessageCounts{}; }
+    /// At the end of the tool: waits for the other ranks for some seconds and ends those that do not come.
+    void end(int exit_code) const {
+        if (messages_) messages_->end(exit_code);
+    }
+
+private:
+    std::unique_ptr<Messages> messages_;
+};
+
+}  // namespace graincrack
