@@ -4,12 +4,12 @@
 # What the three tools are built from, with the font of pictures.
 build_packages=(
     cmake g++ ninja-build
-    libcairo2-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libmd4c-dev libmd4c-html0-dev
+    libcairo2-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libopenmpi-dev libmd4c-dev libmd4c-html0-dev
     libpango1.0-dev libpng-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libvtk9-dev nlohmann-json3-dev pkg-config
     fonts-liberation
 )
 # What the tests add: their framework, and what share/python and its examples need.
-test_packages=(libgtest-dev python3-h5py python3-matplotlib)
+test_packages=(libgtest-dev openmpi-bin python3-h5py python3-matplotlib)
 # What the benchmarks add.
 benchmark_packages=(libbenchmark-dev)
 # What counts instructions.

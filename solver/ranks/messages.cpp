@@ -12,7 +12,6 @@
 #include <array>
 #include <chrono>
 #include <climits>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -152,15 +151,13 @@ public:
 private:
     static constexpr int looks_awake = 200;
     static constexpr int looks_between_checks = 1024;
-    static constexpr double patience = 0.1;        // s, before the other ranks of this machine are looked at
-    static constexpr double patience_asked = 0.7;  // s, of a rank that was asked to stop: launchers leave a rank a second
+    static constexpr double patience = 0.1;  // s, before the other ranks of this machine are looked at; launchers leave a second
 
     void require_life(Clock::time_point begin) {
         const double waited = seconds_since(begin);
         if (waited < patience || waited < next_check_) return;
         peers_.require_life();
         next_check_ = waited + patience;
-        if (stop_signal() == SIGTERM && waited > patience_asked) peers_.end_run("asked to stop while another rank does not answer");
     }
 
     Peers peers_;

@@ -128,7 +128,7 @@ template <class Write>
 void write_run(const std::string& path, Write&& write) {
     RunWriter writer(H5Output(path, "run"), specimen(), header());
     write(writer);
-    writer.finish(header(), cracks(), {"graincrack-solve", {"graincrack-solve", "uniaxial"}, "", "", "", {}, 12.25, 3, ""});
+    writer.finish(header(), cracks(), {"graincrack-solve", {"graincrack-solve", "uniaxial"}, "", "", "", {}, 12.25, 3, 1, ""});
 }
 
 TEST(RunFile, HeaderRoundTrip) {
@@ -363,7 +363,7 @@ TEST(RunFile, DigestDoesNotDependOnTimeTakenOrOnThePieces) {
     const auto write = [&](const std::string& name, std::initializer_list<std::size_t> pieces, double wall_time) {
         RunWriter writer(H5Output(folder.file(name), "run"), specimen(), header());
         for (const std::size_t rows : pieces) writer.append_history(history(rows));
-        writer.finish(header(), cracks(), {"", {}, "", "", "", {}, wall_time, 1, ""});
+        writer.finish(header(), cracks(), {"", {}, "", "", "", {}, wall_time, 1, 1, ""});
         return RunReader(folder.file(name)).file().digest();
     };
     const std::string digest = write("a.h5", {10}, 1);

@@ -72,7 +72,7 @@ TEST(PairSearch, FindsThePairsNearerThanTheMarginAmongAll) {
 
 // Where all is bonded, nothing is exposed but the outline, whose nodes are linked with all that is near.
 TEST(PairSearch, ABondedSpecimenHasNone) {
-    const SmallRun run = grid();
+    SmallRun run = grid();
     EXPECT_TRUE(find_pairs(run.assemblage, 0.04 * run.assemblage.surface.mean_length, run.state).empty());
 }
 
