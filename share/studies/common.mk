@@ -7,6 +7,7 @@
 #     make SEEDS="1 2"         other seeds               make EDGE=4mm        another grain size
 #     make MATERIAL=my.toml    another rock              make OUT=/scratch    where results go
 #     make -j 2                runs side by side         make THREADS=2       threads of a run
+#     make RANKS=4             ranks of a run (MPI)      make MPIRUN="srun …" what starts them, with -n RANKS behind it
 #     make LAUNCH="srun …"     command before a run      make MAX_STRAIN=0.01 strain limit of runs without a peak
 #     make GF=90               fracture energy, J/m²     make OPEN=7.7        shear strength of open contacts, MPa
 #     make LAW=scaled          another contact law       make UNIAXIAL_PEAK_DROP=0.3   uniaxial runs to a larger drop below the peak;

@@ -32,7 +32,16 @@ SIZE_disc ?= $(if $(EDGE),e$(EDGE:mm=),g452)
 FABRIC ?=
 # Threads of a run: those of the allocation.
 THREADS ?= $(or $(SLURM_CPUS_PER_TASK),1)
+# Ranks of a run, and what starts several (share/doc/many-machines.md). Ranks are not bound to cores: runs side by side would be bound to the
+# same ones, and the threads of a rank to one.
+RANKS ?= 1
+MPIRUN ?= mpirun --bind-to none
+$(foreach v,RANKS THREADS,$(if $(shell echo '$($(v))' | grep -xE '[1-9][0-9]*'),,\
+    $(error $(v)=$($(v)): no whole number above 0; $(v)=2 fits)))
 LAUNCH ?=
+# Where the messages of a run go, and what is done where it fails.
+MESSAGES ?= --quiet
+IF_IT_FAILS ?=
 OPTIONS ?=
 GF ?=
 OPEN ?=
@@ -141,9 +150,9 @@ $(RUNS)/%.h5: $$(call changed_run,$$@) | $(SPECIMENS)/$$(specimen_$$@).h5
 	@echo "[$(call position,$@)/$(words $(runs))] $*$$($(time_left))"
 	@mkdir -p $(@D)$(if $(call changed_run,$@), && rm -f $@ $@.checkpoint $@.options)
 	@$(if $(material_$@),$(POST) material with $(MATERIAL_FILE) $(material_$@) >$@.toml)
-	@$(LAUNCH) $(BIN)/graincrack-solve $(firstword $(solve_$@)) $| $(wordlist 2,99,$(solve_$@)) $(other_options) -o $@
+	@$(LAUNCH) $(if $(filter-out 1,$(RANKS)),$(MPIRUN) -n $(RANKS) )$(BIN)/graincrack-solve $(firstword $(solve_$@)) $| $(wordlist 2,99,$(solve_$@)) $(other_options) -o $@ $(IF_IT_FAILS)
 	@echo '$(call run_options,$@)' >$@.options$(if $(material_$@), && rm $@.toml)
-other_options = --material $(if $(material_$@),$@.toml,$(MATERIAL_FILE)) --threads $(THREADS) --quiet $(OPTIONS) \
+other_options = --material $(if $(material_$@),$@.toml,$(MATERIAL_FILE)) --threads $(THREADS) $(MESSAGES) $(OPTIONS) \
                 $$(! test -e $@.checkpoint || echo --restart $@.checkpoint)
 # Position of a run in `runs`, from 1.
 position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(space),|,$(runs))|))))

@@ -25,6 +25,7 @@ CALLS = re.compile(r"(graincrack-(mesh|solve|post)|share/|tests/|make|cmake|sbat
 NOT_HERE = {
     "tests/run": "is what runs this test",
     "share/studies/job-array": "needs Slurm: tests/slurm/run",
+    "share/studies/large-run": "needs Slurm: tests/slurm/run",
     "sbatch": "needs Slurm: tests/slurm/run",
 }
 PLACEHOLDER = re.compile(r"(?<![\w$=/])[A-Z]{3,}(\.\w+)?(?![\w=])|…|►|\[")
