@@ -139,8 +139,10 @@ private:
     /// On a signal, keeps what there is in a checkpoint and ends the run.
     void stop_if_asked() {
         const bool asked = request_.stops_after && request_.stops_after(recorder_.history().size());
-        const int signal = static_cast<int>(request_.ranks->largest(stop_signal()));
-        if (signal == 0 && !asked) return;
+        std::array<double, 2> of_any{static_cast<double>(stop_signal()), asked ? 1.0 : 0.0};
+        request_.ranks->take_largest(of_any);
+        const int signal = static_cast<int>(of_any[0]);
+        if (signal == 0 && of_any[1] == 0) return;
         const std::string checkpoint = output_ ? output_->write_checkpoint() : "";
         if (!checkpoint.empty() && !is_quiet_) {
             fmt::print(stderr, "{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
