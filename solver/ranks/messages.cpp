@@ -253,8 +253,9 @@ public:
     [[nodiscard]] int size() const override { return size_; }
     [[nodiscard]] int rank() const override { return rank_; }
 
-    std::vector<Bytes> gather_all(std::span<const std::byte> own) override {
-        Parcels parcels(sizes_of_all(own.size()));
+    std::vector<Bytes> gather_all(std::span<const std::byte> own) override { return gather_all(own, sizes_of_all(own.size())); }
+    std::vector<Bytes> gather_all(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) override {
+        Parcels parcels(sizes);
         const Bytes padded = padded_copy(own);
         wait_for([&](MPI_Request* request) {
             MPI_Iallgatherv(padded.data(), words_of(own.size()), MPI_DOUBLE, parcels.all.data(), parcels.words.data(),
