@@ -81,10 +81,10 @@ void CrackLog::restore(const std::vector<Crack>& rows) {
     }
 }
 
-std::vector<Crack> CrackLog::rows(const Assemblage& a, const State& state) const {
+std::vector<Crack> CrackLog::rows(const Assemblage& a, const std::vector<double>& fracture_energy) const {
     std::vector<Crack> rows = cracks_;
     for (Crack& crack : rows) {
-        crack.energy_released = state.fracture_energy[points_of(a.contact_of_specimen[crack.contact])[crack.point]];
+        crack.energy_released = fracture_energy[points_of(a.contact_of_specimen[crack.contact])[crack.point]];
     }
     return rows;
 }

@@ -17,8 +17,8 @@ public:
     void collect(const Assemblage& assemblage, double time_step, State& state);
     /// Continues the rows of an earlier run.
     void restore(const std::vector<Crack>& rows);
-    /// The rows, with the energy each point has released so far. \param state of all ranks
-    [[nodiscard]] std::vector<Crack> rows(const Assemblage& assemblage, const State& state) const;
+    /// The rows, with the energy each point has released so far. \param fracture_energy of all ranks, as in `State`
+    [[nodiscard]] std::vector<Crack> rows(const Assemblage& assemblage, const std::vector<double>& fracture_energy) const;
     [[nodiscard]] std::size_t tensile_points() const { return tensile_; }
     [[nodiscard]] std::size_t shear_points() const { return count_ - tensile_; }
     [[nodiscard]] bool empty() const { return count_ == 0; }

@@ -8,6 +8,7 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/output_file.hpp"
 #include "share/file/platen_faces.hpp"
+#include "solver/model/gather.hpp"
 #include "solver/restart/whole_state.hpp"
 
 namespace graincrack {
@@ -113,7 +114,7 @@ const std::string& RunOutput::write_checkpoint() {
         provenance.threads = run_.threads;
         provenance.ranks = ranks_.size();
         provenance.vector_target = name_of(run_.setup.assemblage.vector_target);
-        writer->finish(header, run_.recorder.crack_log().rows(run_.setup.assemblage, state), provenance);
+        writer->finish(header, run_.recorder.crack_log().rows(run_.setup.assemblage, state.fracture_energy), provenance);
     });
     since_checkpoint_.restart();
     return checkpoint_;
@@ -121,16 +122,20 @@ const std::string& RunOutput::write_checkpoint() {
 
 void RunOutput::finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance) {
     frames_.last(run_.setup.assemblage, run_.setup.parameters.laws, run_.state);
-    const WholeState whole(run_.setup.assemblage, run_.state);
+    const Assemblage& a = run_.setup.assemblage;
+    const std::optional<WholeState> whole =
+        run_.request.save_state ? std::optional<WholeState>(std::in_place, a, run_.state) : std::nullopt;
+    std::vector<double> fracture_energy = run_.state.fracture_energy;
+    gather_chunks(a.part, a.part.contacts, 2UL * contacts_per_chunk, fracture_energy);
     ranks_.on_first([&] {
-        const State& state = whole.state();
         append_rows();
         run_.program.write(writer_->file());
         write_faces(writer_->file(), run_.setup.boundary, run_.specimen);
-        if (run_.request.save_state) {
-            write_saved_state(writer_->file(), state, run_.program.stages().state(), run_.recorder.energy().largest_error());
+        if (whole) {
+            write_saved_state(writer_->file(), whole->state(), run_.program.stages().state(),
+                              run_.recorder.energy().largest_error());
         }
-        writer_->finish(run_.header, run_.recorder.crack_log().rows(run_.setup.assemblage, state), provenance, sensitivity);
+        writer_->finish(run_.header, run_.recorder.crack_log().rows(a, fracture_energy), provenance, sensitivity);
         if (!checkpoint_.empty()) remove_checkpoint(checkpoint_);
     });
 }

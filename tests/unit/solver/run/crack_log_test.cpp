@@ -43,7 +43,7 @@ TEST(CrackLog, RowsInTheOrderOfStepContactAndPoint) {
     for (const auto& chunk : run.state.events) {
         EXPECT_TRUE(chunk.empty());
     }
-    const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
+    const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state.fracture_energy);
     ASSERT_EQ(rows.size(), 5U);
     const std::int32_t contacts[] = {9, 130, 300, 7, 270};
     for (std::size_t i = 0; i < 5; ++i) {
@@ -71,12 +71,12 @@ TEST(CrackLog, SeparationIsNoCrackOfItsOwn) {
     separation.kind = ContactEventKind::separation;
     run.state.events[0] = {separation, event(9, 4, 1)};  // both at once, in any order
     crack_log.collect(run.assemblage, 1.0, run.state);
-    ASSERT_EQ(crack_log.rows(run.assemblage, run.state).size(), 1U);
-    EXPECT_EQ(crack_log.rows(run.assemblage, run.state)[0].separated.time, 9);
+    ASSERT_EQ(crack_log.rows(run.assemblage, run.state.fracture_energy).size(), 1U);
+    EXPECT_EQ(crack_log.rows(run.assemblage, run.state.fracture_energy)[0].separated.time, 9);
     separation.contact = 5;  // a crack that was there before the run
     run.state.events[0] = {separation};
     crack_log.collect(run.assemblage, 1.0, run.state);
-    EXPECT_EQ(crack_log.rows(run.assemblage, run.state).size(), 1U);
+    EXPECT_EQ(crack_log.rows(run.assemblage, run.state.fracture_energy).size(), 1U);
 }
 
 // Damage, breaking and separation complete the row of a failure, whatever the order in which they arrive.
@@ -91,13 +91,13 @@ TEST(CrackLog, LaterEventsCompleteTheRow) {
     };
     run.state.events[0] = {later(7, ContactEventKind::damaged_50), later(7, ContactEventKind::damaged_10), event(7, 4, 1)};
     crack_log.collect(run.assemblage, 1.0, run.state);
-    Crack row = crack_log.rows(run.assemblage, run.state).at(0);
+    Crack row = crack_log.rows(run.assemblage, run.state.fracture_energy).at(0);
     EXPECT_TRUE(std::isnan(row.broken.time) && std::isnan(row.broken.opening) && std::isnan(row.broken.sliding));
     EXPECT_TRUE(std::isnan(row.separated.time) && std::isnan(row.separated.opening) && std::isnan(row.separated.sliding));
     run.state.events[0] = {later(9, ContactEventKind::broken), later(11, ContactEventKind::separation)};
     crack_log.collect(run.assemblage, 1.0, run.state);
-    ASSERT_EQ(crack_log.rows(run.assemblage, run.state).size(), 1U);
-    row = crack_log.rows(run.assemblage, run.state)[0];
+    ASSERT_EQ(crack_log.rows(run.assemblage, run.state.fracture_energy).size(), 1U);
+    row = crack_log.rows(run.assemblage, run.state.fracture_energy)[0];
     EXPECT_EQ(row.damaged_10, (CrackMoment{7, 1e-6 * 7, -2e-6}));
     EXPECT_EQ(row.damaged_50, (CrackMoment{7, 1e-6 * 7, -2e-6}));
     EXPECT_EQ(row.broken, (CrackMoment{9, 1e-6 * 9, -2e-6}));
@@ -138,7 +138,7 @@ TEST(CrackLog, ARowIsOfTheStepsItNames) {
         run.steps(1);
     }
     crack_log.collect(run.assemblage, run.parameters.time_step, run.state);
-    const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
+    const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state.fracture_energy);
     ASSERT_EQ(rows.size(), 2U);
     const double dt = run.parameters.time_step;
     for (const Crack& row : rows) {
@@ -174,7 +174,7 @@ TEST(CrackLog, OfARunThatIsPulledApart) {
     CrackLog crack_log(2);
     for (int i = 0; i < 200; ++i) run.steps(1);
     crack_log.collect(run.assemblage, run.parameters.time_step, run.state);
-    const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state);
+    const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state.fracture_energy);
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(crack_log.tensile_points(), 2U);
     for (const Crack& crack : rows) {
