@@ -5,7 +5,6 @@
 //     brazilian.h5
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -102,14 +101,13 @@ void print_summary(const SimulationSummary& s, double width) {
 }
 
 /// What the ranks of a run have told each other.
-void print_ranks(const SimulationSummary& s, const Ranks& ranks) {
-    const MessageCounts counts = ranks.counts();
-    const auto steps = static_cast<double>(std::max<std::int64_t>(s.header.integrations, 1));
+void print_ranks(const SimulationSummary& s) {
+    const RankSummary& r = s.ranks;
     fmt::print(stderr,
-               "{}: {} ranks: {} ghost nodes of {} at most, {} neighbours, {:.1f} kB and {:.1f} messages a step and rank, {:.1f} % of "
-               "the time waited\n",
-               s.header.test, ranks.size(), s.ghost_nodes, s.own_nodes, s.neighbours, static_cast<double>(counts.bytes) / steps * 1e-3,
-               static_cast<double>(counts.messages) / steps, 100 * counts.waited / s.wall_time);
+               "{}: {} ranks: {} ghost nodes of {} at most, {} {}, {:.1f} kB and {:.1f} messages a step and rank, {:.1f} % of the time "
+               "waited\n",
+               s.header.test, r.ranks, r.ghost_nodes, r.own_nodes, r.neighbours, r.neighbours == 1 ? "neighbour" : "neighbours",
+               r.bytes_a_step * 1e-3, r.messages_a_step, 100 * r.waited);
 }
 
 /// Says so where the fracture energy in sliding leaves no softening.
@@ -187,7 +185,7 @@ int solve(int argc, char** argv, const Ranks& ranks) {
     if (options->verbosity != Verbosity::quiet) {
         print_summary(summary, specimen.width);
         print_sudden_loss(options->request);
-        if (!ranks.is_alone()) print_ranks(summary, ranks);
+        if (!ranks.is_alone()) print_ranks(summary);
     }
     if (options->request.sensitivity) print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
     return 0;

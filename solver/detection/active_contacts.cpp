@@ -171,7 +171,7 @@ void append_active(const Assemblage& a, const ContactLaws& laws, std::int32_t ch
     std::copy_n(&list.forces[3 * static_cast<std::size_t>(index)], 3, &active.forces[3 * static_cast<std::size_t>(at)]);
 }
 
-double stored_in_active_contacts(const Assemblage& a, const ContactLaws& laws, const ContactPairList& list) {
+std::vector<double> energy_of_active_contacts(const Assemblage& a, const ContactLaws& laws, const ContactPairList& list) {
     std::vector<double> energy(a.node_chunks.size(), 0.0);
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
         double& of_chunk = energy[list.node_chunks[chunk]];
@@ -181,7 +181,7 @@ double stored_in_active_contacts(const Assemblage& a, const ContactLaws& laws, c
             of_chunk += contact.active ? node_edge_energy(friction_law(a, laws, list.pairs[pair]), contact) : 0;
         });
     }
-    return sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return energy[chunk]; });
+    return energy;
 }
 
 namespace {

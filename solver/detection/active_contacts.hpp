@@ -30,7 +30,7 @@ void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 void append_active(const Assemblage& assemblage, const ContactLaws& laws, std::int32_t chunk, std::int32_t index,
                    ContactPairList& list);
 
-/// Stored in all node–edge contacts, J, summed by chunk.
-double stored_in_active_contacts(const Assemblage& assemblage, const ContactLaws& laws, const ContactPairList& list);
+/// Stored in the node–edge contacts of each chunk of nodes, J.
+std::vector<double> energy_of_active_contacts(const Assemblage& assemblage, const ContactLaws& laws, const ContactPairList& list);
 
 }  // namespace graincrack

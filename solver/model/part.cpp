@@ -21,7 +21,10 @@ ChunkShare make_share(std::size_t count) {
     return share;
 }
 
-void find_own(int rank, ChunkShare& share) {
+void find_own(const Ranks& ranks, ChunkShare& share) {
+    const int rank = ranks.rank();
+    share.n_sums_of.assign(ranks.size(), 0);
+    for (const std::int32_t owner : share.owner) ++share.n_sums_of[owner];
     share.own_sums.clear();
     share.own.clear();
     for (std::int32_t sum = 0; sum < share.n_sums(); ++sum) {
@@ -116,7 +119,7 @@ Part whole_part(const Assemblage& a) {
     part.nodes = make_share(a.node_chunks.size());
     part.elements = make_share(a.element_chunks.size());
     part.contacts = make_share(a.contact_chunks.size());
-    for (ChunkShare* share : {&part.nodes, &part.elements, &part.contacts}) find_own(0, *share);
+    for (ChunkShare* share : {&part.nodes, &part.elements, &part.contacts}) find_own(Ranks::alone(), *share);
     part.first_node = {0, a.n_nodes()};
     part.evaluated_elements.inner = part.elements.own;
     part.evaluated_contacts.inner = part.contacts.own;
@@ -143,7 +146,7 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
     share_like_nodes(part, [&](std::int32_t chunk) { return a.element_nodes[a.element_chunks[chunk].begin][0]; }, part.elements);
     share_like_nodes(part, [&](std::int32_t chunk) { return a.contacts[a.contact_chunks[chunk].contacts.begin].nodes[0]; },
                      part.contacts);
-    for (ChunkShare* share : {&part.nodes, &part.elements, &part.contacts}) find_own(ranks.rank(), *share);
+    for (ChunkShare* share : {&part.nodes, &part.elements, &part.contacts}) find_own(ranks, *share);
     part.evaluated_elements = find_evaluated(
         part, part.elements,
         [&](std::int32_t chunk, const auto& act) {
@@ -171,7 +174,7 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
 }
 
 std::size_t memory_of(const Part& part) {
-    const auto of_share = [](const ChunkShare& share) { return memory_of_all(share.own_sums, share.own, share.owner); };
+    const auto of_share = [](const ChunkShare& share) { return memory_of_all(share.own_sums, share.own, share.owner, share.n_sums_of); };
     const auto of_chunks = [](const EvaluatedChunks& chunks) { return memory_of_all(chunks.inner, chunks.outer); };
     return of_share(part.nodes) + of_share(part.elements) + of_share(part.contacts) + of_chunks(part.evaluated_elements) +
            of_chunks(part.evaluated_contacts) + memory_of_all(part.first_node, part.evaluates_contacts, part.loaded_chunks, part.ghosts);

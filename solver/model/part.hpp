@@ -25,6 +25,7 @@ struct ChunkShare {
     std::vector<std::int32_t> own_sums;   ///< of this rank, ascending
     std::vector<std::int32_t> own;        ///< their chunks
     std::vector<std::int32_t> owner;      ///< [sums] the rank
+    std::vector<std::int32_t> n_sums_of;  ///< [ranks]
     [[nodiscard]] std::int32_t n_sums() const { return (count + chunks_per_sum - 1) / chunks_per_sum; }
     [[nodiscard]] Range chunks_of_sum(std::int32_t sum) const {
         return {sum * chunks_per_sum, std::min((sum + 1) * chunks_per_sum, count)};
@@ -77,7 +78,7 @@ auto sum_over_chunks(const Part& part, const ChunkShare& chunks, const OfChunk& 
         Value& of_range = sums.emplace_back();
         for (std::int32_t chunk = range.begin; chunk < range.end; ++chunk) of_range += of_chunk(chunk);
     }
-    const std::vector<std::vector<Value>> of_ranks = part.ranks->gather_all(sums);
+    const std::vector<std::vector<Value>> of_ranks = part.ranks->gather_all(sums, chunks.n_sums_of);
     std::vector<std::size_t> at(of_ranks.size(), 0);
     Value total{};
     for (const std::int32_t rank : chunks.owner) total += of_ranks[rank][at[rank]++];
@@ -95,10 +96,12 @@ void for_each_evaluated(const EvaluatedChunks& chunks, const Act& act) {
 template <class Value>
 std::vector<Value> values_at(const Part& part, const std::vector<std::int32_t>& nodes, const std::vector<Value>& values) {
     std::vector<Value> own;
+    std::vector<std::int32_t> counts(static_cast<std::size_t>(part.ranks->size()), 0);
     for (const std::int32_t node : nodes) {
+        ++counts[part.owner_of_node(node)];
         if (part.owns(node)) own.push_back(values[node]);
     }
-    const std::vector<std::vector<Value>> of_ranks = part.ranks->gather_all(own);
+    const std::vector<std::vector<Value>> of_ranks = part.ranks->gather_all(own, counts);
     std::vector<std::size_t> at(of_ranks.size(), 0);
     std::vector<Value> found;
     for (const std::int32_t node : nodes) {

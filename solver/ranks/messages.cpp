@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <climits>
 #include <cstdio>
@@ -104,20 +105,28 @@ public:
             const Place& place = all[static_cast<std::size_t>(rank)];
             if (rank != rank_ && place.host == own.host) peers_.push_back({rank, static_cast<pid_t>(place.process)});
         }
+        MPI_Comm here = MPI_COMM_NULL;
+        MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+        MPI_Win window = MPI_WIN_NULL;
+        int* own_place = nullptr;
+        MPI_Win_allocate_shared(sizeof(int), sizeof(int), MPI_INFO_NULL, here, static_cast<void*>(&own_place), &window);
+        *own_place = 0;
+        MPI_Aint place_size = 0;
+        int unit = 0;
+        MPI_Win_shared_query(window, 0, &place_size, &unit, static_cast<void*>(&is_said_));
+        MPI_Barrier(here);
     }
-    /// Ends this rank if another one of this machine has ended. The lowest of those that live says so.
+    /// Ends this rank if another one of this machine has ended. The first that notices says so.
     void require_life() const {
         const auto dead = std::find_if(peers_.begin(), peers_.end(), [](const Peer& peer) { return !lives(peer.process); });
         if (dead == peers_.end()) return;
-        const bool speaks = std::none_of(peers_.begin(), peers_.end(),
-                                         [this](const Peer& peer) { return peer.rank < rank_ && lives(peer.process); });
-        if (speaks) end_run(fmt::format("rank {} has ended before the others", dead->rank));
-        ::sleep(2);  // until the line is out
-        std::_Exit(static_cast<int>(ExitCode::internal));
-    }
-    [[noreturn]] void end_run(const std::string& why) const {
-        voice_.say(fmt::format(
-            "graincrack-solve: {}; the run ends here; its last checkpoint, if it has one, resumes it by --restart\n", why));
+        if (std::atomic_ref(*is_said_).exchange(1) == 0) {
+            voice_.say(
+                fmt::format("graincrack-solve: rank {} has ended before the others; the run ends here; its last checkpoint, if it has "
+                            "one, resumes it by --restart\n",
+                            dead->rank));
+        }
+        ::sleep(1);  // until the line is out
         std::_Exit(static_cast<int>(ExitCode::internal));
     }
 
@@ -125,6 +134,7 @@ private:
     const Voice& voice_;
     int rank_ = 0;
     std::vector<Peer> peers_;
+    int* is_said_ = nullptr;  ///< 1 once a rank of this machine has said that another has ended; they share it
 };
 
 /// Waits for requests: awake for a while, then it leaves the processor to others between two looks.
@@ -243,8 +253,9 @@ public:
     [[nodiscard]] int size() const override { return size_; }
     [[nodiscard]] int rank() const override { return rank_; }
 
-    std::vector<Bytes> gather_all(std::span<const std::byte> own) override {
-        Parcels parcels(sizes_of_all(own.size()));
+    std::vector<Bytes> gather_all(std::span<const std::byte> own) override { return gather_all(own, sizes_of_all(own.size())); }
+    std::vector<Bytes> gather_all(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) override {
+        Parcels parcels(sizes);
         const Bytes padded = padded_copy(own);
         wait_for([&](MPI_Request* request) {
             MPI_Iallgatherv(padded.data(), words_of(own.size()), MPI_DOUBLE, parcels.all.data(), parcels.words.data(),

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] virtual int rank() const = 0;
     /// What each rank gave, by rank.
     virtual std::vector<Bytes> gather_all(std::span<const std::byte> own) = 0;
+    /// The same where all know how many bytes each gives.
+    virtual std::vector<Bytes> gather_all(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) = 0;
     /// The same for the first rank only; the others get nothing.
     virtual std::vector<Bytes> gather_first(std::span<const std::byte> own) = 0;
     /// To each rank what is its own. \return what each rank sent to this one, by rank

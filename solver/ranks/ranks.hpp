@@ -60,6 +60,15 @@ public:
         if (is_alone()) return {own};
         return values_of_all<Value>(messages_->gather_all(std::as_bytes(std::span(own))));
     }
+    /// The same where all know how many values each rank gives.
+    template <class Value>
+    [[nodiscard]] std::vector<std::vector<Value>> gather_all(const std::vector<Value>& own,
+                                                             const std::vector<std::int32_t>& counts) const {
+        if (is_alone()) return {own};
+        std::vector<std::int64_t> sizes;
+        for (const std::int32_t count : counts) sizes.push_back(count * static_cast<std::int64_t>(sizeof(Value)));
+        return values_of_all<Value>(messages_->gather_all(std::as_bytes(std::span(own)), sizes));
+    }
     /// The same, one after the other.
     template <class Value>
     [[nodiscard]] std::vector<Value> concatenate(const std::vector<Value>& own) const {

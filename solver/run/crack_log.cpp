@@ -1,6 +1,7 @@
 #include "solver/run/crack_log.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -66,8 +67,9 @@ void CrackLog::collect(const Assemblage& a, double time_step, State& state) {
         cracks_.push_back(make_crack(event, a.contacts[a.contact_of_specimen[event.contact]].point_area, time));
         tensile_ += event.mode == CrackMode::tensile ? 1 : 0;
     }
-    count_ = a.part.ranks->of_first(cracks_.size());
-    tensile_ = a.part.ranks->of_first(tensile_);
+    const auto counts = a.part.ranks->of_first(std::array{cracks_.size(), tensile_});
+    count_ = counts[0];
+    tensile_ = counts[1];
 }
 
 void CrackLog::restore(const std::vector<Crack>& rows) {

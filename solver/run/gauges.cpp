@@ -49,10 +49,17 @@ std::vector<std::int32_t> lateral_nodes(const Assemblage& a, const Specimen& s, 
 
 }  // namespace
 
-double Gauge::strain(const Assemblage& a, const std::vector<Vector2>& displacement) const {
-    return sum_by_nodes(a, of_chunk, [&](std::int32_t i) {
+double Gauge::strain_of(std::int32_t chunk, const std::vector<Vector2>& displacement) const {
+    return sum_over(of_chunk[chunk], [&](std::int32_t i) {
         const Vector2& u = displacement[terms[i].node];
         return terms[i].weight * (along_y ? u.y : u.x);
+    });
+}
+
+GaugeStrains Gauges::strains(const Assemblage& a, const std::vector<Vector2>& displacement) const {
+    return sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) {
+        return GaugeStrains{axial.strain_of(chunk, displacement), lateral.strain_of(chunk, displacement),
+                            widening.strain_of(chunk, displacement)};
     });
 }
 

@@ -18,14 +18,26 @@ struct Gauge {
     bool along_y = false;
     std::vector<Term> terms;      ///< ascending by node
     std::vector<Range> of_chunk;  ///< by chunk of nodes: its terms
-    [[nodiscard]] double strain(const Assemblage& assemblage, const std::vector<Vector2>& displacement) const;
+    /// What the nodes of a chunk add to the strain.
+    [[nodiscard]] double strain_of(std::int32_t chunk, const std::vector<Vector2>& displacement) const;
 };
 
-/// The four strain measures of the history.
+struct GaugeStrains {
+    double axial = 0, lateral = 0, widening = 0;
+    GaugeStrains& operator+=(const GaugeStrains& other) {
+        axial += other.axial;
+        lateral += other.lateral;
+        widening += other.widening;
+        return *this;
+    }
+};
+
+/// The strain measures of the history besides that of the platens.
 struct Gauges {
     Gauge axial;     ///< slope of u_y over y in the central half
     Gauge lateral;   ///< slope of u_x over x in the central half
     Gauge widening;  ///< mean u_x of the right boundary less that of the left, over the width
+    [[nodiscard]] GaugeStrains strains(const Assemblage& assemblage, const std::vector<Vector2>& displacement) const;
 };
 /// The central half: |y| ≤ height/4, and |x| ≤ width/4 of a specimen without end faces, a disc. The boundary gauge takes parts
 /// left and right, of a disc the rim within 15° of the x axis.

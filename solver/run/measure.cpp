@@ -1,7 +1,10 @@
 #include "solver/run/measure.hpp"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
+#include "solver/detection/active_contacts.hpp"
 #include "solver/step/contact_energy.hpp"
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
@@ -27,16 +30,99 @@ void find_damping_forces(const Assemblage& a, const StepParameters& parameters, 
     }
 }
 
-double kinetic_energy(const Assemblage& a, const StepParameters& parameters, const State& s) {
-    return 0.5 * sum_over_nodes(a, [&](std::int32_t i) {
-               const Vector2 force = s.force[i] + s.damping_force[i];
-               return a.mass[i] * dot(s.velocity[i], s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * force);
-           });
+/// What the platens do at a point: energy they keep (J), work of the last half step (J), power (W), force along the axis (N).
+struct PlatenShare {
+    double energy, half_work, power, force;
+    std::size_t motion;
+};
+PlatenShare share_of_platen(const Boundary& boundary, std::int32_t index, double time_step, const State& s) {
+    const PlatenPoint& point = s.platen_points[index];
+    const Platen& platen = boundary.platens[point.platen];
+    const PlatenResponse r =
+        platen_response(platen, point, s.displacement[point.node], s.loading.platen_displacement[platen.motion]);
+    const double force = dot(r.force, platen.axis);
+    const double increment = s.loading.increment_before[platen.motion];
+    return {r.stored + r.friction, 0.5 * force * increment, force * increment / time_step, force, platen.motion};
 }
 
-double damping_half_work(const Assemblage& a, const StepParameters& parameters, const State& s) {
-    return -0.5 * parameters.time_step *
-           sum_over_nodes(a, [&](std::int32_t i) { return dot(s.damping_force[i], s.velocity[i]); });
+/// What the nodes of a chunk add to a measurement, and Σ |unbalanced force| (N).
+struct NodeShare {
+    Energies energies;
+    std::array<double, 2> platen_force{};  ///< by motion, N
+    double platen_power = 0, confining_force = 0, own_kinetic = 0, unbalanced = 0;
+    NodeShare& operator+=(const NodeShare& other) {
+        energies += other.energies;
+        for (std::size_t motion = 0; motion < 2; ++motion) platen_force[motion] += other.platen_force[motion];
+        platen_power += other.platen_power;
+        confining_force += other.confining_force;
+        own_kinetic += other.own_kinetic;
+        unbalanced += other.unbalanced;
+        return *this;
+    }
+};
+
+void add_motion(const Assemblage& a, const StepParameters& parameters, Range nodes, const State& s, NodeShare& share) {
+    for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
+        const Vector2 force = s.force[i] + s.damping_force[i];
+        const Vector2 new_velocity = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * force;
+        share.own_kinetic += 0.5 * a.mass[i] * dot(s.velocity[i], new_velocity);
+        share.energies.damping -= 0.5 * parameters.time_step * dot(s.damping_force[i], s.velocity[i]);
+        share.unbalanced += length(s.force[i]);
+    }
+    share.energies.kinetic += share.own_kinetic;
+}
+
+void add_booked(std::int32_t chunk, const State& s, Energies& energies) {
+    const NodeSums& sums = s.node_sums[chunk];
+    energies.damping += sums.damping;
+    energies.external += sums.platen_work + sums.load_work + sums.reaction_work;
+    energies.platen += sums.platen_friction;
+    energies.friction += s.contact_pairs.friction[chunk];
+}
+
+void add_clusters(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, const State& s, Energies& energies) {
+    if (!parameters.mass_scaling.is_on()) return;
+    energies.kinetic += added_kinetic_energy(a, parameters, s.loading, chunk, s);
+    const ClusterSums& sums = s.clusters.sums[chunk];
+    energies.damping += sums.damping;
+    energies.numerical += sums.platen_loss;
+    energies.external += sums.platen_work;
+}
+
+void add_platens(const Boundary& boundary, double time_step, std::int32_t chunk, const State& s, NodeShare& share) {
+    const Range points = boundary.platen_points_of_chunk[chunk];
+    for (std::int32_t i = points.begin; i < points.end; ++i) {
+        const PlatenShare platen = share_of_platen(boundary, i, time_step, s);
+        share.energies.platen += platen.energy;
+        share.energies.external += platen.half_work;
+        share.platen_power += platen.power;
+        share.platen_force[platen.motion] += platen.force;
+    }
+}
+
+void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, std::int32_t chunk,
+                    const State& s, NodeShare& share) {
+    if (prescribed.empty()) return;
+    share.energies.external += load_half_work(a, prescribed, chunk, time_step, s);
+    share.energies.external += reaction_half_work(prescribed, chunk, time_step, s);
+    // Two ends an edge, two sides: the mean of the sides.
+    share.confining_force += sum_over(prescribed.edges_of_chunk[chunk], [&](std::int32_t i) {
+        return prescribed.edges[i].is_lateral ? s.prescribed.lateral[i] : 0;
+    });
+}
+
+NodeShare sum_over_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const State& s) {
+    const std::vector<double> stored = energy_of_active_contacts(a, parameters.laws, s.contact_pairs);
+    return sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) {
+        NodeShare share;
+        add_motion(a, parameters, a.node_chunks[chunk].nodes, s, share);
+        add_booked(chunk, s, share.energies);
+        add_clusters(a, parameters, chunk, s, share.energies);
+        add_platens(boundary, parameters.time_step, chunk, s, share);
+        add_prescribed(a, boundary.prescribed, parameters.time_step, chunk, s, share);
+        share.energies.contact += stored[chunk];
+        return share;
+    });
 }
 
 /// Strain energy (J) and Σ |force on a node| over the nodes (N) of elements.
@@ -59,97 +145,44 @@ ElementSums sum_over_elements(const Assemblage& a, const State& s) {
     });
 }
 
-void add_contact_energies(const Assemblage& a, const ContactLaws& laws, const State& s, Energies& energies) {
-    energies.contact += stored_in_contacts(a, laws, s);
-    const ContactSums sums =
-        sum_over_chunks(a.part, a.part.contacts, [&](std::int32_t chunk) { return s.contact_sums[chunk]; });
-    energies.fracture_tension += sums.fracture_tension;
-    energies.fracture_shear += sums.fracture_shear;
-    energies.friction += sums.friction;
-    energies.non_conservative_work += sums.non_conservative_work;
-}
-
-void add_node_energies(const Assemblage& a, const State& s, Energies& energies) {
-    const NodeSums sums = sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return s.node_sums[chunk]; });
-    energies.damping += sums.damping;
-    energies.external += sums.platen_work + sums.load_work + sums.reaction_work;
-    energies.platen += sums.platen_friction;
-    energies.friction +=
-        sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return s.contact_pairs.friction[chunk]; });
-}
-
-void add_cluster_energies(const Assemblage& a, const StepParameters& parameters, const State& s, Energies& energies) {
-    if (!parameters.mass_scaling.is_on()) return;
-    energies.kinetic += sum_over_chunks(
-        a.part, a.part.nodes, [&](std::int32_t chunk) { return added_kinetic_energy(a, parameters, s.loading, chunk, s); });
-    const ClusterSums sums = sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) { return s.clusters.sums[chunk]; });
-    energies.damping += sums.damping;
-    energies.numerical += sums.platen_loss;
-    energies.external += sums.platen_work;
-}
-
-/// What the platens do: energy they keep (J), work of the last half step (J), power (W), forces along the axis by motion (N).
-struct PlatenSums {
-    double energy = 0, half_work = 0, power = 0;
-    std::array<double, 2> force{};
-    PlatenSums& operator+=(const PlatenSums& other) {
-        energy += other.energy;
-        half_work += other.half_work;
-        power += other.power;
-        force[bottom_platen] += other.force[bottom_platen];
-        force[top_platen] += other.force[top_platen];
+/// Energies of contacts: booked and stored, J.
+struct ContactEnergies {
+    ContactSums sums;
+    double stored = 0;
+    ContactEnergies& operator+=(const ContactEnergies& other) {
+        sums += other.sums;
+        stored += other.stored;
         return *this;
     }
 };
-void add_platen_energies(const Assemblage& a, const Boundary& boundary, double time_step, const State& s, Measurement& m) {
-    const PlatenSums sums = sum_by_nodes(a, boundary.platen_points_of_chunk, [&](std::int32_t i) {
-        const PlatenPoint& point = s.platen_points[i];
-        const Platen& platen = boundary.platens[point.platen];
-        const PlatenResponse r =
-            platen_response(platen, point, s.displacement[point.node], s.loading.platen_displacement[platen.motion]);
-        const double force = dot(r.force, platen.axis);
-        const double increment = s.loading.increment_before[platen.motion];
-        PlatenSums of_point{r.stored + r.friction, 0.5 * force * increment, force * increment / time_step};
-        of_point.force[platen.motion] = force;
-        return of_point;
-    });
-    m.energies.platen += sums.energy;
-    m.energies.external += sums.half_work;
-    m.platen_power += sums.power;
-    m.force_bottom += sums.force[bottom_platen];
-    m.force_top += sums.force[top_platen];
-}
-
-void add_prescribed_energies(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, const State& s,
-                             Measurement& m) {
-    if (prescribed.empty()) return;
-    m.energies.external += sum_over_chunks(
-        a.part, a.part.nodes, [&](std::int32_t chunk) { return load_half_work(a, prescribed, chunk, time_step, s); });
-    m.energies.external += reaction_half_work(a, prescribed, time_step, s);
-    // Two ends an edge, two sides: the mean of the sides.
-    m.confining_force += sum_by_nodes(a, prescribed.edges_of_chunk, [&](std::int32_t i) {
-        return prescribed.edges[i].is_lateral ? s.prescribed.lateral[i] : 0;
+ContactEnergies sum_over_contacts(const Assemblage& a, const ContactLaws& laws, const State& s) {
+    return sum_over_chunks(a.part, a.part.contacts, [&](std::int32_t chunk) {
+        return ContactEnergies{s.contact_sums[chunk], stored_in_chunk(a, laws, chunk, s)};
     });
 }
 
 }  // namespace
 
 Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, State& s) {
-    Measurement m;
     sum_nodal_forces(a, boundary, s.loading, s);
-    const ElementSums elements = sum_over_elements(a, s);
-    m.energies.strain = elements.energy;
     find_damping_forces(a, parameters, s);
-    m.own_kinetic = kinetic_energy(a, parameters, s);
-    const double unbalanced = sum_over_nodes(a, [&](std::int32_t i) { return length(s.force[i]); });
-    m.energies.kinetic = m.own_kinetic;
-    m.energies.damping = damping_half_work(a, parameters, s);
-    add_cluster_energies(a, parameters, s, m.energies);
-    m.unbalanced_ratio = elements.force > 0 ? unbalanced / elements.force : 0;
-    add_contact_energies(a, parameters.laws, s, m.energies);
-    add_platen_energies(a, boundary, parameters.time_step, s, m);
-    add_prescribed_energies(a, boundary.prescribed, parameters.time_step, s, m);
-    add_node_energies(a, s, m.energies);
+    const NodeShare nodes = sum_over_nodes(a, boundary, parameters, s);
+    const ElementSums elements = sum_over_elements(a, s);
+    const ContactEnergies contacts = sum_over_contacts(a, parameters.laws, s);
+    Measurement m;
+    m.energies = nodes.energies;
+    m.energies.strain = elements.energy;
+    m.energies.contact += contacts.stored;
+    m.energies.fracture_tension = contacts.sums.fracture_tension;
+    m.energies.fracture_shear = contacts.sums.fracture_shear;
+    m.energies.friction += contacts.sums.friction;
+    m.energies.non_conservative_work = contacts.sums.non_conservative_work;
+    m.force_bottom = nodes.platen_force[bottom_platen];
+    m.force_top = nodes.platen_force[top_platen];
+    m.platen_power = nodes.platen_power;
+    m.confining_force = nodes.confining_force;
+    m.own_kinetic = nodes.own_kinetic;
+    m.unbalanced_ratio = elements.force > 0 ? nodes.unbalanced / elements.force : 0;
     return m;
 }
 

@@ -76,9 +76,10 @@ void Recorder::push_row(const Measurement& m, double strain, double speed_of_pla
     push(time, state.time);
     push(step, static_cast<double>(state.step));
     push(HistoryColumn::axial_strain, strain);
-    push(lateral_strain, gauges_.widening.strain(setup_.assemblage, state.displacement));
-    push(gauge_axial_strain, gauges_.axial.strain(setup_.assemblage, state.displacement));
-    push(gauge_lateral_strain, gauges_.lateral.strain(setup_.assemblage, state.displacement));
+    const GaugeStrains strains = gauges_.strains(setup_.assemblage, state.displacement);
+    push(lateral_strain, strains.widening);
+    push(gauge_axial_strain, strains.axial);
+    push(gauge_lateral_strain, strains.lateral);
     push(HistoryColumn::axial_stress, axial_stress_of(m, specimen_));
     push(force_top, m.force_top);
     push(force_bottom, -m.force_bottom);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -102,12 +103,26 @@ public:
         provenance.vector_target = name_of(setup_.assemblage.vector_target);
         output_->finish(sensitivity, provenance);
     }
-    /// Nodes that this rank reads of others.
-    [[nodiscard]] std::int64_t n_ghosts() const { return state_.ghosts ? static_cast<std::int64_t>(state_.ghosts->n_ghosts()) : 0; }
-    [[nodiscard]] std::int64_t n_neighbours() const {
-        return state_.ghosts ? static_cast<std::int64_t>(state_.ghosts->n_neighbours()) : 0;
+    /// \param wall_time of the run, s
+    [[nodiscard]] RankSummary rank_summary(double wall_time) const {
+        const Ranks& ranks = *request_.ranks;
+        const MessageCounts counts = ranks.counts();
+        const std::size_t ghosts = state_.ghosts ? state_.ghosts->n_ghosts() : 0;
+        const std::size_t neighbours = state_.ghosts ? state_.ghosts->n_neighbours() : 0;
+        std::array most{static_cast<double>(setup_.assemblage.part.own_nodes().size()), static_cast<double>(ghosts),
+                        static_cast<double>(neighbours)};
+        ranks.take_largest(most);
+        std::array<std::int64_t, 3> sums{counts.bytes, counts.messages, static_cast<std::int64_t>(1e9 * counts.waited)};
+        ranks.take_sums(sums);
+        const double steps = std::max<double>(static_cast<double>(state_.step), 1) * ranks.size();
+        return {ranks.size(),
+                static_cast<std::int64_t>(most[0]),
+                static_cast<std::int64_t>(most[1]),
+                static_cast<std::int64_t>(most[2]),
+                static_cast<double>(sums[0]) / steps,
+                static_cast<double>(sums[1]) / steps,
+                1e-9 * static_cast<double>(sums[2]) / (ranks.size() * wall_time)};
     }
-    [[nodiscard]] std::int64_t n_own_nodes() const { return setup_.assemblage.part.own_nodes().size(); }
     [[nodiscard]] const CrackLog& crack_log() const { return recorder_.crack_log(); }
     [[nodiscard]] TestOutcome outcome() const { return {header_, recorder_.history()}; }
 
@@ -139,8 +154,10 @@ private:
     /// On a signal, keeps what there is in a checkpoint and ends the run.
     void stop_if_asked() {
         const bool asked = request_.stops_after && request_.stops_after(recorder_.history().size());
-        const int signal = static_cast<int>(request_.ranks->largest(stop_signal()));
-        if (signal == 0 && !asked) return;
+        std::array<double, 2> of_any{static_cast<double>(stop_signal()), asked ? 1.0 : 0.0};
+        request_.ranks->take_largest(of_any);
+        const int signal = static_cast<int>(of_any[0]);
+        if (signal == 0 && of_any[1] == 0) return;
         const std::string checkpoint = output_ ? output_->write_checkpoint() : "";
         if (!checkpoint.empty() && !is_quiet_) {
             fmt::print(stderr, "{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
@@ -201,11 +218,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
     summary.tensile_cracks = whole_contacts(simulation.crack_log().tensile_points());
     summary.shear_cracks = whole_contacts(simulation.crack_log().shear_points());
-    summary.neighbours = simulation.n_neighbours();
-    std::array most{static_cast<double>(simulation.n_ghosts()), static_cast<double>(simulation.n_own_nodes())};
-    request.ranks->take_largest(most);
-    summary.ghost_nodes = static_cast<std::int64_t>(most[0]);
-    summary.own_nodes = static_cast<std::int64_t>(most[1]);
+    summary.ranks = simulation.rank_summary(summary.wall_time);
     if (request.sensitivity) summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
     provenance.wall_time = summary.wall_time;
     simulation.finish(summary.sensitivity, provenance);

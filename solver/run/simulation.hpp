@@ -13,6 +13,14 @@
 
 namespace graincrack {
 
+/// What the ranks of a run have told each other.
+struct RankSummary {
+    int ranks = 1;
+    std::int64_t own_nodes = 0, ghost_nodes = 0, neighbours = 0;  ///< of the rank with most of each
+    double bytes_a_step = 0, messages_a_step = 0;                 ///< mean of the ranks
+    double waited = 0;                                            ///< share of the time, mean of the ranks
+};
+
 /// What a finished run tells its user.
 struct SimulationSummary {
     RunHeader header;
@@ -21,8 +29,7 @@ struct SimulationSummary {
     double wall_time = 0;  ///< s
     double ns_per_grain_step = 0;
     std::vector<SensitivityRow> sensitivity;  ///< if asked for
-    std::int64_t ghost_nodes = 0, own_nodes = 0;  ///< of the rank with most of each
-    std::int64_t neighbours = 0;                  ///< of the first rank
+    RankSummary ranks;
     std::string equilibrium_warning;          ///< "" for a test near equilibrium
 };
 

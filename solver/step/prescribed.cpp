@@ -80,8 +80,8 @@ double load_half_work(const Assemblage& a, const PrescribedConditions& prescribe
     return 0.5 * time_step * (work + dot(prescribed.gravity, momentum));
 }
 
-double reaction_half_work(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, const State& s) {
-    return 0.5 * time_step * sum_by_nodes(a, prescribed.nodes_of_chunk, [&](std::int32_t i) {
+double reaction_half_work(const PrescribedConditions& prescribed, std::int32_t chunk, double time_step, const State& s) {
+    return 0.5 * time_step * sum_over(prescribed.nodes_of_chunk[chunk], [&](std::int32_t i) {
                return dot(s.prescribed.nodes[i].reaction, s.velocity[prescribed.nodes[i].node]);
            });
 }

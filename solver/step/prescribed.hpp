@@ -21,9 +21,8 @@ void add_prescribed(const Assemblage& assemblage, const PrescribedConditions& pr
 /// Work of gravity and of the edges' loads over half a step at the present velocities, J.
 double load_half_work(const Assemblage& assemblage, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                       const State& state);
-/// Work of the reactions over half a step at the present velocities of the prescribed nodes, J.
-double reaction_half_work(const Assemblage& assemblage, const PrescribedConditions& prescribed, double time_step,
-                          const State& state);
+/// Work of the reactions over half a step at the present velocities of the prescribed nodes of a chunk, J.
+double reaction_half_work(const PrescribedConditions& prescribed, std::int32_t chunk, double time_step, const State& state);
 
 /// Before the nodes of a chunk are integrated: notes displacements and velocities of prescribed nodes.
 void record_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& state);

@@ -24,13 +24,13 @@ TEST(Gauges, AUniformStrainIsReadExactly) {
         u.push_back({0.001 + 2e-4 * p.x + 7e-4 * p.y, -0.002 - 5e-4 * p.y + 1e-4 * p.x});
     }
     // jittered points: shear adds the little by which x and y are correlated in the gauge
-    EXPECT_NE(gauges.axial.strain(run.assemblage, u), 0);
+    EXPECT_NE(gauges.strains(run.assemblage, u).axial, 0);
     for (std::size_t i = 0; i < u.size(); ++i) {
         u[i] = {0.001 + 2e-4 * run.assemblage.position[i].x, -0.002 - 5e-4 * run.assemblage.position[i].y};
     }
-    expect_close(gauges.axial.strain(run.assemblage, u), -5e-4, 1e-12, 5e-4);
-    expect_close(gauges.lateral.strain(run.assemblage, u), 2e-4, 1e-12, 2e-4);
-    expect_close(gauges.widening.strain(run.assemblage, u), 2e-4, 1e-12, 2e-4);
+    expect_close(gauges.strains(run.assemblage, u).axial, -5e-4, 1e-12, 5e-4);
+    expect_close(gauges.strains(run.assemblage, u).lateral, 2e-4, 1e-12, 2e-4);
+    expect_close(gauges.strains(run.assemblage, u).widening, 2e-4, 1e-12, 2e-4);
 }
 
 TEST(Gauges, OfTheCentralHalf) {
