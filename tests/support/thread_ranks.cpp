@@ -162,6 +162,16 @@ public:
     [[nodiscard]] int rank() const override { return rank_; }
 
     std::vector<Bytes> gather_all(std::span<const std::byte> own) override { return gathered("gather_all", own); }
+    std::vector<Bytes> gather_all(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) override {
+        std::vector<Bytes> all = gathered("gather_all of known sizes", own);
+        const auto has_size = [](const Bytes& bytes, std::int64_t size) {
+            return static_cast<std::int64_t>(bytes.size()) == size;
+        };
+        if (!std::equal(all.begin(), all.end(), sizes.begin(), sizes.end(), has_size)) {
+            throw std::logic_error("a rank gives other numbers of bytes than the others know of");
+        }
+        return all;
+    }
     std::vector<Bytes> gather_first(std::span<const std::byte> own) override {
         std::vector<Bytes> all = gathered("gather_first", own);
         return rank_ == 0 ? std::move(all) : std::vector<Bytes>{};

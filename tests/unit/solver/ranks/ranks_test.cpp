@@ -37,6 +37,9 @@ TEST(Ranks, GatherListsOfAnyLength) {
             const std::vector<double> own = numbers_of_rank(ranks.rank());
             EXPECT_EQ(ranks.size(), n);
             EXPECT_EQ(ranks.gather_all(own), expected);
+            std::vector<std::int32_t> counts(static_cast<std::size_t>(n));
+            std::iota(counts.begin(), counts.end(), 0);
+            EXPECT_EQ(ranks.gather_all(own, counts), expected);
             EXPECT_EQ(ranks.concatenate(own), one_after_the_other);
             EXPECT_EQ(ranks.gather_first(own), ranks.is_first() ? expected : std::vector<std::vector<double>>{});
         });
@@ -174,6 +177,7 @@ TEST(ThreadRanks, RefuseWhatMakesRanksOfMPIWaitForever) {
             if (!is_first(ranks)) ranks.take_sums(sum);
         },
         "calls take_");
+    refuse([](const Ranks& ranks) { static_cast<void>(ranks.gather_all(std::vector<char>(2), {2, 2, 3})); }, "numbers of bytes");
     refuse([](const Ranks& ranks) { ranks.open({{(ranks.rank() + 1) % 3, 1, 0}})->start(); }, "has not received a message");
     refuse(
         [](const Ranks& ranks) {
