@@ -12,7 +12,8 @@ struct Crush {
     double mass_scaling_factor = 60;  ///< 0: none
     bool has_phases = false;          ///< three, with classes of contacts for each pair of them
     double confining_pressure = 0;    ///< Pa, amplitude 0 of the lateral boundary
-    std::int64_t n_steps = 800;
+    double speed = 6;                 ///< of each platen, m/s
+    std::int64_t n_steps = 400;
 };
 
 inline Specimen crushed_specimen() { return jittered_grid(9, 18, 0.04, 0.08, 0.25); }
@@ -42,8 +43,7 @@ inline SmallRun crushed_run(const Crush& crush, const Ranks& ranks = Ranks::alon
     const double duration = static_cast<double>(crush.n_steps) * run.parameters.time_step;
     LinearPressure pressure;
     IntervalLoading loading = pressure.to(crush.confining_pressure, 0, duration);
-    constexpr double speed = 3;  // m/s
-    loading.velocity_begin = loading.velocity_end = {speed, -speed};
+    loading.velocity_begin = loading.velocity_end = {crush.speed, -crush.speed};
     run.steps(crush.n_steps, loading, threads);
     return run;
 }

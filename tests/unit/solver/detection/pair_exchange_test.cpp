@@ -23,13 +23,17 @@ using Pairs = std::vector<CandidatePair>;
 
 SmallRun bonded_grains() { return {test::jittered_grid(10, 20, 0.04, 0.08, 0.25), test::augig_law()}; }
 
-Vector2 shift_of_grain(const SmallRun& run, std::int32_t grain) {
-    const double size = 0.1 * run.assemblage.surface.mean_length;
+/// Scatter of the grains, in mean lengths of edges: they have hardly moved, or are anywhere.
+constexpr double near_their_places = 0.1;
+constexpr double far_from_their_places = 3;
+
+Vector2 shift_of_grain(const SmallRun& run, std::int32_t grain, double scatter) {
+    const double size = scatter * run.assemblage.surface.mean_length;
     return {size * ((grain * 37) % 41 / 20.0 - 1), size * ((grain * 53) % 43 / 21.0 - 1)};
 }
 
 /// Grains that nothing links, scattered. The displacements of other ranks' nodes are no numbers.
-SmallRun loose_grains(const Ranks& ranks) {
+SmallRun loose_grains(const Ranks& ranks, double scatter = near_their_places) {
     SmallRun run = bonded_grains();
     std::fill(run.state.contact_pairs.debonded.begin(), run.state.contact_pairs.debonded.end(), std::uint8_t{1});
     std::fill(run.state.contact_pairs.released.begin(), run.state.contact_pairs.released.end(), std::uint8_t{1});
@@ -38,7 +42,7 @@ SmallRun loose_grains(const Ranks& ranks) {
     for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
         run.state.displacement[i] = Vector2{nan, nan};
         if (run.assemblage.part.owns(i)) {
-            run.state.displacement[i] = shift_of_grain(run, run.assemblage.surface.grain_of_node[i]);
+            run.state.displacement[i] = shift_of_grain(run, run.assemblage.surface.grain_of_node[i], scatter);
         }
     }
     return run;
@@ -83,13 +87,15 @@ TEST(PairExchange, FreeFacesAndWhatIsBesideALooseContactAreExposed) {
 }
 
 TEST(PairExchange, EachRankFindsThePairsThatActOnItsNodes) {
-    SmallRun alone = loose_grains(Ranks::alone());
-    for (const double margin : {margin_of(alone), 8 * margin_of(alone)}) {
+    for (const auto& [scatter, margins] :
+         {std::pair(near_their_places, 1), std::pair(near_their_places, 8), std::pair(far_from_their_places, 1)}) {
+        SmallRun alone = loose_grains(Ranks::alone(), scatter);
+        const double margin = margins * margin_of(alone);
         const Pairs all = find_pairs(alone.assemblage, margin, alone.state);
         ASSERT_GT(all.size(), 500U);
         for (int n = 2; n <= 5; ++n) {
-            on_thread_ranks(n, [&](const Ranks& ranks) {
-                SmallRun run = loose_grains(ranks);
+            on_thread_ranks(n, [&, scatter = scatter](const Ranks& ranks) {
+                SmallRun run = loose_grains(ranks, scatter);
                 const Pairs expected = pairs_near_own_nodes(run, all);
                 EXPECT_LT(expected.size(), all.size());
                 EXPECT_EQ(find_pairs(run.assemblage, margin, run.state), expected) << n;
@@ -125,7 +131,7 @@ TEST(PairExchange, KeepsThePairsOfOwnNodesOfAList) {
 // Of pairs whose nodes all belong to others too: their motion, and that of the edges beside them.
 TEST(PairExchange, GhostsAreAllNodesThatPairsAndThePartRead) {
     on_thread_ranks(4, [](const Ranks& ranks) {
-        SmallRun run = loose_grains(ranks);
+        SmallRun run = loose_grains(ranks, far_from_their_places);
         State& s = run.state;
         const std::vector<SurfaceEdge>& edges = run.assemblage.surface.edges;
         s.contact_pairs.pairs = find_pairs(run.assemblage, margin_of(run), s);
@@ -145,7 +151,7 @@ TEST(PairExchange, GhostsAreAllNodesThatPairsAndThePartRead) {
         find_ghosts(run.assemblage, s);
         std::size_t n_others = 0;
         for (const std::int32_t node : read) {
-            const Vector2 expected = shift_of_grain(run, run.assemblage.surface.grain_of_node[node]);
+            const Vector2 expected = shift_of_grain(run, run.assemblage.surface.grain_of_node[node], far_from_their_places);
             EXPECT_EQ(s.displacement[node].x, expected.x);
             EXPECT_EQ(s.displacement[node].y, expected.y);
             EXPECT_EQ(s.velocity[node].x, node);
