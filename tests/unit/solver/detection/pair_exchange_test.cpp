@@ -10,6 +10,7 @@
 
 #include "share/base/error.hpp"
 #include "solver/detection/pair_search.hpp"
+#include "solver/detection/stable_area.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/thread_ranks.hpp"
@@ -235,6 +236,60 @@ TEST(PairExchange, RefusesPairsThatAnOwnerAndAReaderDoNotShare) {
         };
         test::expect_one_line<NumericalError>(run_without_a_pair,
                                               {"rank 1 has", "pairs of node", "its owner", "use fewer ranks"});
+    }
+}
+
+/// Areas of the pairs of a rank, as contacts of long and as new ones, after they were limited.
+struct LimitedAreas {
+    Pairs pairs;
+    std::vector<double> area, overlap, new_area;
+};
+LimitedAreas limited_areas(const Ranks& ranks) {
+    SmallRun run = loose_grains(ranks, far_from_their_places);
+    run.parameters.mass_scaling = make_mass_scaling(run.assemblage, 60);
+    run.parameters.time_step *= 4;  // so that clusters have too many contacts
+    ContactPairList& list = run.state.contact_pairs;
+    list.pairs = find_pairs(run.assemblage, margin_of(run), run.state);
+    list.forces.resize(3 * list.pairs.size());
+    std::vector<NewContact> contacts;
+    for (const CandidatePair& pair : list.pairs) {
+        NodeEdgeContact contact;
+        contact.active = pair.node % 2 == 0;
+        contact.area = 0.5 * run.assemblage.surface.tributary[pair.node];
+        contact.overlap = 1e-6;
+        list.contacts.push_back(contact);
+        if (!contact.active) contacts.push_back({0, pair, {}, contact.area});
+    }
+    find_ghosts(run.assemblage, run.state);
+    limit_contact_areas(run.assemblage, run.parameters, run.state);
+    limit_new_areas(run.assemblage, run.parameters, contacts, run.state);
+    LimitedAreas areas;
+    areas.pairs = list.pairs;
+    std::size_t k = 0;
+    for (const NodeEdgeContact& contact : list.contacts) {
+        areas.area.push_back(contact.area);
+        areas.overlap.push_back(contact.overlap);
+        areas.new_area.push_back(contact.active ? -1 : contacts[k++].area);
+    }
+    return areas;
+}
+
+// What limits a contact on a cut are contacts of both sides, of which a rank knows a part.
+TEST(PairExchange, AreasAreLimitedAsOnARankAlone) {
+    const LimitedAreas alone = limited_areas(Ranks::alone());
+    EXPECT_GT(std::count_if(alone.overlap.begin(), alone.overlap.end(), [](double overlap) { return overlap > 1e-6; }), 100);
+    for (int n = 2; n <= 4; ++n) {
+        on_thread_ranks(n, [&](const Ranks& ranks) {
+            const LimitedAreas own = limited_areas(ranks);
+            for (std::size_t i = 0; i < own.pairs.size(); ++i) {
+                const auto at = std::lower_bound(alone.pairs.begin(), alone.pairs.end(), own.pairs[i]);
+                ASSERT_TRUE(at != alone.pairs.end() && *at == own.pairs[i]);
+                const auto k = static_cast<std::size_t>(at - alone.pairs.begin());
+                EXPECT_EQ(own.area[i], alone.area[k]) << n;
+                EXPECT_EQ(own.overlap[i], alone.overlap[k]) << n;
+                EXPECT_EQ(own.new_area[i], alone.new_area[k]) << n;
+            }
+        });
     }
 }
 
