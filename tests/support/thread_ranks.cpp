@@ -37,7 +37,7 @@ public:
         std::unique_lock lock(mutex_);
         if (holds()) return;
         place_of(rank).holds = &holds;
-        pass_on_after(rank);
+        hand_over_after(rank);
         await(rank, lock);
         place_of(rank).holds = nullptr;
         if (!holds()) throw AnotherHasFailed{};
@@ -48,7 +48,7 @@ public:
         place_of(rank).error = error;
         place_of(rank).has_ended = true;
         has_failed_ = has_failed_ || error;
-        pass_on_after(rank);
+        hand_over_after(rank);
     }
     /// After all have ended: throws the error of the lowest rank that has one.
     void rethrow() const {
@@ -70,7 +70,7 @@ private:
         place_of(rank).turn.wait(lock, [&] { return running_ == rank; });
     }
     /// Gives the turn to the next rank that can run, if there is one.
-    void pass_on_after(int rank) {
+    void hand_over_after(int rank) {
         if (give_turn_after(rank)) return;
         has_failed_ =
             has_failed_ || std::any_of(ranks_.begin(), ranks_.end(), [](const Place& place) { return !place.has_ended; });
@@ -184,8 +184,7 @@ public:
     }
     void broadcast(std::span<std::byte> values) override {
         const std::vector<Bytes> all = gathered("broadcast", values);
-        if (all.front().size() != values.size())
-            throw std::logic_error("a broadcast has another size than that of the first rank");
+        if (all.front().size() != values.size()) throw std::logic_error("a broadcast has another size than on the first rank");
         std::copy(all.front().begin(), all.front().end(), values.begin());
     }
     void take_largest(std::span<double> values) override {

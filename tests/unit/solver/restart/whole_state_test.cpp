@@ -155,7 +155,7 @@ bool same_in_chunk(std::int32_t chunk, std::size_t per_chunk, const std::vector<
                       std::vector<Value>(r.begin() + begin, r.begin() + end));
 }
 
-// What lies on a cut is evaluated by every rank that it touches.
+// What lies on a cut is evaluated by every rank that owns a node of it.
 TEST(WholeState, CopiesOnSeveralRanksAreTheSame) {
     constexpr std::size_t points = 2UL * contacts_per_chunk;
     for_some_ranks([](std::size_t row, int n) {
