@@ -103,11 +103,12 @@ void print_summary(const SimulationSummary& s, double width) {
 /// What the ranks of a run have told each other.
 void print_ranks(const SimulationSummary& s) {
     const RankSummary& r = s.ranks;
-    fmt::print(stderr,
-               "{}: {} ranks: {} ghost nodes of {} at most, {} {}, {:.1f} kB and {:.1f} messages a step and rank, {:.1f} % of the time "
-               "waited\n",
-               s.header.test, r.ranks, r.ghost_nodes, r.own_nodes, r.neighbours, r.neighbours == 1 ? "neighbour" : "neighbours",
-               r.bytes_a_step * 1e-3, r.messages_a_step, 100 * r.waited);
+    fmt::print(
+        stderr,
+        "{}: {} ranks: {} ghost nodes of {} at most, {} {}, {:.1f} kB and {:.1f} messages a step and rank, {:.1f} % of the time "
+        "waited\n",
+        s.header.test, r.ranks, r.ghost_nodes, r.own_nodes, r.neighbours, r.neighbours == 1 ? "neighbour" : "neighbours",
+        r.bytes_a_step * 1e-3, r.messages_a_step, 100 * r.waited);
 }
 
 /// Says so where the fracture energy in sliding leaves no softening.

@@ -37,7 +37,7 @@ constexpr const char* option_list =
     "--print-program "
     "--probe "
     "--program "
-    "--quiet --rate "
+    "--quiet --rate --rebalance "
     "--rate-share --rate-tolerance --response --restart --roller-width --save-state --scale --seed --sensitivity --set --shape "
     "--size-distribution --smallest-piece "
     "--span --spread --sql --stages --star --strength --strength-correlation --strength-modulus --strength-seed --study "

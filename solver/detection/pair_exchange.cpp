@@ -101,7 +101,8 @@ std::vector<std::uint8_t> exchange_exposed_nodes(const Assemblage& a, const std:
     for (const std::int32_t node : listed) {
         const Vector2 p = position_of(a, s, node);
         for (int rank = 0; rank < ranks.size(); ++rank) {
-            if (rank != ranks.rank() && regions[rank].front().contains(p, reach)) to[rank].push_back({node, s.displacement[node]});
+            const bool is_near = rank != ranks.rank() && regions[rank].front().contains(p, reach);
+            if (is_near) to[rank].push_back({node, s.displacement[node]});
         }
     }
     std::vector<std::uint8_t> is_known(a.position.size(), 0);
@@ -120,7 +121,8 @@ void keep_pairs_of_own_nodes(const Assemblage& a, std::vector<CandidatePair>& pa
     std::vector<CandidatePair> kept;
     for_each_group(pairs, [&](std::int32_t node, Range group) {
         const bool acts_on_own =
-            a.part.owns(node) || std::any_of(pairs.begin() + group.begin, pairs.begin() + group.end, [&](const CandidatePair& pair) {
+            a.part.owns(node) ||
+            std::any_of(pairs.begin() + group.begin, pairs.begin() + group.end, [&](const CandidatePair& pair) {
                 const auto [first, second] = a.surface.edges[pair.edge].nodes;
                 return a.part.owns(first) || a.part.owns(second);
             });
@@ -142,8 +144,8 @@ void find_ghosts(const Assemblage& a, State& s) {
     std::sort(ghosts.begin(), ghosts.end());
     ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
     s.ghosts.reset();  // its channels, before new ones are opened
-    s.ghosts = std::make_shared<const GhostNodes>(*a.part.ranks, ghosts,
-                                                  [&a](std::int32_t node) { return a.part.owner_of_node(node); });
+    s.ghosts =
+        std::make_shared<const GhostNodes>(*a.part.ranks, ghosts, [&a](std::int32_t node) { return a.part.owner_of_node(node); });
     send_motion(s);
     receive_motion(s);
 }
@@ -169,9 +171,10 @@ void take_contacts_of_owners(const Assemblage& a, ContactPairList& list) {
             const auto begin = std::lower_bound(list.pairs.begin(), list.pairs.end(), CandidatePair{node, 0});
             const auto end = std::lower_bound(begin, list.pairs.end(), CandidatePair{node + 1, 0});
             if (end - begin != n_pairs) {
-                throw NumericalError(fmt::format("rank {} has {} pairs of node {}, its owner {}: an edge is stretched too far; use "
-                                                 "fewer ranks",
-                                                 rank, n_pairs, node, end - begin));
+                throw NumericalError(
+                    fmt::format("rank {} has {} pairs of node {}, its owner {}: an edge is stretched too far; use "
+                                "fewer ranks",
+                                rank, n_pairs, node, end - begin));
             }
             for (auto pair = begin; pair != end; ++pair) {
                 const NodeEdgeContact& contact = list.contacts[pair - list.pairs.begin()];

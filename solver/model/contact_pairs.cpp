@@ -50,13 +50,13 @@ std::size_t memory_of(const ActiveContacts& active) {
 }
 
 std::size_t memory_of(const ContactPairList& list) {
-    const auto& [debonded, released, pairs, contacts, forces, groups, watched, watched_groups, chunks, node_chunks, detection_interval,
-                 active, friction, node_forces, node_force_slots, node_forces_of_chunk, node_force_scratch,
-                 displacement_at_search, wants_rebuild, travel_since_rebuild, cluster_load,
-                 is_watched_anywhere, next_update] = list;
-    return memory_of_all(debonded, released, pairs, contacts, forces, groups, watched, watched_groups, chunks, node_chunks, active, friction,
-                         node_forces, node_force_slots, node_forces_of_chunk, node_force_scratch, displacement_at_search,
-                         cluster_load);
+    const auto& [debonded, released, pairs, contacts, forces, groups, watched, watched_groups, chunks, node_chunks,
+                 detection_interval, active, friction, node_forces, node_force_slots, node_forces_of_chunk, node_force_scratch,
+                 displacement_at_search, wants_rebuild, travel_since_rebuild, cluster_load, is_watched_anywhere, next_update] =
+        list;
+    return memory_of_all(debonded, released, pairs, contacts, forces, groups, watched, watched_groups, chunks, node_chunks,
+                         active, friction, node_forces, node_force_slots, node_forces_of_chunk, node_force_scratch,
+                         displacement_at_search, cluster_load);
 }
 
 }  // namespace graincrack

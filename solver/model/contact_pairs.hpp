@@ -88,8 +88,8 @@ struct ContactPairList {
     double travel_since_rebuild = 0;               ///< that nodes at the 95th percentile of speed may have moved since then, m
     /// [clusters] L_C (stable_area.hpp) when a contact began, or at the last update, N/m; empty without mass scaling
     std::vector<double> cluster_load;
-    bool is_watched_anywhere = true;    ///< whether a rank watches pairs
-    std::int64_t next_update = 0;       ///< step before which the list is updated again
+    bool is_watched_anywhere = true;  ///< whether a rank watches pairs
+    std::int64_t next_update = 0;     ///< step before which the list is updated again
 
     [[nodiscard]] std::int32_t first_watched(std::int32_t chunk) const { return watched_groups[chunks[chunk].begin].begin; }
     /// Calls `visit` with the index of each active contact of a chunk in `active`.

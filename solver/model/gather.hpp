@@ -38,7 +38,8 @@ void gather_chunks(const Part& part, const ChunkShare& chunks, std::size_t per_c
     std::vector<Value> own;
     for (const std::int32_t chunk : chunks.own) {
         const auto [begin, end] = range_of(chunk);
-        own.insert(own.end(), values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end));
+        own.insert(own.end(), values.begin() + static_cast<std::ptrdiff_t>(begin),
+                   values.begin() + static_cast<std::ptrdiff_t>(end));
     }
     const std::vector<std::vector<Value>> of_ranks = part.ranks->gather_first(own);
     if (!part.ranks->is_first()) return;

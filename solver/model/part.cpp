@@ -143,9 +143,10 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
         const int before = sum == 0 ? -1 : part.nodes.owner[sum - 1];
         for (int rank = before + 1; rank <= part.nodes.owner[sum]; ++rank) part.first_node[rank] = sum == 0 ? 0 : first;
     }
-    share_like_nodes(part, [&](std::int32_t chunk) { return a.element_nodes[a.element_chunks[chunk].begin][0]; }, part.elements);
-    share_like_nodes(part, [&](std::int32_t chunk) { return a.contacts[a.contact_chunks[chunk].contacts.begin].nodes[0]; },
-                     part.contacts);
+    share_like_nodes(
+        part, [&](std::int32_t chunk) { return a.element_nodes[a.element_chunks[chunk].begin][0]; }, part.elements);
+    share_like_nodes(
+        part, [&](std::int32_t chunk) { return a.contacts[a.contact_chunks[chunk].contacts.begin].nodes[0]; }, part.contacts);
     for (ChunkShare* share : {&part.nodes, &part.elements, &part.contacts}) find_own(ranks, *share);
     part.evaluated_elements = find_evaluated(
         part, part.elements,
@@ -173,11 +174,22 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
     return part;
 }
 
+double imbalance(const Assemblage& a, const Part& part, const std::vector<double>& more_work) {
+    const std::vector<double> work = find_work(a, more_work);
+    std::vector<double> of_rank(part.ranks->size(), 0.0);
+    for (std::int32_t chunk = 0; chunk < part.nodes.count; ++chunk) of_rank[part.nodes.owner_of(chunk)] += work[chunk];
+    const double mean = std::accumulate(of_rank.begin(), of_rank.end(), 0.0) / static_cast<double>(of_rank.size());
+    return *std::max_element(of_rank.begin(), of_rank.end()) / mean;
+}
+
 std::size_t memory_of(const Part& part) {
-    const auto of_share = [](const ChunkShare& share) { return memory_of_all(share.own_sums, share.own, share.owner, share.n_sums_of); };
+    const auto of_share = [](const ChunkShare& share) {
+        return memory_of_all(share.own_sums, share.own, share.owner, share.n_sums_of);
+    };
     const auto of_chunks = [](const EvaluatedChunks& chunks) { return memory_of_all(chunks.inner, chunks.outer); };
     return of_share(part.nodes) + of_share(part.elements) + of_share(part.contacts) + of_chunks(part.evaluated_elements) +
-           of_chunks(part.evaluated_contacts) + memory_of_all(part.first_node, part.evaluates_contacts, part.loaded_chunks, part.ghosts);
+           of_chunks(part.evaluated_contacts) +
+           memory_of_all(part.first_node, part.evaluates_contacts, part.loaded_chunks, part.ghosts);
 }
 
 }  // namespace graincrack

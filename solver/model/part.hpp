@@ -1,5 +1,5 @@
 // The part of a specimen that a rank works on: it owns chunks of nodes that follow each other, and evaluates all elements and
-// contacts with a node of them. What lies on a cut is so evaluated by every rank that it touches, with the same numbers in the
+// contacts with a node of them. What lies on a cut is so evaluated by every rank with a node of it, with the same numbers in the
 // same order, and no force is sent. The other nodes of what a rank evaluates are its ghosts: their owner sends their motion.
 //
 // All ranks keep the indices of the whole specimen. Entries of what they neither own nor evaluate are never right, and not read.
@@ -41,11 +41,11 @@ struct EvaluatedChunks {
 struct Part {
     const Ranks* ranks = &Ranks::alone();
     ChunkShare nodes, elements, contacts;
-    std::vector<std::int32_t> first_node;       ///< [ranks + 1] of each rank's own nodes
+    std::vector<std::int32_t> first_node;  ///< [ranks + 1] of each rank's own nodes
     EvaluatedChunks evaluated_elements, evaluated_contacts;
     std::vector<std::uint8_t> evaluates_contacts;  ///< [chunks of contacts] 1 for those
-    std::vector<std::int32_t> loaded_chunks;    ///< of nodes, whose loaded edges it evaluates
-    std::vector<std::int32_t> ghosts;           ///< nodes, ascending; those of node–edge contacts come and go besides
+    std::vector<std::int32_t> loaded_chunks;       ///< of nodes, whose loaded edges it evaluates
+    std::vector<std::int32_t> ghosts;              ///< nodes, ascending; those of node–edge contacts come and go besides
     [[nodiscard]] bool is_alone() const { return ranks->is_alone(); }
     [[nodiscard]] Range own_nodes() const { return {first_node[ranks->rank()], first_node[ranks->rank() + 1]}; }
     [[nodiscard]] bool owns(std::int32_t node) const {
@@ -65,6 +65,9 @@ Part whole_part(const Assemblage& assemblage);
 /// \param more_work [chunks of nodes] besides that of elements and contacts, in evaluations of a node; empty: none
 Part make_part(const Assemblage& assemblage, const PrescribedConditions& prescribed, const std::vector<double>& more_work,
                const Ranks& ranks);
+
+/// Work of the busiest rank, over the mean. \param more_work as above
+double imbalance(const Assemblage& assemblage, const Part& part, const std::vector<double>& more_work);
 
 /// Σ `of_chunk(chunk)` over all chunks of a kind: first over those of each sum, then over the sums, in their order. All sums of a
 /// run are made so; they do not depend on who owns what.

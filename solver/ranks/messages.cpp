@@ -121,10 +121,10 @@ public:
         const auto dead = std::find_if(peers_.begin(), peers_.end(), [](const Peer& peer) { return !lives(peer.process); });
         if (dead == peers_.end()) return;
         if (std::atomic_ref(*is_said_).exchange(1) == 0) {
-            voice_.say(
-                fmt::format("graincrack-solve: rank {} has ended before the others; the run ends here; its last checkpoint, if it has "
-                            "one, resumes it by --restart\n",
-                            dead->rank));
+            voice_.say(fmt::format(
+                "graincrack-solve: rank {} has ended before the others; the run ends here; its last checkpoint, if it has "
+                "one, resumes it by --restart\n",
+                dead->rank));
         }
         ::sleep(1);  // until the line is out
         std::_Exit(static_cast<int>(ExitCode::internal));
@@ -137,7 +137,7 @@ private:
     int* is_said_ = nullptr;  ///< 1 once a rank of this machine has said that another has ended; they share it
 };
 
-/// Waits for requests: awake for a while, then it leaves the processor to others between two looks.
+/// Waits for requests: busily for a while, then it leaves the processor to others between two looks.
 class Waiting {
 public:
     Waiting(MPI_Comm communicator, const Voice& voice) : peers_(communicator, voice) {
@@ -149,7 +149,7 @@ public:
         int done = 0;
         for (int looks = 0; done == 0; ++looks) {
             MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
-            if (done == 0 && looks > looks_awake) {
+            if (done == 0 && looks > busy_looks) {
                 ::sched_yield();
                 if (looks % looks_between_checks == 0) require_life(now);
             }
@@ -159,7 +159,7 @@ public:
     }
 
 private:
-    static constexpr int looks_awake = 200;
+    static constexpr int busy_looks = 200;
     static constexpr int looks_between_checks = 1024;
     static constexpr double patience = 0.1;  // s, before the other ranks of this machine are looked at; launchers leave a second
 

@@ -20,7 +20,7 @@ struct ChannelEnd {
     std::size_t sends, receives;  ///< numbers
 };
 
-/// Messages of a fixed size to and from some ranks, sent again and again.
+/// Messages of a fixed size to and from some ranks, sent repeatedly.
 class Channel {
 public:
     virtual ~Channel() = default;

@@ -23,12 +23,9 @@ void append_bytes(std::span<const Value> values, Bytes& bytes) {
 }
 template <class Value>
 requires std::is_trivially_copyable_v<Value>
-void append_bytes(const std::vector<Value>& values, Bytes& bytes) {
-    append_bytes(std::span<const Value>(values), bytes);
-}
+void append_bytes(const std::vector<Value>& values, Bytes& bytes) { append_bytes(std::span<const Value>(values), bytes); }
 template <class Value>
-requires std::is_trivially_copyable_v<Value>
-std::vector<Value> values_of(const Bytes& bytes) {
+requires std::is_trivially_copyable_v<Value> std::vector<Value> values_of(const Bytes& bytes) {
     std::vector<Value> values(bytes.size() / sizeof(Value));
     std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(Value));
     return values;

@@ -192,10 +192,9 @@ bool same_mesh(const Specimen& a, const Specimen& b) {
 
 /// Arrays that have as many rows as their lists are long; all others have those that they have in a new state.
 bool is_list(std::string_view name) {
-    constexpr std::array names{
-        "platen_points", "candidate_pairs", "node_edge_contacts",     "pair_forces",  "watched_pairs",
-        "active_pairs",  "active_counts",   "displacement_at_search", "cluster_load", "cluster_energies",
-        "cluster_near_platen"};
+    constexpr std::array names{"platen_points", "candidate_pairs",  "node_edge_contacts", "pair_forces",
+                               "watched_pairs", "active_pairs",     "active_counts",      "displacement_at_search",
+                               "cluster_load",  "cluster_energies", "cluster_near_platen"};
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -255,28 +254,6 @@ void book_change(const std::string& name, const RunHeader& old, const Setup& set
     s.node_sums.front().load_work += change;
 }
 
-FrameProgress read_frame_progress(const RunReader& run) {
-    const H5Input& file = run.file();
-    const std::string group = schema::state_group;
-    FrameProgress progress;
-    progress.next = file.attribute<double>(group, "next_frame");
-    progress.interval = file.attribute<double>(group, "frame_interval");
-    const auto n_regular = file.attribute<std::int64_t>(group, "regular_frames");
-    const auto roles = file.attribute<std::vector<std::int64_t>>(group, "frame_roles");
-    const bool are_roles = std::all_of(roles.begin(), roles.end(), [](std::int64_t role) {
-        return role >= 0 && role <= static_cast<std::int64_t>(FrameRole::present);
-    });
-    const auto regular = std::count(roles.begin(), roles.end(), static_cast<std::int64_t>(FrameRole::regular));
-    if (!are_roles || roles.size() != run.n_frames() || n_regular != regular || !std::isfinite(progress.next) ||
-        !std::isfinite(progress.interval) || progress.interval <= 0) {
-        throw InputError(run.name() + ": the frames are not those that the state counts: the file is damaged");
-    }
-    progress.regular = static_cast<int>(n_regular);
-    std::transform(roles.begin(), roles.end(), std::back_inserter(progress.roles),
-                   [](std::int64_t role) { return static_cast<FrameRole>(role); });
-    return progress;
-}
-
 StageControllerState read_loading(const H5Input& file) {
     const std::string group = schema::state_group;
     const auto texts = [&](const char* name) { return file.attribute<std::vector<std::string>>(group, name); };
@@ -324,6 +301,28 @@ void write_frame_progress(H5Output& file, const FrameProgress& progress) {
     file.attribute(group, "frame_interval", progress.interval);
     file.attribute(group, "regular_frames", std::int64_t{progress.regular});
     file.attribute(group, "frame_roles", roles);
+}
+
+FrameProgress read_frame_progress(const RunReader& run) {
+    const H5Input& file = run.file();
+    const std::string group = schema::state_group;
+    FrameProgress progress;
+    progress.next = file.attribute<double>(group, "next_frame");
+    progress.interval = file.attribute<double>(group, "frame_interval");
+    const auto n_regular = file.attribute<std::int64_t>(group, "regular_frames");
+    const auto roles = file.attribute<std::vector<std::int64_t>>(group, "frame_roles");
+    const bool are_roles = std::all_of(roles.begin(), roles.end(), [](std::int64_t role) {
+        return role >= 0 && role <= static_cast<std::int64_t>(FrameRole::present);
+    });
+    const auto regular = std::count(roles.begin(), roles.end(), static_cast<std::int64_t>(FrameRole::regular));
+    if (!are_roles || roles.size() != run.n_frames() || n_regular != regular || !std::isfinite(progress.next) ||
+        !std::isfinite(progress.interval) || progress.interval <= 0) {
+        throw InputError(run.name() + ": the frames are not those that the state counts: the file is damaged");
+    }
+    progress.regular = static_cast<int>(n_regular);
+    std::transform(roles.begin(), roles.end(), std::back_inserter(progress.roles),
+                   [](std::int64_t role) { return static_cast<FrameRole>(role); });
+    return progress;
 }
 
 std::size_t size_of_saved_state(const State& state) {

@@ -29,6 +29,9 @@ void write_saved_state(H5Output& file, const State& state, const StageController
 /// Adds to /state of a checkpoint where its frames were.
 void write_frame_progress(H5Output& file, const FrameProgress& progress);
 
+/// What that was. \throws InputError if the frames are not those
+FrameProgress read_frame_progress(const RunReader& checkpoint);
+
 /// Bytes of the arrays that /state has for a state.
 std::size_t size_of_saved_state(const State& state);
 

@@ -114,7 +114,8 @@ State gather_state(const Assemblage& a, const State& state) {
     }
     for (auto* of_points : {&s.failed, &s.residual}) gather_chunks(part, part.contacts, points_per_chunk, *of_points);
     gather_histories(a, s.points);
-    gather_items(part, [&](std::int32_t i) { return part.owner_of_node(state.platen_points[i].node); }, s.platen_points);
+    gather_items(
+        part, [&](std::int32_t i) { return part.owner_of_node(state.platen_points[i].node); }, s.platen_points);
     gather_chunks(part, part.nodes, 1, s.node_sums);
     gather_chunks(part, part.nodes, 1, s.contact_pairs.friction);
     if (!s.clusters.sums.empty()) gather_chunks(part, part.nodes, 1, s.clusters.sums);
@@ -125,7 +126,8 @@ State gather_state(const Assemblage& a, const State& state) {
         std::fill(owner_of_cluster.begin() + clusters.begin, owner_of_cluster.begin() + clusters.end, part.nodes.owner_of(chunk));
     }
     if (!s.contact_pairs.cluster_load.empty()) {
-        gather_items(part, [&](std::int32_t i) { return owner_of_cluster[i]; }, s.contact_pairs.cluster_load);
+        gather_items(
+            part, [&](std::int32_t i) { return owner_of_cluster[i]; }, s.contact_pairs.cluster_load);
     }
     gather_pairs(a, s.contact_pairs);
     return s;

@@ -12,8 +12,8 @@ namespace graincrack {
 class CrackLog {
 public:
     explicit CrackLog(std::size_t n_points) : crack_of_point_(n_points, -1) {}
-    /// Takes the events of all chunks, in the order of step, contact of the specimen and point, and clears them. The first rank has
-    /// the rows of all, the others their numbers.
+    /// Takes the events of all chunks, in the order of step, contact of the specimen and point, and clears them. The first rank
+    /// has the rows of all, the others their numbers.
     void collect(const Assemblage& assemblage, double time_step, State& state);
     /// Continues the rows of an earlier run.
     void restore(const std::vector<Crack>& rows);

@@ -57,7 +57,9 @@ Frame make_frame(const Assemblage& a, const ContactLaws& laws, const State& s) {
 Frame whole_frame(const Assemblage& a, Frame own) {
     const Part& part = a.part;
     const auto owner_of_node = [&](std::int32_t k) { return part.owner_of_node(a.node_of_specimen[k]); };
-    const auto owner_of_contact = [&](std::int32_t c) { return part.contacts.owner_of(a.contact_of_specimen[c] / contacts_per_chunk); };
+    const auto owner_of_contact = [&](std::int32_t c) {
+        return part.contacts.owner_of(a.contact_of_specimen[c] / contacts_per_chunk);
+    };
     for (auto* of_nodes : {&own.displacement, &own.velocity}) gather_items(part, owner_of_node, *of_nodes);
     gather_chunks(part, part.elements, elements_per_chunk, own.element_stress);
     for (auto* of_contacts : {&own.opening, &own.sliding, &own.damage}) gather_items(part, owner_of_contact, *of_contacts);

@@ -80,7 +80,8 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
             const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
             const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
             if (std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit) {
-                for (const std::int32_t end : a.surface.edges[list.pairs[i].edge].nodes) joined.push_back({list.pairs[i].node, end});
+                const auto& [first, second] = a.surface.edges[list.pairs[i].edge].nodes;
+                joined.insert(joined.end(), {{list.pairs[i].node, first}, {list.pairs[i].node, second}});
             }
         }
     }

@@ -37,7 +37,8 @@ auto sum_over_listed(const Part& part, const ChunkShare& chunks, const RangeOf& 
     return sum_over_chunks(part, chunks, [&](std::int32_t chunk) {
         const Range range = range_of(chunk);
         decltype(of_item(0)) sum{};
-        for (auto at = std::lower_bound(indices.begin(), indices.end(), range.begin); at != indices.end() && *at < range.end; ++at) {
+        for (auto at = std::lower_bound(indices.begin(), indices.end(), range.begin); at != indices.end() && *at < range.end;
+             ++at) {
             sum += of_item(*at);
         }
         return sum;

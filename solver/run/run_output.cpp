@@ -84,8 +84,8 @@ void RunOutput::append_rows() {
 bool RunOutput::wants_checkpoint() const {
     if (checkpoint_.empty()) return false;
     const bool is_asked = take_checkpoint_request();
-    return ranks_.of_first(is_asked || (run_.request.checkpoint_interval &&
-                                        since_checkpoint_.elapsed() >= *run_.request.checkpoint_interval));
+    return ranks_.of_first(
+        is_asked || (run_.request.checkpoint_interval && since_checkpoint_.elapsed() >= *run_.request.checkpoint_interval));
 }
 
 const std::string& RunOutput::write_checkpoint() {

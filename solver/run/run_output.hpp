@@ -42,6 +42,8 @@ public:
     /// Writes a run file of its own, with all rows, cracks and frames so far and the present state. \return its name, "" for a
     /// run that has none
     const std::string& write_checkpoint();
+    /// Takes the frame of the peak so far from a checkpoint of this run, after the specimen has been cut anew.
+    void resume_frames(const std::string& checkpoint) { frames_.resume_peak(RunReader(checkpoint)); }
     /// Completes the file.
     void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance);
 
@@ -50,7 +52,7 @@ private:
 
     Run run_;
     const Ranks& ranks_;
-    std::string checkpoint_;           ///< its file, "" for none
+    std::string checkpoint_;             ///< its file, "" for none
     std::unique_ptr<RunWriter> writer_;  ///< on the first rank
     FrameOutput frames_;
     std::size_t rows_written_ = 0;

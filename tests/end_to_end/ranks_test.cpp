@@ -385,6 +385,20 @@ TEST_P(ADeadRank, EndsTheRunWhoseLastCheckpointResumes) {
 }
 INSTANTIATE_TEST_SUITE_P(OfThreeRanks, ADeadRank, testing::Values(0, 1, 2));
 
+// Fragments are where the specimen broke: at a checkpoint the ranks share the work anew.
+TEST_F(Ranks, ShareTheWorkAnewAtCheckpoints) {
+    const Shell shell;
+    const std::string test =
+        "graincrack-solve uniaxial specimen.h5 --material augig-granite --rate-tolerance 0.1 --max-strain 0.01 --peak-drop "
+        "0.95 ";
+    shell.must("graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 --material augig-granite -o specimen.h5\n" +
+               test + "--quiet -o whole.h5");
+    const Outcome ranks = shell.run(on_ranks(2) + test + "--checkpoint-every 300ms --rebalance 1.001 -o run.h5");
+    EXPECT_EQ(ranks.exit_code, 0) << ranks.err;
+    EXPECT_GE(n_lines(lines_of("uniaxial: the busiest rank had", ranks.err)), 1) << ranks.err;
+    expect_same_run(shell, "run.h5", "whole.h5");
+}
+
 TEST_F(Ranks, AreStoppedBySIGTERMWithACheckpoint) {
     const Shell shell;
     shell.must(make_long_specimen + long_test + "--quiet -o whole.h5");
