@@ -268,6 +268,28 @@ TEST(ThreadRanks, ARunResumesOnOtherRanksThanItStoppedOn) {
     expect_run_as(folder.file("whole.h5"), run);
 }
 
+// Contacts between fragments make the work of ranks unequal; at checkpoints they share it anew.
+TEST(ThreadRanks, SharingTheWorkAnewLeavesTheRunAsItIs) {
+    const test::TemporaryFolder folder;
+    SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
+    run_on_ranks(1, grains_for_ranks(), r, folder.file("one.h5"));
+    expect_fragments(folder.file("one.h5"), 100, 50);
+    r.checkpoint_interval = 500;
+    r.wall_clock = [time = 0.0]() mutable { return time += 1; };
+    r.rebalance_beyond = 1;
+    testing::internal::CaptureStderr();
+    for (const int n : {3, 4}) {
+        SCOPED_TRACE(n);
+        test::on_thread_ranks(n, [&](const Ranks& ranks) {
+            SimulationRequest own = r;
+            own.ranks = &ranks;
+            simulate(grains_for_ranks(), own, folder.file("ranks.h5"), Verbosity::normal, {});
+        });
+        expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
+    }
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("times the mean work"), std::string::npos);
+}
+
 // The first cannot write: no rank goes on without it.
 TEST(ThreadRanks, AllEndWhereTheFirstCannotWrite) {
     const SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
