@@ -271,19 +271,21 @@ TEST(ThreadRanks, ARunResumesOnOtherRanksThanItStoppedOn) {
 // Contacts between fragments make the work of ranks unequal; at checkpoints they share it anew.
 TEST(ThreadRanks, SharingTheWorkAnewLeavesTheRunAsItIs) {
     const test::TemporaryFolder folder;
+    const Specimen grains = test::jittered_grid(14, 28, 0.04, 0.08, 0.25);
     SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
-    run_on_ranks(1, grains_for_ranks(), r, folder.file("one.h5"));
+    r.loading.max_strain = 0.015;
+    run_on_ranks(1, grains, r, folder.file("one.h5"));
     expect_fragments(folder.file("one.h5"), 100, 50);
-    r.checkpoint_interval = 500;
-    r.wall_clock = [time = 0.0]() mutable { return time += 1; };
     r.rebalance_beyond = 1;
+    r.checkpoint_interval = 60;
+    r.wall_clock = [time = 0.0]() mutable { return time += 1; };
     testing::internal::CaptureStderr();
-    for (const int n : {3, 4}) {
+    for (const int n : {3, 5}) {
         SCOPED_TRACE(n);
         test::on_thread_ranks(n, [&](const Ranks& ranks) {
             SimulationRequest own = r;
             own.ranks = &ranks;
-            simulate(grains_for_ranks(), own, folder.file("ranks.h5"), Verbosity::normal, {});
+            simulate(grains, own, folder.file("ranks.h5"), Verbosity::normal, {});
         });
         expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
     }
