@@ -46,14 +46,18 @@ Copy copy_of_contacts(const Assemblage& a, std::int32_t chunk, const State& s) {
     return {chunk, hash.value()};
 }
 
-/// Of the pairs of a node.
+/// Of the pairs of a node. What is left of a contact that has ended, its owner alone has, and nobody reads.
 Copy copy_of_pairs(Range group, const ContactPairList& list) {
     Hash hash;
     for (std::int32_t i = group.begin; i < group.end; ++i) {
         const NodeEdgeContact& contact = list.contacts[i];
         hash.add(static_cast<std::uint64_t>(list.pairs[i].edge));
-        hash.add(static_cast<std::uint64_t>(contact.active ? 1 : 0));
-        for (const double value : {contact.area, contact.initial_overlap, contact.overlap, contact.elastic_slip}) hash.add(value);
+        const bool exists = contact.active || contact.release_correction != 0;
+        hash.add(std::uint64_t{contact.active ? 1U : 0U} + (exists && contact.near_first ? 2U : 0U));
+        for (const double value :
+             {contact.area, contact.initial_overlap, contact.overlap, contact.elastic_slip, contact.release_correction}) {
+            hash.add(exists ? value : 0);
+        }
     }
     return {list.pairs[group.begin].node, hash.value()};
 }

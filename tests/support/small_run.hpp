@@ -125,6 +125,8 @@ struct SmallRun {
         parameters.time_step = fraction * stable_time_step(assemblage, boundary, parameters.laws, parameters.mass_scaling.factor);
         state = make_state(assemblage, boundary, specimen);
     }
+    /// Makes this the part of a rank; to be called before `begin`.
+    void share(const Ranks& ranks) { assemblage.part = make_part(assemblage, boundary.prescribed, {}, ranks); }
     /// Sets velocities as a function of the reference position.
     template <class Field>
     void set_velocity(Field&& field) {

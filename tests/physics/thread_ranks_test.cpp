@@ -1,0 +1,302 @@
+// Runs on several ranks are the run of one: the same file, to the digest, past the peak, with fragments, whatever the test, the
+// law and the mass scaling; so are runs that stop on some ranks and resume on others. Ranks are threads here: see
+// tests/end_to_end/ranks_test.cpp for those of MPI.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "share/base/error.hpp"
+#include "share/file/h5_file.hpp"
+#include "solver/program/program_file.hpp"
+#include "solver/restart/checkpoint.hpp"
+#include "solver/run/simulation.hpp"
+#include "tests/end_to_end/same_arrays.hpp"
+#include "tests/support/crushed_run.hpp"
+#include "tests/support/crystals.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/thread_ranks.hpp"
+
+namespace graincrack {
+namespace {
+
+/// Three phases with classes of contacts for each pair of them.
+const Specimen& phases_for_ranks() {
+    static const Specimen s = test::varied_phases(test::crushed_specimen()).specimen;
+    return s;
+}
+const Specimen& grains_for_ranks() {
+    static const Specimen s = test::crushed_specimen();
+    return s;
+}
+const Specimen& crystals_for_ranks() {
+    static const Specimen s = test::crystals_with_flaw();
+    return s;
+}
+
+SimulationRequest request_for_ranks(TestKind test, LawVariant law, bool is_scaled) {
+    SimulationRequest r;
+    r.material = test::augig_granite();
+    r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
+    r.law = law;
+    r.mass_scaling = is_scaled;
+    r.loading.test = test;
+    r.loading.platen_speed = is_scaled ? 3 : 10;
+    r.loading.platen_friction = 5 * test::degree;
+    r.loading.max_strain = test == TestKind::tension ? 0.008 : 0.02;
+    r.peak_drop = 0;
+    r.frames = 3;
+    r.save_state = true;
+    r.elements_per_thread = 1;
+    return r;
+}
+
+/// Writes a run of some ranks.
+void run_on_ranks(int n, const Specimen& specimen, SimulationRequest request, const std::string& file) {
+    test::on_thread_ranks(n, [&](const Ranks& ranks) {
+        SimulationRequest own = request;
+        own.ranks = &ranks;
+        simulate(specimen, own, file, Verbosity::quiet, {});
+    });
+}
+
+std::string digest_of_run(const std::string& file) { return H5Input(file, "run").digest(); }
+
+/// Names the arrays that differ, where the digest does.
+void expect_run_as(const std::string& expected, const std::string& file) {
+    if (digest_of_run(file) == digest_of_run(expected)) return;
+    ADD_FAILURE() << "another digest than that of a rank alone";
+    const H5Input differs(file);
+    const H5Input right(expected);
+    for (const char* group : {"/history", "/cracks", "/state"}) test::expect_same_arrays(differs, right, group);
+}
+
+/// So that what is compared has happened.
+void expect_fragments(const std::string& file, std::size_t least_cracks, std::size_t least_contacts) {
+    const H5Input run(file);
+    EXPECT_GE(run.read<std::int32_t>("/cracks/contact").size(), least_cracks);
+    EXPECT_GE(run.read<double>("/state/active_pairs").size(), least_contacts);
+    EXPECT_GT(run.read<double>("/history/energy_friction").back(), 0);
+}
+
+struct RunOnRanks {
+    const char* name;
+    const Specimen& (*specimen)();
+    SimulationRequest request;
+    std::vector<int> ranks;
+    std::size_t least_cracks, least_contacts;
+};
+
+std::vector<RunOnRanks> runs_on_ranks() {
+    std::vector<RunOnRanks> runs;
+    const auto add = [&](const char* name, const Specimen& (*specimen)(), const SimulationRequest& r,
+                         const std::vector<int>& ranks, std::size_t cracks, std::size_t contacts) {
+        runs.push_back({name, specimen, r, ranks, cracks, contacts});
+    };
+    add("fragments", grains_for_ranks, request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true), {2, 3, 4}, 100, 50);
+
+    SimulationRequest confined = request_for_ranks(TestKind::triaxial, LawVariant::cohesive_frictional, true);
+    confined.material = test::granite_of_phases();
+    confined.loading.confining_pressure = 4e6;
+    add("confined phases", phases_for_ranks, confined, {2, 4}, 100, 20);
+
+    SimulationRequest flawed = request_for_ranks(TestKind::uniaxial, LawVariant::coulomb_slip, false);
+    flawed.material = test::granite_with_flaw();
+    add("crystals with a flaw", crystals_for_ranks, flawed, {3}, 100, 20);
+
+    SimulationRequest torn = request_for_ranks(TestKind::tension, LawVariant::consistent, false);
+    torn.peak_drop = 0.7;
+    torn.threads = 2;
+    add("torn", grains_for_ranks, torn, {2, 4}, 20, 0);
+
+    add(
+        "two chunks",
+        []() -> const Specimen& {
+            static const Specimen few = test::jittered_grid(4, 8, 0.04, 0.08, 0.25);
+            return few;
+        },
+        request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true), {4}, 10, 1);
+    return runs;
+}
+
+TEST(ThreadRanks, WriteTheRunOfOne) {
+    for (const RunOnRanks& row : runs_on_ranks()) {
+        SCOPED_TRACE(row.name);
+        const test::TemporaryFolder folder;
+        run_on_ranks(1, row.specimen(), row.request, folder.file("one.h5"));
+        expect_fragments(folder.file("one.h5"), row.least_cracks, row.least_contacts);
+        for (const int n : row.ranks) {
+            SCOPED_TRACE(n);
+            run_on_ranks(n, row.specimen(), row.request, folder.file("ranks.h5"));
+            expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
+        }
+    }
+}
+
+TEST(ThreadRanks, AnotherRunHasAnotherDigest) {
+    const test::TemporaryFolder folder;
+    SimulationRequest r = request_for_ranks(TestKind::tension, LawVariant::consistent, false);
+    r.peak_drop = 0.7;
+    run_on_ranks(2, grains_for_ranks(), r, folder.file("run.h5"));
+    r.damping *= 0.999;
+    run_on_ranks(2, grains_for_ranks(), r, folder.file("other.h5"));
+    EXPECT_NE(digest_of_run(folder.file("other.h5")), digest_of_run(folder.file("run.h5")));
+}
+
+const std::string head_of_programs = R"(
+name = "cycle"
+damping = 0.8
+[platens]
+[boundary.membrane]
+on = ["left", "right"]
+[probe.waist]
+point = ["0 mm", "0 mm"]
+[probe.core]
+circle = ["0 mm", "0 mm", "12 mm"]
+)";
+const std::string stages_before_peak = R"(
+[stage.confine]
+membrane.pressure = { to = "2 MPa", over = "0.03 ms" }
+platen_pressure = { to = "2 MPa", over = "0.03 ms" }
+until.time = "0.04 ms"
+[stage.press]
+platen_speed = { to = "4 m/s", over = "0.02 ms" }
+until = { peak_drop = 0.1, time = "0.2 ms" }
+)";
+const std::string stages_after_peak = R"(
+[stage.ease]
+membrane.pressure = "keep"
+platen_speed = { to = "-1 m/s", over = "0.02 ms" }
+until.time = "0.05 ms"
+[stage.crush]
+membrane.pressure = "keep"
+platen_speed = { to = "4 m/s", over = "0.02 ms" }
+until.time = "0.25 ms"
+)";
+SimulationRequest program_for_ranks(const std::string& stages, const std::string& tables) {
+    SimulationRequest r = request_for_ranks(TestKind::program, LawVariant::consistent, true);
+    r.program = parse_program("stages = [" + stages + "]\n" + head_of_programs + tables, "cycle.toml");
+    r.material = test::granite_of_phases();
+    return r;
+}
+
+TEST(ThreadRanks, AProgramIsThatOfOne) {
+    const test::TemporaryFolder folder;
+    const SimulationRequest r =
+        program_for_ranks(R"("confine", "press", "ease", "crush")", stages_before_peak + stages_after_peak);
+    run_on_ranks(1, phases_for_ranks(), r, folder.file("one.h5"));
+    expect_fragments(folder.file("one.h5"), 100, 20);
+    run_on_ranks(4, phases_for_ranks(), r, folder.file("ranks.h5"));
+    expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
+}
+
+// Gravity, tractions, prescribed velocities and an initial one: every condition has nodes and edges on the cuts.
+TEST(ThreadRanks, AProgramOfWavesIsThatOfOne) {
+    const test::TemporaryFolder folder;
+    SimulationRequest r = request_for_ranks(TestKind::program, LawVariant::consistent, false);
+    r.damping = 0;
+    r.program = parse_program(R"(
+name = "waves"
+damping = 0
+gravity = [0, "-9.81 m/s2"]
+stages = ["shake"]
+[initial.all]
+velocity = ["0.5 m/s", "0 m/s"]
+[boundary.base]
+on = "bottom"
+velocity_x = { to = "3 m/s", over = "0.01 ms" }
+velocity_y = 0
+[boundary.side]
+on = "left"
+traction_x = { to = "20 MPa", over = "0.02 ms" }
+traction_y = { to = "-8 MPa", over = "0.02 ms" }
+[boundary.other]
+on = "right"
+pressure = { to = "30 MPa", over = "0.01 ms" }
+[probe.middle]
+point = ["1 mm", "2 mm"]
+[probe.core]
+circle = ["0 mm", "0 mm", "12 mm"]
+[stage.shake]
+until.time = "0.05 ms"
+)",
+                              "waves.toml");
+    run_on_ranks(1, grains_for_ranks(), r, folder.file("one.h5"));
+    EXPECT_GE(H5Input(folder.file("one.h5")).read<std::int32_t>("/cracks/contact").size(), 10U);
+    for (const int n : {3, 5}) {
+        SCOPED_TRACE(n);
+        run_on_ranks(n, grains_for_ranks(), r, folder.file("ranks.h5"));
+        expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
+    }
+}
+
+TEST(ThreadRanks, AProgramStartsFromTheStateThatOthersSaved) {
+    const test::TemporaryFolder folder;
+    const SimulationRequest first = program_for_ranks(R"("confine", "press")", stages_before_peak);
+    run_on_ranks(1, phases_for_ranks(), first, folder.file("first.h5"));
+    run_on_ranks(3, phases_for_ranks(), first, folder.file("first-3.h5"));
+    expect_run_as(folder.file("first.h5"), folder.file("first-3.h5"));
+    SimulationRequest second = program_for_ranks(R"("ease", "crush")", stages_after_peak);
+    second.restart = folder.file("first.h5");
+    run_on_ranks(1, phases_for_ranks(), second, folder.file("second.h5"));
+    expect_fragments(folder.file("second.h5"), 100, 20);
+    second.restart = folder.file("first-3.h5");
+    for (const int n : {1, 2}) {
+        SCOPED_TRACE(n);
+        run_on_ranks(n, phases_for_ranks(), second, folder.file("second-n.h5"));
+        expect_run_as(folder.file("second.h5"), folder.file("second-n.h5"));
+    }
+}
+
+TEST(ThreadRanks, ARunResumesOnOtherRanksThanItStoppedOn) {
+    const test::TemporaryFolder folder;
+    const std::string run = folder.file("run.h5");
+    SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
+    run_on_ranks(1, grains_for_ranks(), r, folder.file("whole.h5"));
+    expect_fragments(folder.file("whole.h5"), 100, 50);
+    const std::size_t rows = RunReader(folder.file("whole.h5")).history().size();
+    std::size_t part = 3;
+    for (const int n : {3, 1, 2, 4}) {
+        r.stops_after = [stop = rows * part++ / 8](std::size_t n_rows) { return n_rows == stop; };
+        EXPECT_THROW(run_on_ranks(n, grains_for_ranks(), r, run), Interrupted);
+        ASSERT_EQ(std::rename(checkpoint_of(run).c_str(), folder.file("before.h5").c_str()), 0);
+        r.restart = folder.file("before.h5");
+    }
+    r.stops_after = nullptr;
+    run_on_ranks(3, grains_for_ranks(), r, run);
+    expect_run_as(folder.file("whole.h5"), run);
+}
+
+// Contacts between fragments make the work of ranks unequal; at checkpoints they share it anew.
+TEST(ThreadRanks, SharingTheWorkAnewLeavesTheRunAsItIs) {
+    const test::TemporaryFolder folder;
+    const Specimen grains = test::jittered_grid(14, 28, 0.04, 0.08, 0.25);
+    SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
+    r.loading.max_strain = 0.015;
+    run_on_ranks(1, grains, r, folder.file("one.h5"));
+    expect_fragments(folder.file("one.h5"), 100, 50);
+    r.rebalance_beyond = 1;
+    r.checkpoint_interval = 60;
+    r.wall_clock = [time = 0.0]() mutable { return time += 1; };
+    testing::internal::CaptureStderr();
+    for (const int n : {3, 5}) {
+        SCOPED_TRACE(n);
+        test::on_thread_ranks(n, [&](const Ranks& ranks) {
+            SimulationRequest own = r;
+            own.ranks = &ranks;
+            simulate(grains, own, folder.file("ranks.h5"), Verbosity::normal, {});
+        });
+        expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
+    }
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("times the mean work"), std::string::npos);
+}
+
+// The first cannot write: no rank goes on without it.
+TEST(ThreadRanks, AllEndWhereTheFirstCannotWrite) {
+    const SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
+    EXPECT_THROW(run_on_ranks(3, grains_for_ranks(), r, "/nowhere/run.h5"), OutputError);
+}
+
+}  // namespace
+}  // namespace graincrack

@@ -1,0 +1,297 @@
+// Each rank finds the pairs that act on its own nodes, and knows what it needs of the nodes and contacts of others.
+#include "solver/detection/pair_exchange.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "share/base/error.hpp"
+#include "solver/detection/pair_search.hpp"
+#include "solver/detection/stable_area.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/small_run.hpp"
+#include "tests/support/thread_ranks.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::on_thread_ranks;
+using test::SmallRun;
+using Pairs = std::vector<CandidatePair>;
+
+SmallRun bonded_grains() { return {test::jittered_grid(10, 20, 0.04, 0.08, 0.25), test::augig_law()}; }
+
+/// Scatter of the grains, in mean lengths of edges: they have hardly moved, or are anywhere.
+constexpr double near_their_places = 0.1;
+constexpr double far_from_their_places = 3;
+
+Vector2 shift_of_grain(const SmallRun& run, std::int32_t grain, double scatter) {
+    const double size = scatter * run.assemblage.surface.mean_length;
+    return {size * ((grain * 37) % 41 / 20.0 - 1), size * ((grain * 53) % 43 / 21.0 - 1)};
+}
+
+/// Grains that nothing links, scattered. The displacements of other ranks' nodes are no numbers.
+SmallRun loose_grains(const Ranks& ranks, double scatter = near_their_places) {
+    SmallRun run = bonded_grains();
+    std::fill(run.state.contact_pairs.debonded.begin(), run.state.contact_pairs.debonded.end(), std::uint8_t{1});
+    std::fill(run.state.contact_pairs.released.begin(), run.state.contact_pairs.released.end(), std::uint8_t{1});
+    run.share(ranks);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (std::int32_t i = 0; i < run.assemblage.n_nodes(); ++i) {
+        run.state.displacement[i] = Vector2{nan, nan};
+        if (run.assemblage.part.owns(i)) {
+            run.state.displacement[i] = shift_of_grain(run, run.assemblage.surface.grain_of_node[i], scatter);
+        }
+    }
+    return run;
+}
+
+double margin_of(const SmallRun& run) { return 0.04 * run.assemblage.surface.mean_length; }
+
+/// All pairs of nodes of which one acts on an own node.
+Pairs pairs_near_own_nodes(const SmallRun& run, const Pairs& all) {
+    const Part& part = run.assemblage.part;
+    const std::vector<SurfaceEdge>& edges = run.assemblage.surface.edges;
+    std::set<std::int32_t> nodes;
+    for (const CandidatePair& pair : all) {
+        const auto [first, second] = edges[static_cast<std::size_t>(pair.edge)].nodes;
+        if (part.owns(pair.node) || part.owns(first) || part.owns(second)) nodes.insert(pair.node);
+    }
+    Pairs near;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(near),
+                 [&](const CandidatePair& p) { return nodes.count(p.node) > 0; });
+    return near;
+}
+
+TEST(PairExchange, FreeFacesAndWhatIsBesideALooseContactAreExposed) {
+    SmallRun run = bonded_grains();
+    const std::vector<SurfaceEdge>& edges = run.assemblage.surface.edges;
+    std::set<std::int32_t> exposed;
+    for (std::int32_t e = 0; e < static_cast<std::int32_t>(edges.size()); ++e) {
+        if (edges[e].contact < 0) exposed.insert(e);
+    }
+    const auto found = [&] {
+        const std::vector<std::int32_t> list = find_exposed_edges(run.assemblage, run.state.contact_pairs);
+        EXPECT_TRUE(std::is_sorted(list.begin(), list.end()));
+        return std::set<std::int32_t>(list.begin(), list.end());
+    };
+    EXPECT_EQ(found(), exposed);
+    const std::int32_t loose = run.assemblage.contact_of_specimen[200];
+    run.state.contact_pairs.debonded[2 * loose + 1] = 1;
+    for (std::int32_t e = 0; e < static_cast<std::int32_t>(edges.size()); ++e) {
+        if (edges[e].contact == loose) exposed.insert({e, edges[e].previous, edges[e].next});
+    }
+    EXPECT_EQ(found(), exposed);
+}
+
+TEST(PairExchange, EachRankFindsThePairsThatActOnItsNodes) {
+    for (const auto& [scatter, margins] :
+         {std::pair(near_their_places, 1), std::pair(near_their_places, 8), std::pair(far_from_their_places, 1)}) {
+        SmallRun alone = loose_grains(Ranks::alone(), scatter);
+        const double margin = margins * margin_of(alone);
+        const Pairs all = find_pairs(alone.assemblage, margin, alone.state);
+        ASSERT_GT(all.size(), 500U);
+        for (int n = 2; n <= 5; ++n) {
+            on_thread_ranks(n, [&, scatter = scatter](const Ranks& ranks) {
+                SmallRun run = loose_grains(ranks, scatter);
+                const Pairs expected = pairs_near_own_nodes(run, all);
+                EXPECT_LT(expected.size(), all.size());
+                EXPECT_EQ(find_pairs(run.assemblage, margin, run.state), expected) << n;
+            });
+        }
+    }
+}
+
+TEST(PairExchange, ARankWithoutNodesFindsNone) {
+    on_thread_ranks(2, [&](const Ranks& ranks) {
+        SmallRun run(test::jittered_grid(1, 2, 0.04, 0.08, 0.25), test::augig_law());
+        std::fill(run.state.contact_pairs.debonded.begin(), run.state.contact_pairs.debonded.end(), std::uint8_t{1});
+        std::fill(run.state.contact_pairs.released.begin(), run.state.contact_pairs.released.end(), std::uint8_t{1});
+        run.share(ranks);
+        EXPECT_EQ(find_pairs(run.assemblage, margin_of(run), run.state).empty(), run.assemblage.part.own_nodes().size() == 0);
+    });
+}
+
+TEST(PairExchange, KeepsThePairsOfOwnNodesOfAList) {
+    SmallRun alone = loose_grains(Ranks::alone());
+    const Pairs all = find_pairs(alone.assemblage, margin_of(alone), alone.state);
+    on_thread_ranks(3, [&](const Ranks& ranks) {
+        const SmallRun run = loose_grains(ranks);
+        Pairs kept = all;
+        keep_pairs_of_own_nodes(run.assemblage, kept);
+        EXPECT_EQ(kept, pairs_near_own_nodes(run, all));
+    });
+    Pairs kept = all;
+    keep_pairs_of_own_nodes(alone.assemblage, kept);
+    EXPECT_EQ(kept, all);
+}
+
+// Of pairs whose nodes all belong to others too: their motion, and that of the edges beside them.
+TEST(PairExchange, GhostsAreAllNodesThatPairsAndThePartRead) {
+    on_thread_ranks(4, [](const Ranks& ranks) {
+        SmallRun run = loose_grains(ranks, far_from_their_places);
+        State& s = run.state;
+        const std::vector<SurfaceEdge>& edges = run.assemblage.surface.edges;
+        s.contact_pairs.pairs = find_pairs(run.assemblage, margin_of(run), s);
+        std::set<std::int32_t> read(run.assemblage.part.ghosts.begin(), run.assemblage.part.ghosts.end());
+        for (const CandidatePair& pair : s.contact_pairs.pairs) {
+            read.insert(pair.node);
+            for (const std::int32_t e : {pair.edge, edges[pair.edge].previous, edges[pair.edge].next}) {
+                if (e >= 0) read.insert(edges[e].nodes.begin(), edges[e].nodes.end());
+            }
+        }
+        for (const std::int32_t node : read) {
+            if (!run.assemblage.part.owns(node)) s.displacement[node] = s.velocity[node] = {-1, -1};
+        }
+        for (std::int32_t i = run.assemblage.part.own_nodes().begin; i < run.assemblage.part.own_nodes().end; ++i) {
+            s.velocity[i] = {static_cast<double>(i), 0};
+        }
+        find_ghosts(run.assemblage, s);
+        std::size_t n_others = 0;
+        for (const std::int32_t node : read) {
+            const Vector2 expected = shift_of_grain(run, run.assemblage.surface.grain_of_node[node], far_from_their_places);
+            EXPECT_EQ(s.displacement[node].x, expected.x);
+            EXPECT_EQ(s.displacement[node].y, expected.y);
+            EXPECT_EQ(s.velocity[node].x, node);
+            n_others += run.assemblage.part.owns(node) ? 0U : 1U;
+        }
+        EXPECT_EQ(s.ghosts->n_ghosts(), n_others);
+        EXPECT_GT(n_others, run.assemblage.part.ghosts.size());  // some are those of pairs alone
+    });
+}
+
+/// A contact of its own for each pair; of every third there is none, and of some a correction in the step after their end.
+NodeEdgeContact contact_of(const CandidatePair& pair) {
+    NodeEdgeContact contact;
+    const std::int32_t number = 1000 * pair.node + pair.edge;
+    if (number % 3 == 0) return contact;
+    contact.active = number % 3 == 1;
+    contact.near_first = number % 2 == 0;
+    contact.area = number;
+    contact.overlap = 0.5 * number;
+    contact.elastic_slip = -number;
+    contact.release_correction = contact.active ? 0 : 2;
+    return contact;
+}
+bool is_same(const NodeEdgeContact& l, const NodeEdgeContact& r) {
+    return l.active == r.active && l.near_first == r.near_first && l.area == r.area && l.initial_overlap == r.initial_overlap &&
+           l.overlap == r.overlap && l.elastic_slip == r.elastic_slip && l.release_correction == r.release_correction;
+}
+/// The pairs of a rank, with the contacts of own nodes; those of other nodes are in a state that nobody has.
+SmallRun grains_in_contact(const Ranks& ranks) {
+    SmallRun run = loose_grains(ranks);
+    ContactPairList& list = run.state.contact_pairs;
+    list.pairs = find_pairs(run.assemblage, margin_of(run), run.state);
+    NodeEdgeContact wrong;
+    wrong.active = true;
+    wrong.area = -1;
+    for (const CandidatePair& pair : list.pairs) {
+        list.contacts.push_back(run.assemblage.part.owns(pair.node) ? contact_of(pair) : wrong);
+    }
+    return run;
+}
+
+TEST(PairExchange, ContactsOfOtherNodesAreThoseOfTheirOwners) {
+    std::size_t n_taken = 0;
+    on_thread_ranks(3, [&](const Ranks& ranks) {
+        SmallRun run = grains_in_contact(ranks);
+        ContactPairList& list = run.state.contact_pairs;
+        take_contacts_of_owners(run.assemblage, list);
+        for (std::size_t i = 0; i < list.pairs.size(); ++i) {
+            EXPECT_TRUE(is_same(list.contacts[i], contact_of(list.pairs[i]))) << list.pairs[i].node << " " << list.pairs[i].edge;
+            n_taken += run.assemblage.part.owns(list.pairs[i].node) ? 0U : 1U;
+        }
+    });
+    EXPECT_GT(n_taken, 20U);
+}
+
+/// Nodes of other ranks with several pairs.
+std::vector<std::int32_t> other_nodes_with_pairs(const SmallRun& run) {
+    std::vector<std::int32_t> nodes;
+    const Pairs& pairs = run.state.contact_pairs.pairs;
+    for (std::size_t i = 1; i < pairs.size(); ++i) {
+        if (pairs[i].node == pairs[i - 1].node && !run.assemblage.part.owns(pairs[i].node)) nodes.push_back(pairs[i].node);
+    }
+    return nodes;
+}
+
+TEST(PairExchange, RefusesPairsThatAnOwnerAndAReaderDoNotShare) {
+    for (const int lacking : {0, 1}) {
+        const auto run_without_a_pair = [lacking] {
+            on_thread_ranks(2, [lacking](const Ranks& ranks) {
+                SmallRun run = grains_in_contact(ranks);
+                ContactPairList& list = run.state.contact_pairs;
+                const std::int32_t node = ranks.gather_all(other_nodes_with_pairs(run))[1].front();  // owned by rank 0
+                const auto at = std::lower_bound(list.pairs.begin(), list.pairs.end(), CandidatePair{node, 0});
+                ASSERT_EQ(at->node, node);
+                if (ranks.rank() == lacking) {
+                    list.contacts.erase(list.contacts.begin() + (at - list.pairs.begin()));
+                    list.pairs.erase(at);
+                }
+                take_contacts_of_owners(run.assemblage, list);
+            });
+        };
+        test::expect_one_line<NumericalError>(run_without_a_pair,
+                                              {"rank 1 has", "pairs of node", "its owner", "use fewer ranks"});
+    }
+}
+
+/// Areas of the pairs of a rank, as contacts of long and as new ones, after they were limited.
+struct LimitedAreas {
+    Pairs pairs;
+    std::vector<double> area, overlap, new_area;
+};
+LimitedAreas limited_areas(const Ranks& ranks) {
+    SmallRun run = loose_grains(ranks, far_from_their_places);
+    run.parameters.mass_scaling = make_mass_scaling(run.assemblage, 60);
+    run.parameters.time_step *= 4;  // so that clusters have too many contacts
+    ContactPairList& list = run.state.contact_pairs;
+    list.pairs = find_pairs(run.assemblage, margin_of(run), run.state);
+    list.forces.resize(3 * list.pairs.size());
+    std::vector<NewContact> contacts;
+    for (const CandidatePair& pair : list.pairs) {
+        NodeEdgeContact contact;
+        contact.active = pair.node % 2 == 0;
+        contact.area = 0.5 * run.assemblage.surface.tributary[pair.node];
+        contact.overlap = 1e-6;
+        list.contacts.push_back(contact);
+        if (!contact.active) contacts.push_back({0, pair, {}, contact.area});
+    }
+    find_ghosts(run.assemblage, run.state);
+    limit_contact_areas(run.assemblage, run.parameters, run.state);
+    limit_new_areas(run.assemblage, run.parameters, contacts, run.state);
+    LimitedAreas areas;
+    areas.pairs = list.pairs;
+    std::size_t k = 0;
+    for (const NodeEdgeContact& contact : list.contacts) {
+        areas.area.push_back(contact.area);
+        areas.overlap.push_back(contact.overlap);
+        areas.new_area.push_back(contact.active ? -1 : contacts[k++].area);
+    }
+    return areas;
+}
+
+// What limits a contact on a cut are contacts of both sides, of which a rank knows a part.
+TEST(PairExchange, AreasAreLimitedAsOnARankAlone) {
+    const LimitedAreas alone = limited_areas(Ranks::alone());
+    EXPECT_GT(std::count_if(alone.overlap.begin(), alone.overlap.end(), [](double overlap) { return overlap > 1e-6; }), 100);
+    for (int n = 2; n <= 4; ++n) {
+        on_thread_ranks(n, [&](const Ranks& ranks) {
+            const LimitedAreas own = limited_areas(ranks);
+            for (std::size_t i = 0; i < own.pairs.size(); ++i) {
+                const auto at = std::lower_bound(alone.pairs.begin(), alone.pairs.end(), own.pairs[i]);
+                ASSERT_TRUE(at != alone.pairs.end() && *at == own.pairs[i]);
+                const auto k = static_cast<std::size_t>(at - alone.pairs.begin());
+                EXPECT_EQ(own.area[i], alone.area[k]) << n;
+                EXPECT_EQ(own.overlap[i], alone.overlap[k]) << n;
+                EXPECT_EQ(own.new_area[i], alone.new_area[k]) << n;
+            }
+        });
+    }
+}
+
+}  // namespace
+}  // namespace graincrack
