@@ -83,7 +83,8 @@ Chart::Chart(const PictureStyle& style, const ChartText& text, const Axis& x, co
       y_unlimited_(y),
       drawing_(static_cast<int>(style.page_width), 100),
       x_{limited(x, style.x_limits), 0, 0},
-      y_{limited(y, style.y_limits), 0, 0} {
+      y_{limited(y, style.y_limits), 0, 0},
+      names_x_(form.names_x) {
     notes_ = text.notes;
     if (form.right) right_ = Scale{*form.right, 0, 0};
     ChartText heading = text;
@@ -270,7 +271,7 @@ void Chart::draw_y_ticks(const Scale& scale, bool right) {
 
 void Chart::draw_labels(double below_ticks) {
     double y = below_ticks;
-    if (!x_.axis.label.empty()) {
+    if (names_x_ && !x_.axis.label.empty()) {
         const std::string label = ticks_along(x_.axis, x_.to - x_.from, letters::text, 8).label;
         for (const std::string& line : broken_lines(label, letters::label, drawing_.width() - x_.from)) {
             y += 1.45 * letters::label;

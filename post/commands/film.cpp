@@ -21,8 +21,8 @@ Command film_command() {
         [](OptionSet set, FilmOptions& options) {
             add_output(set, options.output,
                        "film: .mp4 (H.264) or .webm (VP9), which ffmpeg encodes, or a folder of numbered PNG");
-            add_choice<FilmPace>(
-                set, "--by", options.contents.pace, {{"strain", FilmPace::strain}, {"time", FilmPace::time}},
+            add_choice<FilmSteps>(
+                set, "--by", options.contents.steps, {{"strain", FilmSteps::strain}, {"time", FilmSteps::time}},
                 "what pictures are even steps of: axial strain, or time, which shows slowly what happens at the peak");
             add_quantity(set, "--duration", options.duration, duration, "how long the film runs", "10s");
             add_integer(set, "--frames-per-second", options.frames_per_second, "pictures in a second", 1, 120);

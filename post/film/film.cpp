@@ -30,7 +30,10 @@ int whole_number(std::string_view text) {
 
 bool is_side(int pixels) { return pixels >= smallest_side && pixels <= largest_side && pixels % 2 == 0; }
 
-void write_pictures(FilmPage& page, const std::vector<double>& moments, FilmOutput& output, Verbosity verbosity) {
+void write_pictures(const RunReader& run, const FilmContents& contents, std::size_t count, FilmOutput& output,
+                    Verbosity verbosity) {
+    FilmPage page(run, contents);
+    const std::vector<double> moments = page.moments(count);
     Progress progress("film", verbosity);
     for (std::size_t i = 0; i < moments.size(); ++i) {
         throw_if_interrupted();
@@ -86,16 +89,14 @@ void make_film(const FilmOptions& options, const Call& call) {
     const std::vector<std::string> encoders = is_video ? ffmpeg_encoders() : std::vector<std::string>{};
     const FilmForm form{options.contents.size, options.frames_per_second};
     const RunReader run(call.file());
-    FilmPage page(run, options.contents);
-    const std::vector<double> moments = page.moments(count);
     if (!encoders.empty()) {
         VideoFile video(options.output, form, encoders);
-        return write_pictures(page, moments, video, call.verbosity);
+        return write_pictures(run, options.contents, count, video, call.verbosity);
     }
     const std::filesystem::path name(options.output);
     const std::string folder = is_video ? (name.parent_path() / name.stem()).string() : options.output;
     PictureFolder pictures(folder, form.size, count);
-    write_pictures(page, moments, pictures, call.verbosity);
+    write_pictures(run, options.contents, count, pictures, call.verbosity);
     std::string without_ending = folder;
     while (without_ending.ends_with('/')) without_ending.pop_back();
     const std::string command =

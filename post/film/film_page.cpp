@@ -62,9 +62,9 @@ Course strains_of(const LoadCurve& curve) {
     return {axis, std::move(percent)};
 }
 
-Passage passage_of(const RunData& data, FilmPace pace) {
+Passage passage_of(const RunData& data, FilmSteps steps) {
     const std::vector<double>& times = data.history[HistoryColumn::time];
-    return {times, pace == FilmPace::time ? times : data.history[HistoryColumn::axial_strain]};
+    return {times, steps == FilmSteps::time ? times : data.history[HistoryColumn::axial_strain]};
 }
 
 std::vector<double> checked_frame_times(const RunReader& run) {
@@ -84,7 +84,7 @@ FilmPage::FilmPage(const RunReader& run, FilmContents contents)
       cracks_(cracks_of_film(run, specimen_, contents_)),
       data_(data_of(run, contents_, cracks_)),
       curve_(load_curve(data_)),
-      passage_(passage_of(data_, contents_.pace)),
+      passage_(passage_of(data_, contents_.steps)),
       frame_times_(checked_frame_times(run)),
       motion_(run, specimen_, contents_.magnification),
       page_width_(std::round(page_height * contents_.size.width / contents_.size.height)) {
@@ -183,6 +183,7 @@ Drawing FilmPage::stress_chart(double time, double height) const {
     ChartForm form;
     form.height = height;
     form.min_left = left_of_charts;
+    form.names_x = contents_.steps != FilmSteps::strain;  // the chart below has the same axis
     Chart chart(PictureStyle{}.of_part(page_width_ - map_width_), {}, axis,
                 Axis{stress_name(data_) + ", MPa", std::min(0.0, smallest(stress)), 1.1 * largest(stress)}, form);
     chart.line(strain, stress, Stroke{palette::outline, 3});
@@ -194,7 +195,7 @@ Drawing FilmPage::stress_chart(double time, double height) const {
 /// Counts of cracks along what the film advances by.
 Drawing FilmPage::count_chart(double time, double height) const {
     const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
-    const Course course = contents_.pace == FilmPace::time ? course_of(data_, Abscissa::time) : strains_of(curve_);
+    const Course course = contents_.steps == FilmSteps::time ? course_of(data_, Abscissa::time) : strains_of(curve_);
     const std::vector<double>& tensile = data_.history[HistoryColumn::tensile_cracks];
     const std::vector<double>& shear = data_.history[HistoryColumn::shear_cracks];
     ChartForm form;

@@ -17,11 +17,11 @@
 namespace graincrack {
 
 /// By what a film advances evenly.
-enum class FilmPace { strain, time };
+enum class FilmSteps { strain, time };
 
 /// What a film shows, and how.
 struct FilmContents {
-    FilmPace pace = FilmPace::strain;
+    FilmSteps steps = FilmSteps::strain;
     ImageSize size{1280, 720};
     double magnification = 1;  ///< of the displacements
     CrackLabelChoice label = {};

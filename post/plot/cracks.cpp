@@ -197,9 +197,7 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     }
     std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks"},
                                     {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}};
-    if (has_pre_existing_cracks(scene.specimen)) {
-        legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
-    }
+    if (has_pre_existing_cracks(scene.specimen)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
     for (LegendEntry& phase : phase_legend(scene.specimen)) legend.push_back(std::move(phase));
     const LegendEnd end = draw_legend(page, legend, column, page.height() + 6);
     const double bottom = draw_scale_bar(page, scale, column, end);
