@@ -12,17 +12,17 @@ Positions between(const Positions& from, const Positions& to, double share) {
     return places;
 }
 
-const Positions& Motion::in_frame(std::size_t index) {
-    const auto known = frames_.find(index);
-    if (known != frames_.end()) return known->second;
-    if (frames_.size() > 1) frames_.erase(index > frames_.begin()->first ? frames_.begin() : std::prev(frames_.end()));
-    return frames_[index] = moved_nodes(specimen_, read_frame(run_, specimen_, index), magnification_);
+Positions Motion::in_frame(std::size_t index) const {
+    return moved_nodes(specimen_, read_frame(run_, specimen_, index), magnification_);
 }
 
 Positions Motion::at(const CurvePoint& place) {
-    if (place.share == 0) return in_frame(place.row);
-    const Positions& from = in_frame(place.row);
-    return between(from, in_frame(place.row + 1), place.share);
+    const std::size_t next = place.share == 0 ? place.row : place.row + 1;
+    std::erase_if(known_, [&](const auto& frame) { return frame.first != place.row && frame.first != next; });
+    for (const std::size_t index : {place.row, next}) {
+        if (!known_.contains(index)) known_.emplace(index, in_frame(index));
+    }
+    return between(known_.at(place.row), known_.at(next), place.share);
 }
 
 }  // namespace graincrack

@@ -86,6 +86,11 @@ VideoFile::VideoFile(const std::string& path, const FilmForm& form, const std::v
                                    "pipe:0",
                                    "-fflags",
                                    "+bitexact"};
+    // Of HDTV, which players take for granted in videos of this size, and says so.
+    for (const char* word : {"-vf", "scale=out_color_matrix=bt709", "-colorspace", "bt709", "-color_primaries", "bt709",
+                             "-color_trc", "bt709", "-color_range", "tv"}) {
+        words.emplace_back(word);
+    }
     words.insert(words.end(), encoding.begin(), encoding.end());
     words.push_back("file:" + file_.begin());
     ffmpeg_ = ChildProcess::start(words);

@@ -56,6 +56,7 @@ TEST_F(Film, MovesNodesBetweenTheFrames) {
     EXPECT_DOUBLE_EQ(motion.at({0, 0})[top][1], height);
     EXPECT_NEAR(motion.at({0, 0.5})[top][1], height * (1 - 0.005), 1e-12);  // half of 0.005, twice as large
     EXPECT_NEAR(motion.at({1, 0})[top][1], height * (1 - 0.01), 1e-12);
+    EXPECT_NEAR(motion.at({1, 0.5})[top][1], height * (1 - 0.011) + 0.0005, 1e-12);
     EXPECT_NEAR(motion.at({0, 0.1})[top][1], height * (1 - 0.001), 1e-12);  // and back
 }
 
