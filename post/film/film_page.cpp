@@ -68,7 +68,7 @@ Passage passage_of(const RunData& data, FilmSteps steps) {
 }
 
 std::vector<double> checked_frame_times(const RunReader& run) {
-    const std::vector<double> times = run.frame_times();
+    std::vector<double> times = run.frame_times();
     if (times.empty() || !(times.back() > times.front())) {
         throw InputError(fmt::format("{}: has {}; a film needs two at least, run the solver with --frames 2 or more", run.name(),
                                      times.empty() ? "no frames" : "frames of one time only"));
@@ -150,8 +150,9 @@ double FilmPage::draw_values(Drawing& page, double top, double time, const std::
     const auto in_a_row = std::clamp<std::size_t>(static_cast<std::size_t>(width / widest_value), 1, words.size());
     double bottom = top;
     const auto place = [&](std::size_t i, double first) {
+        const std::size_t row = i / in_a_row;
         const double left = column().left + width * static_cast<double>(i % in_a_row) / static_cast<double>(in_a_row);
-        return Pixel{left, first + legend_line * static_cast<double>(i / in_a_row)};
+        return Pixel{left, first + legend_line * static_cast<double>(row)};
     };
     for (std::size_t i = 0; i < words.size(); ++i) {
         const Pixel at = place(i, top);
