@@ -68,6 +68,7 @@ std::vector<std::string> encoding_of(const std::string& path, const std::vector<
 VideoFile::VideoFile(const std::string& path, const FilmForm& form, const std::vector<std::string>& encoders)
     : file_(path), form_(form) {
     if (file_.is_stream()) throw UsageError(path + ": is no file; a film is written into a file or a folder");
+    require_no_hdf5(file_);
     const std::vector<std::string> encoding = encoding_of(path, encoders);
     std::vector<std::string> words{"ffmpeg",
                                    "-hide_banner",

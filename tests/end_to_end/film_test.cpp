@@ -48,6 +48,13 @@ TEST_F(Film, ReplacesNoFileAndNoFolderOfOthers) {
         EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
         EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
     }
+    if (has_ffmpeg()) {
+        shell_.must("cp run.h5 film.mp4");
+        const Outcome outcome = shell_.run(film_ + "--quiet -o film.mp4");
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("film.mp4: is a run"), std::string::npos) << outcome.err;
+        shell_.must("cmp run.h5 film.mp4; rm film.mp4");
+    }
     EXPECT_EQ(shell_.must("cat folder/frame_1.png file"), "mine\nmine\n");
     EXPECT_EQ(shell_.names(), "disc.h5\nfile\nfolder\nrun.h5\n");
 }
