@@ -19,6 +19,7 @@
 #include "post/commands/cracks.hpp"
 #include "post/commands/envelope.hpp"
 #include "post/commands/export.hpp"
+#include "post/commands/film.hpp"
 #include "post/commands/fpz.hpp"
 #include "post/commands/history.hpp"
 #include "post/commands/info.hpp"
@@ -68,6 +69,7 @@ std::vector<Command> commands() {
         report_command(),
         page_command(),
         plot_command(),
+        film_command(),
     };
     // clang-format on
 }

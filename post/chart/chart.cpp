@@ -29,9 +29,14 @@ std::vector<std::string> upright_lines(const std::string& label, double height) 
 }
 constexpr double upright_leading = 1.15 * letters::label;
 
+/// The ticks of an upright axis: fewer where the frame has no room for their texts one above the other.
+Ticks upright_ticks(const Axis& axis, double height) {
+    return ticks_of(axis, std::clamp(static_cast<int>(height / (1.4 * letters::text)), 2, 6));
+}
+
 /// Room beside a frame for the ticks and the label of an axis.
 double room_beside(const Axis& axis, double height) {
-    const Ticks ticks = ticks_of(axis, 6);
+    const Ticks ticks = upright_ticks(axis, height);
     const auto lines = static_cast<double>(upright_lines(ticks.label, height).size());
     return tick_length + tick_gap + largest_width(ticks.texts) + 10 + lines * upright_leading;
 }
@@ -83,7 +88,8 @@ Chart::Chart(const PictureStyle& style, const ChartText& text, const Axis& x, co
       y_unlimited_(y),
       drawing_(static_cast<int>(style.page_width), 100),
       x_{limited(x, style.x_limits), 0, 0},
-      y_{limited(y, style.y_limits), 0, 0} {
+      y_{limited(y, style.y_limits), 0, 0},
+      names_x_(form.names_x) {
     notes_ = text.notes;
     if (form.right) right_ = Scale{*form.right, 0, 0};
     ChartText heading = text;
@@ -123,7 +129,7 @@ void Chart::draw_grid() {
          has_numbers ? ticks_along(x_.axis, x_.to - x_.from, letters::text, 8).values : std::vector<double>{}) {
         drawing_.line({x_(tick), y_.from}, {x_(tick), y_.to}, faint_line, palette::faint);
     }
-    for (const double tick : ticks_of(y_.axis, 6).values) {
+    for (const double tick : upright_ticks(y_.axis, y_.from - y_.to).values) {
         drawing_.line({x_.from, y_(tick)}, {x_.to, y_(tick)}, faint_line, palette::faint);
     }
     const auto crossed = [](const Axis& axis) { return !axis.logarithmic && axis.low < 0 && axis.high > 0; };
@@ -248,7 +254,7 @@ double Chart::draw_x_ticks() {
 void Chart::draw_y_ticks(const Scale& scale, bool right) {
     const double side = right ? 1 : -1;
     const double edge = right ? x_.to : x_.from;
-    const Ticks ticks = ticks_of(scale.axis, 6);
+    const Ticks ticks = upright_ticks(scale.axis, y_.from - y_.to);
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
         const double y = scale(ticks.values[i]);
         drawing_.line({edge, y}, {edge + side * tick_length, y}, 1.6, palette::ink);
@@ -270,7 +276,7 @@ void Chart::draw_y_ticks(const Scale& scale, bool right) {
 
 void Chart::draw_labels(double below_ticks) {
     double y = below_ticks;
-    if (!x_.axis.label.empty()) {
+    if (names_x_ && !x_.axis.label.empty()) {
         const std::string label = ticks_along(x_.axis, x_.to - x_.from, letters::text, 8).label;
         for (const std::string& line : broken_lines(label, letters::label, drawing_.width() - x_.from)) {
             y += 1.45 * letters::label;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -171,7 +172,44 @@ void insert_resolution(std::vector<unsigned char>& png, double pixels_per_inch) 
     png.insert(png.begin() + end_of_header, chunk.begin(), chunk.end());
 }
 
+Surface painted_image(const Drawing& drawing, ImageSize size, double scale) {
+    Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
+    paint(drawing, surface.get(), scale);
+    return surface;
+}
+
+std::vector<unsigned char> to_png(const Surface& surface) {
+    std::vector<unsigned char> bytes;
+    require(cairo_surface_write_to_png_stream(surface.get(), &append<std::vector<unsigned char>>, &bytes));
+    return bytes;
+}
+
+/// Units of an image to a pixel of the drawing that fills its width.
+double scale_to(const Drawing& drawing, ImageSize size) { return static_cast<double>(size.width) / drawing.width(); }
+
 }  // namespace
+
+std::vector<unsigned char> png_image(const Drawing& drawing, ImageSize size) {
+    return to_png(painted_image(drawing, size, scale_to(drawing, size)));
+}
+
+std::vector<unsigned char> rgb_image(const Drawing& drawing, ImageSize size) {
+    const Surface surface = painted_image(drawing, size, scale_to(drawing, size));
+    cairo_surface_flush(surface.get());
+    const unsigned char* data = cairo_image_surface_get_data(surface.get());
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+    const auto width = static_cast<std::size_t>(size.width);
+    std::vector<unsigned char> bytes;
+    bytes.reserve(3 * width * static_cast<std::size_t>(size.height));
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y) {
+        for (std::size_t x = 0; x < width; ++x) {
+            std::uint32_t pixel = 0;  // in the byte order of the machine
+            std::memcpy(&pixel, data + y * stride + sizeof pixel * x, sizeof pixel);
+            for (const unsigned shift : {16U, 8U, 0U}) bytes.push_back(static_cast<unsigned char>(pixel >> shift));
+        }
+    }
+    return bytes;
+}
 
 std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size) {
     const double resolution = size.resolution.value_or(default_resolution);
@@ -183,10 +221,7 @@ std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& 
             fmt::format("picture: {:.0f} x {:.0f} pixels are too many, at most {} along a side; a smaller --dpi fits", width,
                         height, max_pixels));
     }
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
-    paint(drawing, surface.get(), scale);
-    std::vector<unsigned char> bytes;
-    require(cairo_surface_write_to_png_stream(surface.get(), &append<std::vector<unsigned char>>, &bytes));
+    std::vector<unsigned char> bytes = to_png(painted_image(drawing, {static_cast<int>(width), static_cast<int>(height)}, scale));
     if (size.width) insert_resolution(bytes, resolution);
     return bytes;
 }

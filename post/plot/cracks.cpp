@@ -10,6 +10,7 @@
 #include "post/chart/map_view.hpp"
 #include "post/cracks/crack_options.hpp"
 #include "post/measure/caveats.hpp"
+#include "post/plot/crack_state.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/load_curve.hpp"
@@ -21,8 +22,6 @@
 namespace graincrack {
 
 namespace {
-
-constexpr double within_crystals = 0.55;  ///< width of a crack within a crystal over that of one between two
 
 /// Strain and stress of the test at the time of the frame; also the platens' approach for drawing them.
 struct Standing {
@@ -61,33 +60,6 @@ std::string standing_label(const Standing& now, const std::string& stress, doubl
     return label;
 }
 
-/// Draws the half facet of a failed contact point: one line midway between its two sides, or, where the crack is open, one on
-/// each.
-void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, double width) {
-    const auto& nodes = specimen.contact_nodes[static_cast<std::size_t>(crack.contact)];
-    const auto at = [&](std::size_t k) { return map.positions()[static_cast<std::size_t>(nodes[k])]; };
-    const auto between = [](std::array<double, 2> p, std::array<double, 2> q) {
-        return std::array{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2};
-    };
-    const Colour colour = crack.mode == CrackMode::tensile ? palette::tensile : palette::shear;
-    const auto draw = [&](std::array<double, 2> first, std::array<double, 2> second, double stroke) {
-        const auto middle = between(first, second);
-        map.stroke(crack.point == 0 ? first : middle, crack.point == 0 ? middle : second, stroke, colour);
-    };
-    const std::size_t end = crack.point;  // a1, b1 or a2, b2
-    const auto side_a = at(end);
-    const auto side_b = at(end + 2);
-    const double gap = std::hypot(side_a[0] - side_b[0], side_a[1] - side_b[1]) * map.pixels_per_metre();
-    if (gap <= 2 * width) {
-        draw(between(at(0), at(2)), between(at(1), at(3)), width);
-    } else {
-        draw(at(0), at(1), 0.7 * width);
-        draw(at(2), at(3), 0.7 * width);
-    }
-}
-
-std::string contacts_of(std::size_t points) { return whole_contacts(0.5 * static_cast<double>(points)); }
-
 /// What all maps of a picture have in common.
 struct Scene {
     const RunReader& run;
@@ -99,37 +71,19 @@ struct Scene {
     std::vector<std::string> caveats = {};  ///< caveats of the strength, a line each
     /// What stands below the maps: what the cracks are, and the caveats of the strength.
     [[nodiscard]] std::vector<std::string> notes() const {
-        std::vector<std::string> lines{limited_to(definition_of(options.label.of(data.header)), options.classes)};
-        if (!specimen.grain_crystal.empty()) lines.emplace_back("thin: within crystals; thick: between them");
+        std::vector<std::string> lines = crack_notes(specimen, options.label.of(data.header), options.classes);
         lines.insert(lines.end(), caveats.begin(), caveats.end());
         return lines;
     }
 };
 
-std::size_t count(const std::vector<Crack>& cracks, CrackMode mode) {
-    return static_cast<std::size_t>(
-        std::count_if(cracks.begin(), cracks.end(), [mode](const Crack& c) { return c.mode == mode; }));
-}
-
-/// Grains, platens and cracks of one frame. \return whether there are cracks from before the test
+/// \return whether there are cracks from before the test
 bool draw_state(MapView& map, const Scene& scene, const Standing& now, const std::vector<Crack>& present) {
-    const Specimen& specimen = scene.specimen;
-    map.draw_grains();
-    if (scene.data.header.test != "tension") {
-        map.draw_platens(read_platen_faces(scene.run.file(), specimen),
-                         -scene.options.magnification * now.axial_strain * specimen.height / 2);
+    std::optional<PlatensAtStrain> platens;
+    if (has_platens_to_draw(scene.data)) {
+        platens = {read_platen_faces(scene.run.file(), scene.specimen), scene.options.magnification * now.axial_strain};
     }
-    const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
-    const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
-    const bool cracked_before = map.draw_pre_existing_cracks(width);
-    for (const CrackMode mode : {CrackMode::shear, CrackMode::tensile}) {
-        for (const Crack& crack : present) {
-            if (crack.mode != mode) continue;
-            const bool is_within = is_within_crystal(specimen, static_cast<std::size_t>(crack.contact));
-            draw_crack(map, specimen, crack, is_within ? within_crystals * width : width);
-        }
-    }
-    return cracked_before;
+    return draw_crack_state(map, scene.specimen, platens, present);
 }
 
 /// What a map shows of a frame; the frame itself is released.
@@ -155,8 +109,8 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
                     standing_label(now, stress_name(scene.data), scene.options.magnification)}};
     MapView map(specimen, std::move(shot.places), text, {scene.style, scene.options.largest_height});
     std::vector<LegendEntry> legend{
-        {Stroke{palette::tensile, 6}, "tensile cracks: " + contacts_of(count(present, CrackMode::tensile))},
-        {Stroke{palette::shear, 6}, "shear cracks: " + contacts_of(count(present, CrackMode::shear))}};
+        {Stroke{palette::tensile, 6}, "tensile cracks: " + cracked_contacts(present, CrackMode::tensile)},
+        {Stroke{palette::shear, 6}, "shear cracks: " + cracked_contacts(present, CrackMode::shear)}};
     if (draw_state(map, scene, now, present)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
     for (LegendEntry& phase : phase_legend(specimen)) legend.push_back(std::move(phase));
     map.draw_legend(legend, scene.notes());
@@ -174,11 +128,11 @@ Panel panel(const Scene& scene, std::size_t frame, char letter) {
     const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
     const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     const auto plus = [](double value) { return std::abs(value) < 0.0005 ? 0.0 : value; };  // no "−0.000"
-    return {std::move(shot),
-            {fmt::format("({}) {}", letter, now.share_label()),
-             {fmt::format("strain {:.3f} %", plus(100 * now.strain)), fmt::format("stress {:.1f} MPa", plus(now.stress * 1e-6)),
-              "tensile: " + contacts_of(count(present, CrackMode::tensile)),
-              "shear: " + contacts_of(count(present, CrackMode::shear))}}};
+    return {
+        std::move(shot),
+        {fmt::format("({}) {}", letter, now.share_label()),
+         {fmt::format("strain {:.3f} %", plus(100 * now.strain)), fmt::format("stress {:.1f} MPa", plus(now.stress * 1e-6)),
+          "tensile: " + cracked_contacts(present, CrackMode::tensile), "shear: " + cracked_contacts(present, CrackMode::shear)}}};
 }
 
 /// How many maps stand side by side: as many as have room for their captions, in rows that are filled about evenly.
@@ -243,10 +197,7 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     }
     std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks"},
                                     {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}};
-    const std::vector<std::uint8_t>& kinds = scene.specimen.contact_kind;
-    if (std::any_of(kinds.begin(), kinds.end(), starts_broken)) {
-        legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
-    }
+    if (has_pre_existing_cracks(scene.specimen)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
     for (LegendEntry& phase : phase_legend(scene.specimen)) legend.push_back(std::move(phase));
     const LegendEnd end = draw_legend(page, legend, column, page.height() + 6);
     const double bottom = draw_scale_bar(page, scale, column, end);

@@ -138,12 +138,16 @@ void OutputFile::commit() {
     ::close(std::exchange(file_, -1));
 }
 
+void require_no_hdf5(const OutputFile& file) {
+    std::string head(hdf5_signature.size(), '\0');
+    std::ifstream(file.replaced(), std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (head == hdf5_signature) throw UsageError(file.name() + ": is a run, a specimen or another HDF5 file; give another name");
+}
+
 void write_whole_file(const std::string& output, std::string_view content) {
     OutputFile file(output);
     if (!file.is_stream()) {
-        std::string head(hdf5_signature.size(), '\0');
-        std::ifstream(file.replaced(), std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
-        if (head == hdf5_signature) throw UsageError(output + ": is a run, a specimen or another HDF5 file; give another name");
+        require_no_hdf5(file);
         file.begin();
     }
     file.write(content);

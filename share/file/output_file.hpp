@@ -52,6 +52,9 @@ private:
     int file_ = -1;  ///< the stream, or the unfinished file
 };
 
+/// Checks what an output of another kind would replace. \throws UsageError for an HDF5 file
+void require_no_hdf5(const OutputFile& file);
+
 /// Writes a text or a picture. \throws UsageError if a file of another kind, an HDF5 file, would be replaced; OutputError
 void write_whole_file(const std::string& output, std::string_view content);
 

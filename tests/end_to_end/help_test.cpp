@@ -96,6 +96,7 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post ccd design",
                                 "post ccd fit",
                                 "post ccd solve",
+                                "post film",
                                 "post report",
                                 "post page",
                                 "post plot specimen",

@@ -190,7 +190,8 @@ def main():
         readers = {
             specimen: [[solve, "uniaxial", damaged, *TEST, "--dry-run"], [post, "info", "--check", damaged], [post, "info", damaged]],
             run: [[post, "info", "--check", damaged], [post, "strength", damaged], [post, "info", damaged, "--digest"],
-                  [post, "cracks", damaged, "-o", folder / "cracks"], [post, "history", damaged]],
+                  [post, "cracks", damaged, "-o", folder / "cracks"], [post, "history", damaged],
+                  [post, "film", damaged, "--size", "320x240", "--duration", "0.2s", "-o", folder / "film"]],
             kept: [[solve, "uniaxial", specimen, *TEST, "--restart", damaged, "-o", folder / "again.h5"], [post, "info", "--check", damaged]],
         }
 

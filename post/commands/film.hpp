@@ -1,0 +1,10 @@
+// The command `film`: a test as a film.
+#pragma once
+
+#include "post/options/command.hpp"
+
+namespace graincrack {
+
+Command film_command();
+
+}  // namespace graincrack

@@ -1,0 +1,33 @@
+// A film of a test, as a video or as a folder of pictures.
+#pragma once
+
+#include <string>
+
+#include "post/film/film_page.hpp"
+#include "post/film/video_file.hpp"
+#include "post/options/command.hpp"
+
+namespace graincrack {
+
+struct FilmOptions {
+    std::string output;  ///< .mp4, .webm or a folder
+    FilmContents contents;
+    double duration = 10;  ///< s
+    int frames_per_second = 25;
+};
+
+/// Reads "1280x720". \throws UsageError for odd numbers, which videos cannot have, and for pages that have no room for map and
+/// charts
+ImageSize parse_film_size(const std::string& text);
+
+/// Whether a name is that of a video; otherwise it is a folder. \throws UsageError for another ending, and for "-"
+bool is_video_name(const std::string& output);
+
+/// How many pictures a film has. \throws UsageError for fewer than two
+std::size_t n_pictures(double duration, int frames_per_second);
+
+/// Makes the film of a run. Where a video is wanted and there is no ffmpeg, its pictures go into a folder of its name without
+/// ending. \throws InputError, UsageError as `FilmPage`, OutputError, Interrupted
+void make_film(const FilmOptions& options, const Call& call);
+
+}  // namespace graincrack

@@ -1,0 +1,240 @@
+#include "post/film/film_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "post/chart/chart.hpp"
+#include "post/chart/numbers.hpp"
+#include "post/measure/caveats.hpp"
+#include "post/plot/abscissa.hpp"
+#include "post/run/contact_classes.hpp"
+#include "post/run/crystals.hpp"
+#include "post/run/mode_counts.hpp"
+#include "post/run/run_state.hpp"
+#include "post/run/test_label.hpp"
+#include "share/base/error.hpp"
+
+namespace graincrack {
+
+namespace {
+
+// In pixels of the drawing.
+constexpr double page_height = 1000;
+constexpr double above_page = 14;
+constexpr double beside_map = 66;     ///< of a map's height: what stands above and below it on its own page
+constexpr double scale_bar = 46;      ///< below the map
+constexpr double widest_value = 330;  ///< "2F/(πtD) 100.0 MPa", "tensile cracks: 10000"
+constexpr double left_of_charts = 140;
+constexpr double lowest_chart = 80;
+constexpr double largest_map = 0.5;  ///< of the width of the page
+
+/// A number as it is printed, without the sign of what rounds to zero.
+std::string fixed(double value, int digits) {
+    const double zero = 0.5 * std::pow(10.0, -digits);
+    return with_minus(fmt::format("{:.{}f}", std::abs(value) < zero ? 0.0 : value, digits));
+}
+
+/// Values up to a point, and at it.
+std::vector<double> until(const std::vector<double>& values, const CurvePoint& end) {
+    std::vector<double> part(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(end.row) + 1);
+    if (end.share > 0) part.push_back(end.of(values));
+    return part;
+}
+
+RunData data_of(const RunReader& run, const FilmContents& contents, const std::vector<Crack>& cracks) {
+    RunData data = run_data(run, contents.label);
+    count_in_history(cracks, data.history);
+    return data;
+}
+
+std::vector<Crack> cracks_of_film(const RunReader& run, const Specimen& specimen, const FilmContents& contents) {
+    const std::vector<bool> contacts = contacts_of_classes(specimen, contents.classes, run.name());
+    return cracks_of(read_labelled_cracks(run, specimen, contents.label), contacts);
+}
+
+/// Axial strain in %, positive in the sense of the test.
+Course strains_of(const LoadCurve& curve) {
+    std::vector<double> percent = times(curve.axial_strain, 100);
+    const Axis axis{"axial strain, %", std::min(0.0, smallest(percent)), 1.03 * largest(percent)};
+    return {axis, std::move(percent)};
+}
+
+Passage passage_of(const RunData& data, FilmSteps steps) {
+    const std::vector<double>& times = data.history[HistoryColumn::time];
+    return {times, steps == FilmSteps::time ? times : data.history[HistoryColumn::axial_strain]};
+}
+
+std::vector<double> checked_frame_times(const RunReader& run) {
+    std::vector<double> times = run.frame_times();
+    if (times.empty() || !(times.back() > times.front())) {
+        throw InputError(fmt::format("{}: has {}; a film needs two at least, run the solver with --frames 2 or more", run.name(),
+                                     times.empty() ? "no frames" : "frames of one time only"));
+    }
+    return times;
+}
+
+}  // namespace
+
+FilmPage::FilmPage(const RunReader& run, FilmContents contents)
+    : contents_(std::move(contents)),
+      specimen_(run.specimen()),
+      cracks_(cracks_of_film(run, specimen_, contents_)),
+      data_(data_of(run, contents_, cracks_)),
+      curve_(load_curve(data_)),
+      passage_(passage_of(data_, contents_.steps)),
+      frame_times_(checked_frame_times(run)),
+      motion_(run, specimen_, contents_.magnification),
+      page_width_(std::round(page_height * contents_.size.width / contents_.size.height)) {
+    if (!(passage_.at(frame_times_.back()) > passage_.at(frame_times_.front()))) {
+        throw InputError(run.name() + ": its strain does not change from the first frame to the last; --by time shows it");
+    }
+    notes_ = crack_notes(specimen_, contents_.label.of(data_.header), contents_.classes);
+    for (const Caveat& caveat : caveats_of(run, data_)) notes_.push_back(note_line(caveat));
+    if (has_platens_to_draw(data_)) platens_ = read_platen_faces(run.file(), specimen_);
+    for (std::size_t frame = 0; frame < frame_times_.size(); ++frame) {
+        throw_if_interrupted();
+        view_.include(view_box(specimen_, motion_.in_frame(frame)));
+    }
+    const double shape = (view_.high[0] - view_.low[0]) / (view_.high[1] - view_.low[1]);
+    const double widest = largest_map * page_width_ - 2 * page_margin;
+    map_width_ = std::floor(std::min(shape * (page_height - beside_map - scale_bar), widest) + 2 * page_margin);
+}
+
+std::vector<double> FilmPage::moments(std::size_t count) const {
+    return film_moments(passage_, frame_times_.front(), frame_times_.back(), count);
+}
+
+TextColumn FilmPage::column() const { return {map_width_ + page_margin, page_width_ - page_margin}; }
+
+/// The map with a scale bar, in the middle of the height of the page.
+Drawing FilmPage::map_at(double time, const std::vector<Crack>& present) {
+    const CurvePoint place = place_between_frames(frame_times_, passage_, time);
+    MapPage form{PictureStyle{}.of_part(map_width_), page_height - beside_map - scale_bar, page_margin, 0, view_};
+    MapView map(specimen_, motion_.at(place), {}, form);
+    std::optional<PlatensAtStrain> platens;
+    if (platens_) {
+        // As the grains move: evenly between the frames.
+        std::vector<double> strains;
+        for (const std::size_t frame : {place.row, std::min(place.row + 1, frame_times_.size() - 1)}) {
+            const CurvePoint row = place_in(data_.history[HistoryColumn::time], frame_times_[frame]);
+            strains.push_back(row.of(data_.history[HistoryColumn::axial_strain]));
+        }
+        platens = {*platens_, contents_.magnification * CurvePoint{0, place.share}.of(strains)};
+    }
+    draw_crack_state(map, specimen_, platens, present);
+    const MapScale scale = map.scale();
+    const Drawing drawn = std::move(map).drawing();
+    Drawing part(static_cast<int>(map_width_), static_cast<int>(page_height));
+    const double top = std::max(0.0, (page_height - drawn.height() - scale_bar) / 2);
+    part.add(drawn, {0, top});
+    const double end = top + drawn.height();
+    draw_scale_bar(part, scale, {page_margin, map_width_ - page_margin}, {{page_margin, end}, end});
+    return part;
+}
+
+/// The numbers of a moment, each in a place of its own, so that none moves when another grows. \return where they end
+double FilmPage::draw_values(Drawing& page, double top, double time, const std::vector<Crack>& present) const {
+    const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
+    const std::string stress = stress_name(data_);
+    const std::vector<std::string> words{
+        fmt::format("strain {} %", fixed(100 * now.of(curve_.axial_strain), 3)),
+        fmt::format("{} {} MPa", stress == "axial stress" ? "stress" : stress, fixed(1e-6 * now.of(curve_.stress), 1)),
+        fmt::format("time {} ms", fixed(1e3 * time, 2))};
+    const std::vector<LegendEntry> counts{
+        {Stroke{palette::tensile, 6}, "tensile cracks: " + cracked_contacts(present, CrackMode::tensile)},
+        {Stroke{palette::shear, 6}, "shear cracks: " + cracked_contacts(present, CrackMode::shear)}};
+    const double width = column().right - column().left;
+    const auto in_a_row = std::clamp<std::size_t>(static_cast<std::size_t>(width / widest_value), 1, words.size());
+    double bottom = top;
+    const auto place = [&](std::size_t i, double first) {
+        const std::size_t row = i / in_a_row;
+        const double left = column().left + width * static_cast<double>(i % in_a_row) / static_cast<double>(in_a_row);
+        return Pixel{left, first + legend_line * static_cast<double>(row)};
+    };
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const Pixel at = place(i, top);
+        page.text({{at.x, at.y + 0.78 * legend_line}, words[i], letters::text});
+        bottom = at.y + legend_line;
+    }
+    const double next = bottom;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const Pixel at = place(i, next);
+        bottom = draw_legend(page, {counts[i]}, {at.x, page_width_}, at.y).bottom;
+    }
+    return bottom;
+}
+
+/// What colours and lines mean, and the caveats of the test. \return where it ends
+double FilmPage::draw_foot(Drawing& page, double top) const {
+    std::vector<LegendEntry> legend;
+    if (has_pre_existing_cracks(specimen_)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
+    for (LegendEntry& phase : phase_legend(specimen_)) legend.push_back(std::move(phase));
+    const double below = legend.empty() ? top : draw_legend(page, legend, column(), top).bottom;
+    return draw_heading(page, {"", notes_}, column(), below);
+}
+
+/// The whole curve pale, as far as the test has come dark, and a point where it is.
+Drawing FilmPage::stress_chart(double time, double height) const {
+    const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
+    const auto [axis, strain] = strains_of(curve_);
+    const std::vector<double> stress = times(curve_.stress, 1e-6);
+    ChartForm form;
+    form.height = height;
+    form.min_left = left_of_charts;
+    form.names_x = contents_.steps != FilmSteps::strain;  // the chart below has the same axis
+    Chart chart(PictureStyle{}.of_part(page_width_ - map_width_), {}, axis,
+                Axis{stress_name(data_) + ", MPa", std::min(0.0, smallest(stress)), 1.1 * largest(stress)}, form);
+    chart.line(strain, stress, Stroke{palette::outline, 3});
+    chart.line(until(strain, now), until(stress, now), series_stroke(0, 4.5));
+    chart.points(std::vector{now.of(strain)}, std::vector{now.of(stress)}, Marker{palette::series(0), MarkerShape::disc, 22});
+    return chart.finish();
+}
+
+/// Counts of cracks along what the film advances by.
+Drawing FilmPage::count_chart(double time, double height) const {
+    const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
+    const Course course = contents_.steps == FilmSteps::time ? course_of(data_, Abscissa::time) : strains_of(curve_);
+    const std::vector<double>& tensile = data_.history[HistoryColumn::tensile_cracks];
+    const std::vector<double>& shear = data_.history[HistoryColumn::shear_cracks];
+    ChartForm form;
+    form.height = height;
+    form.min_left = left_of_charts;
+    Chart chart(PictureStyle{}.of_part(page_width_ - map_width_), {}, course.axis,
+                Axis{"cracks", 0, 1.1 * std::max({1.0, largest(tensile), largest(shear)})}, form);
+    for (const auto& [counts, colour] : {std::pair(&shear, palette::shear), std::pair(&tensile, palette::tensile)}) {
+        chart.line(until(course.values, now), until(*counts, now), Stroke{colour, 4.5});
+        chart.points(std::vector{now.of(course.values)}, std::vector{now.of(*counts)}, Marker{colour, MarkerShape::disc, 14});
+    }
+    return chart.finish();
+}
+
+/// Both charts, one above the other, in the room between two heights of the page.
+void FilmPage::draw_charts(Drawing& page, double top, double bottom, double time) const {
+    const double beside = stress_chart(time, lowest_chart).height() + count_chart(time, lowest_chart).height() - 2 * lowest_chart;
+    const double room = bottom - top - beside;
+    const double upper = std::max(lowest_chart, std::floor(0.6 * room));
+    const double lower = std::max(lowest_chart, std::floor(room - upper));
+    page.add(stacked({stress_chart(time, upper), count_chart(time, lower)}), {map_width_, top});
+}
+
+Drawing FilmPage::at(double time) {
+    const std::vector<Crack> present = cracks_until(cracks_, time);
+    Drawing page(static_cast<int>(page_width_), static_cast<int>(page_height));
+    page.add(map_at(time, present), {0, 0});
+    std::vector<std::string> facts{
+        fmt::format("seed {}, {}, plane {}", specimen_.seed, grains_label(specimen_), name_of(data_.header.plane))};
+    if (contents_.magnification != 1) facts.back() += fmt::format("; displacements × {:.3g}", contents_.magnification);
+    const std::string title = contents_.title.empty() ? test_title(data_.header) : contents_.title;
+    const double below_heading = draw_heading(page, {title, facts}, column(), above_page);
+    const double below_values = draw_values(page, below_heading + 8, time, present);
+    Drawing scratch(static_cast<int>(page_width_), 0);
+    const double foot = page_height - above_page - draw_foot(scratch, 0);
+    draw_foot(page, foot);
+    draw_charts(page, below_values, foot, time);
+    return page;
+}
+
+}  // namespace graincrack

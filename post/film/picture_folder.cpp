@@ -1,0 +1,120 @@
+#include "post/film/picture_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "share/base/error.hpp"
+#include "share/file/output_file.hpp"
+
+namespace graincrack {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view stem = "frame_";
+constexpr std::string_view ending = ".png";
+
+bool is_picture_of_film(const std::string& name) {
+    if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() < stem.size() + ending.size() + 4) return false;
+    const std::string_view number = std::string_view(name).substr(stem.size(), name.size() - stem.size() - ending.size());
+    return std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// The path of a folder that may not exist yet. \throws OutputError without a folder around it
+std::string whole_path(const std::string& name) {
+    std::error_code cause;
+    fs::path path = fs::weakly_canonical(fs::absolute(name), cause);
+    if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", name, cause.message()));
+    if (!path.has_filename()) path = path.parent_path();  // "film/"
+    if (!fs::is_directory(path.parent_path(), cause)) {
+        throw OutputError(fmt::format("{}: the folder {} does not exist", name, path.parent_path().string()));
+    }
+    return path.string();
+}
+
+/// \throws OutputError for what exists and is not an empty folder or one of pictures of a film
+void require_own(const std::string& name, const std::string& folder) {
+    std::error_code cause;
+    const fs::file_type type = fs::status(folder, cause).type();
+    if (type == fs::file_type::not_found) return;
+    if (type != fs::file_type::directory) throw OutputError(name + ": exists, and is no folder; name a folder, .mp4 or .webm");
+    for (fs::directory_iterator each(folder, cause), end; !cause && each != end; each.increment(cause)) {
+        const std::string file = each->path().filename().string();
+        if (is_picture_of_film(file)) continue;
+        throw OutputError(fmt::format("{}: has {}, which is no picture of a film; name a new or an empty folder", name, file));
+    }
+    if (cause) throw OutputError(fmt::format("{}: cannot be read: {}", name, cause.message()));
+}
+
+/// A word of a command line of a shell.
+std::string shell_word(const std::string& word) {
+    const auto is_plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("_-./%+,:").find(c) != std::string_view::npos;
+    };
+    if (std::all_of(word.begin(), word.end(), is_plain)) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+}  // namespace
+
+PictureFolder::PictureFolder(const std::string& path, ImageSize size, std::size_t count)
+    : name_(path),
+      folder_(whole_path(path)),
+      part_(folder_ + ".part"),
+      lock_(folder_),
+      size_(size),
+      digits_(std::max(4, static_cast<int>(std::to_string(count).size()))) {
+    require_own(name_, folder_);
+    require_own(name_ + ".part", part_);  // of a program that was killed
+    std::error_code cause;
+    fs::remove_all(part_, cause);
+    if (!fs::create_directory(part_, cause)) throw OutputError(fmt::format("{}: cannot be made: {}", name_, cause.message()));
+}
+
+PictureFolder::~PictureFolder() {
+    std::error_code cause;
+    fs::remove_all(part_, cause);
+}
+
+void PictureFolder::add(const Drawing& picture) {
+    const std::vector<unsigned char> bytes = png_image(picture, size_);
+    const std::string name = fmt::format("{}{:0{}}{}", stem, next_++, digits_, ending);
+    const std::unique_ptr<OutputFile> file = OutputFile::covered(part_ + "/" + name);
+    file->begin();
+    file->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    file->commit();
+}
+
+void PictureFolder::commit() {
+    std::error_code cause;
+    if (!fs::exists(folder_, cause)) {
+        fs::rename(part_, folder_, cause);
+    } else {
+        require_own(name_, folder_);
+        std::vector<fs::path> old(fs::directory_iterator(folder_, cause), {});
+        for (const fs::path& file : old) fs::remove(file, cause);
+        for (const auto& each : std::vector<fs::directory_entry>(fs::directory_iterator(part_, cause), {})) {
+            if (!cause) fs::rename(each.path(), fs::path(folder_) / each.path().filename(), cause);
+        }
+    }
+    if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", name_, cause.message()));
+}
+
+std::string PictureFolder::joining_command(const std::string& video, int frames_per_second) const {
+    std::string pattern;
+    for (const char c : name_) pattern += c == '%' ? std::string("%%") : std::string(1, c);
+    if (!pattern.ends_with('/')) pattern += '/';
+    pattern += fmt::format("{}%0{}d{}", stem, digits_, ending);
+    return fmt::format("ffmpeg -framerate {} -i {} -c:v libx264 -pix_fmt yuv420p -movflags +faststart {}", frames_per_second,
+                       shell_word(pattern), shell_word(video));
+}
+
+}  // namespace graincrack
