@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Opens reports and the page of a study in a browser, headless Chromium: on a screen, on a narrow one, and printed.
 
 Usage: report_page_test.py BIN. Ends with 77, "skipped", and the reason, where chromium or pdftotext is not installed. A script at the end of a
