@@ -10,6 +10,8 @@ build_packages=(
 )
 # What the tests add: their framework, and what share/python and its examples need.
 test_packages=(libgtest-dev openmpi-bin python3-h5py python3-matplotlib)
+# What opens reports as a person does; without it that test of tests/run --all is skipped.
+browser_packages=(chromium poppler-utils)
 # What the benchmarks add.
 benchmark_packages=(libbenchmark-dev)
 # What counts instructions.

@@ -25,7 +25,9 @@ h3 { font-size: 16px; margin: 14px 0 4px; }
 p { margin: 6px 0; }
 p.lead { color: #555; }
 table { border-collapse: collapse; margin: 8px 0 16px; font-size: 14px; font-variant-numeric: tabular-nums; }
-th { text-align: left; border-bottom: 1.5px solid #1e1e1e; padding: 3px 12px 3px 0; vertical-align: bottom; }
+th { text-align: left; border-bottom: 1.5px solid #1e1e1e; padding: 3px 12px 3px 0; vertical-align: bottom; cursor: pointer; }
+th[aria-sort=ascending]::after { content: "\a0▲"; font-size: 9px; }
+th[aria-sort=descending]::after { content: "\a0▼"; font-size: 9px; }
 td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top; }
 th, td:not(:first-child) { white-space: pre-line; }
 .long td:last-child { overflow-wrap: anywhere; }
@@ -51,15 +53,40 @@ tr.untested td { color: #666; }
 details { margin: 8px 0; }
 summary { cursor: pointer; font-weight: bold; }
 .study table { display: block; overflow-x: auto; }
+.study pre { overflow-x: auto; }
 .study td { white-space: normal; min-width: 5ch; }
 @media (max-width: 860px) { .columns, .first.of2, .first.of3 { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
 @media (max-width: 500px) { body { padding: 12px; } table { font-size: 12px; } th, td { padding-right: 5px; } }
+@page { size: A4; margin: 14mm; }
 @media print { body { max-width: none; padding: 0; font-size: 10pt; } table, figcaption { font-size: 9pt; }
-       .columns { grid-template-columns: repeat(2, minmax(0, 1fr)); } .figures { column-count: 2; } h2, h3, summary { break-after: avoid; }
+       .columns { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 2; } h2, h3, summary { break-after: avoid; }
        .first.of2 { grid-template-columns: repeat(2, minmax(0, 1fr)); } .first.of3 { grid-template-columns: repeat(3, minmax(0, 1fr)); }
        details::details-content { content-visibility: visible; } .wide { overflow: visible; }
-       figure, tr, .kind { break-inside: avoid; } }
+       figure, tr, .kind { break-inside: avoid; } figure img { max-height: 220mm; object-fit: contain; } }
 )css";
+
+// A click on the head of a column, or Enter, sorts the rows by it: by numbers, which stand before words, or by words; another one
+// turns the order round. Empty entries stay last. Rows that do not repeat their first entry get it.
+const char* const script = R"js(
+const sort = event => {
+  const head = event.target.closest("th");
+  if (!head || (event.key ?? "Enter") != "Enter") return;
+  const column = head.cellIndex, up = head.ariaSort != "ascending", rows = [...head.closest("table").rows].slice(1);
+  for (const other of head.parentNode.cells) other.ariaSort = null;
+  head.ariaSort = up ? "ascending" : "descending";
+  rows.forEach((row, i) => { if (i && !row.cells[0].textContent.trim()) row.cells[0].textContent = rows[i - 1].cells[0].textContent; });
+  const text = row => (row.cells[column] ?? row.lastElementChild).textContent.trim().replace(/^[–-]$/, "").replace("−", "-");
+  const order = (a, b) => {
+    const [m, n] = [parseFloat(a), parseFloat(b)];
+    if (!a || !b) return (up ? 1 : -1) * (!a - !b);
+    return isNaN(m) - isNaN(n) || m - n || a.localeCompare(b, "en", {numeric: true});
+  };
+  rows.sort((a, b) => (up ? 1 : -1) * order(text(a), text(b)));
+  for (const row of rows) row.parentNode.append(row);
+};
+for (const head of document.querySelectorAll("th")) head.tabIndex = 0;
+for (const kind of ["click", "keydown"]) document.addEventListener(kind, sort);
+)js";
 
 using Bytes = std::vector<unsigned char>;
 
@@ -91,9 +118,9 @@ std::string image(const Drawing& drawing, const std::string& caption) {
 std::string escaped(const std::string& text) { return escape_xml(text); }
 
 std::string Table::str() const {
-    std::string out = fmt::format("<div class=\"wide\"><table{}>\n<tr>", wraps_ ? " class=\"long\"" : "");
+    std::string out = fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", wraps_ ? " class=\"long\"" : "");
     for (const std::string& column : columns_) out += "<th>" + escaped(column) + "</th>";
-    out += "</tr>\n";
+    out += "</tr></thead>\n<tbody>\n";
     for (const auto& [row, kind] : rows_) {
         out += kind.empty() ? "<tr>" : "<tr class=\"" + kind + "\">";
         for (std::size_t i = 0; i < row.size(); ++i) {
@@ -103,7 +130,7 @@ std::string Table::str() const {
         }
         out += "</tr>\n";
     }
-    return out + "</table></div>\n";
+    return out + "</tbody></table></div>\n";
 }
 
 PictureStyle figure_style(bool wide) { return figure_style_of(wide ? 1110 : 540); }
@@ -164,8 +191,8 @@ std::string page(const std::string& title, const std::string& body) {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, "
-        "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-        escaped(title), style_sheet, body);
+        "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
+        escaped(title), style_sheet, body, script);
 }
 
 std::string number(double value, int digits) {

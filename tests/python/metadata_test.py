@@ -1,0 +1,120 @@
+"""What registries, archives and journals read of the project says the same everywhere: versions, licence, authors, the paper of the model.
+
+Usage: metadata_test.py. Also: the description of a folder of results (RO-Crate 1.1) names what is in the folder, and everything it refers to.
+"""
+import json
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+PAPER = "10.1007/s00603-013-0402-y"
+LICENCE = "GPL-3.0-or-later"
+
+
+def text(path):
+    return (TOP / path).read_text()
+
+
+def first(pattern, path):
+    return re.search(pattern, text(path), re.M)[1]
+
+
+class Metadata(unittest.TestCase):
+    def setUp(self):
+        self.codemeta = json.loads(text("codemeta.json"))
+
+    def test_versions_are_those_of_the_build(self):
+        version = first(r"^project\(graincrack VERSION (\S+)", "CMakeLists.txt")
+        self.assertEqual(first(r"^version: (\S+)", "CITATION.cff"), version)
+        self.assertEqual(self.codemeta["version"], version)
+        self.assertEqual(first(r'^    version\("([^"]+)"', "share/packaging/spack/package.py"), version)
+        self.assertEqual(first(r'^  version: "([^"]+)"', "share/packaging/conda/recipe.yaml"), version)
+
+    def test_authors_and_licence_are_those_of_the_citation(self):
+        author = first(r"^  - name: (.+)", "CITATION.cff")
+        self.assertEqual([each["name"] for each in self.codemeta["author"]], [author])
+        self.assertEqual(first(r"^  - name: (.+)", "share/joss/paper.md"), author)
+        self.assertEqual(first(r"^license: (\S+)", "CITATION.cff"), LICENCE)
+        self.assertEqual(self.codemeta["license"], f"https://spdx.org/licenses/{LICENCE}")
+        self.assertEqual(first(r'^    license\("([^"]+)"', "share/packaging/spack/package.py"), LICENCE)
+        self.assertEqual(first(r"^  license: (\S+)", "share/packaging/conda/recipe.yaml"), LICENCE)
+
+    def test_the_model_is_that_of_one_paper(self):
+        self.assertEqual(self.codemeta["referencePublication"]["@id"], f"https://doi.org/{PAPER}")
+        for path in ("CITATION.cff", "share/joss/paper.bib", "README.md"):
+            self.assertIn(PAPER, text(path))
+
+    def test_terms_of_codemeta_are_of_its_version_2(self):
+        self.assertEqual(self.codemeta["@context"], "https://doi.org/10.5063/schema/codemeta-2.0")
+        self.assertEqual(self.codemeta["@type"], "SoftwareSourceCode")
+        known = {"applicationCategory", "author", "description", "developmentStatus", "keywords", "license", "name", "operatingSystem",
+                 "programmingLanguage", "referencePublication", "runtimePlatform", "softwareHelp", "softwareRequirements", "version"}
+        self.assertLessEqual({each for each in self.codemeta if each[0] != "@"}, known)
+
+    def test_the_recipes_need_what_the_build_looks_for(self):
+        looked_for = set(re.findall(r"find_package\((\w+)", text("CMakeLists.txt") + text("post/CMakeLists.txt")))
+        names = {"Eigen3": "eigen", "CLI11": "cli11", "nlohmann_json": "nlohmann", "PNG": "libpng", "SQLite3": "sqlite", "CGAL": "cgal"}
+        for package in looked_for - {"Threads", "PkgConfig", "MPI"}:
+            for path in ("share/packaging/spack/package.py", "share/packaging/conda/recipe.yaml"):
+                self.assertIn(names.get(package, package.lower()), text(path), path)
+
+    def test_the_paper_is_of_the_length_and_cites_what_it_lists(self):
+        _, head, body = text("share/joss/paper.md").split("---\n", 2)
+        self.assertTrue(250 <= len(body.split()) <= 1000, len(body.split()))
+        for key in ("title", "tags", "authors", "affiliations", "date", "bibliography"):
+            self.assertRegex(head, rf"(?m)^{key}:")
+        for section in ("Summary", "Statement of need", "State of the field", "References"):
+            self.assertRegex(body, rf"(?m)^# {section}$")
+        self.assertEqual(set(re.findall(r"@(\w+)", body)), set(re.findall(r"^@\w+\{(\w+),", text("share/joss/paper.bib"), re.M)))
+
+
+class Crate(unittest.TestCase):
+    def crate(self, *licence):
+        with tempfile.TemporaryDirectory() as folder:
+            results, post = Path(folder, "results"), Path(folder, "post")
+            post.write_text("#!/bin/sh\necho 'graincrack-post 0.1.0 (abc)'\n")
+            post.chmod(0o755)
+            for name in ("fpz/page.md", "fpz/claims.tsv", "runs/a rock.5fee/one.h5", "runs/a rock.5fee/one.h5.options", "empty/.lock"):
+                (results / name).parent.mkdir(parents=True, exist_ok=True)
+                (results / name).write_text("x")
+            command = [TOP / "share/studies/lib/crate", post, results, *licence]
+            subprocess.run(command, check=True)
+            made = (results / "ro-crate-metadata.json").read_text()
+            subprocess.run(command, check=True)
+            self.assertEqual((results / "ro-crate-metadata.json").read_text(), made)  # itself is no part of it
+            self.assertEqual(list(results.glob("*.part")), [])
+        content = json.loads(made)
+        self.assertEqual(content["@context"], "https://w3id.org/ro/crate/1.1/context")
+        self.assertEqual(len({each["@id"] for each in content["@graph"]}), len(content["@graph"]))
+        return {each["@id"]: each for each in content["@graph"]}
+
+    def references(self, value):
+        for each in value if isinstance(value, list) else [value]:
+            if isinstance(each, dict):
+                yield each["@id"]
+
+    def test_it_names_what_is_there_and_what_it_refers_to(self):
+        graph = self.crate()
+        self.assertEqual(graph["ro-crate-metadata.json"]["about"], {"@id": "./"})
+        self.assertEqual(graph["ro-crate-metadata.json"]["conformsTo"], {"@id": "https://w3id.org/ro/crate/1.1"})
+        for key in ("name", "description", "datePublished", "hasPart"):
+            self.assertTrue(graph["./"][key])
+        self.assertEqual({each for each in graph if graph[each]["@type"] == "File"}, {"fpz/page.md", "fpz/claims.tsv", "runs/a%20rock.5fee/one.h5"})
+        self.assertEqual({each for each in graph if graph[each]["@type"] == "Dataset"}, {"./", "fpz/", "runs/"})
+        self.assertEqual(graph["#graincrack"]["softwareVersion"], "0.1.0 (abc)")
+        outside = {"https://w3id.org/ro/crate/1.1"}
+        named = {each for entity in graph.values() for value in entity.values() for each in self.references(value)}
+        self.assertEqual(named - set(graph) - outside, set())
+        self.assertEqual(set(graph) - named, {"ro-crate-metadata.json"})
+
+    def test_the_licence_of_results_is_their_owner_s(self):
+        self.assertNotIn("license", self.crate()["./"])
+        for licence in ("https://spdx.org/licenses/CC-BY-4.0", f"https://spdx.org/licenses/{LICENCE}"):
+            self.assertEqual(self.crate(licence)["./"]["license"], {"@id": licence})
+
+
+if __name__ == "__main__":
+    unittest.main()

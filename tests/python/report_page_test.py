@@ -1,0 +1,194 @@
+"""Opens reports and the page of a study in a browser, headless Chromium: on a screen, on a narrow one, and printed.
+
+Usage: report_page_test.py BIN. Ends with 77, "skipped", and the reason, where chromium or pdftotext is not installed. A script at the end of a
+copy of the page measures it and leaves what it found in the page, which --dump-dom prints; a policy in the head of the copy reports what the page
+asks for outside itself. GRAINCRACK_SCREENSHOTS=FOLDER keeps pictures of the pages as a person sees them.
+"""
+
+import html
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+POLICY = """<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">"""
+MEASURE = """<script>
+for (const each of document.querySelectorAll("details")) each.open = true;
+const column = (table, i) => [...table.rows].slice(1).map(row => (row.cells[i] ?? row.lastElementChild).textContent.trim());
+const sorted = [...document.querySelectorAll("table")].map(table => [...table.rows[0].cells].map((head, i) => {
+  const before = column(table, i).sort();
+  head.click();
+  const up = column(table, i);
+  head.dispatchEvent(new KeyboardEvent("keydown", {key: "Enter", bubbles: true}));
+  return {name: head.textContent, before, up, down: column(table, i)};
+}));
+const page = document.documentElement, broken = [...document.images].filter(each => !each.naturalWidth).length;
+parent.document.body.append(Object.assign(parent.document.createElement("pre"), {id: "measured", textContent: JSON.stringify({
+  window: innerWidth, width: page.scrollWidth, images: document.images.length, broken, sorted})}));
+</script>"""
+# Two marks at opposite corners of each figure and of the first row of each table: where they are in a print, these are.
+MARK = """<script>
+const mark = (kind, each, i) => {
+  each.style.position = "relative";
+  for (const [end, corner] of [["A", "top: 0; left: 0"], ["B", "bottom: 0; right: 0"]]) {
+    each.append(Object.assign(document.createElement("span"),
+                              {textContent: `${kind}${end}${i}.`, style: `position: absolute; font-size: 3px; line-height: 1; ${corner}`}));
+  }
+};
+document.querySelectorAll("figure").forEach((each, i) => mark("FIG", each, i));
+document.querySelectorAll("thead > tr > th:last-child").forEach((each, i) => mark("TAB", each, i));
+</script>"""
+A4 = (595, 842)  # points
+
+
+def number(text):
+    match = re.match(r"[-+−]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", text, re.I)
+    return float(match[0].replace("−", "-")) if match else None
+
+
+class Browser:
+    def __init__(self, folder):
+        self.folder = folder
+
+    def __call__(self, page, *options):
+        command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run",
+                   f"--user-data-dir={self.folder}/profile", "--window-size=1300,900", "--enable-logging=stderr", *options, page.as_uri()]
+        done = subprocess.run(command, check=True, capture_output=True, encoding="utf-8", timeout=120)
+        return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
+
+    def measured(self, page, width):
+        """What the measuring script found, and what the console says."""
+        copy = self.folder / "copy.html"
+        text = page.read_text().replace('<meta charset="utf-8">', '<meta charset="utf-8">' + POLICY, 1)
+        copy.write_text(text.replace("</body>", MEASURE + "</body>"))
+        frame = self.folder / "frame.html"  # a window of Chromium has at least 500 pixels, a frame in it as few as wanted
+        frame.write_text(f'<iframe src="{copy.name}" style="border: 0; width: {width}px; height: 900px"></iframe>')
+        dom, console = self(frame, "--dump-dom", "--allow-file-access-from-files")
+        return json.loads(html.unescape(re.search(r'<pre id="measured">(.*?)</pre>', dom, re.S)[1])), console
+
+    def printed(self, page):
+        """Sizes of the pages of a print, and the marks on them: name to list of (page, xMin, yMin, xMax, yMax)."""
+        copy, pdf = self.folder / "copy.html", self.folder / "print.pdf"
+        copy.write_text(page.read_text().replace("</body>", MARK + "</body>"))
+        self(copy, f"--print-to-pdf={pdf}", "--no-pdf-header-footer")
+        boxes = subprocess.run(["pdftotext", "-bbox", pdf, "-"], check=True, capture_output=True, encoding="utf-8").stdout
+        sizes, marks = [], {}
+        for line in boxes.splitlines():
+            if found := re.search(r'<page width="(\S+)" height="(\S+)"', line):
+                sizes.append(tuple(float(each) for each in found.groups()))
+            elif found := re.search(r'<word xMin="(\S+)" yMin="(\S+)" xMax="(\S+)" yMax="(\S+)">(.*)</word>', line):
+                for name in re.findall(r"(?:FIG|TAB)[AB]\d+(?=\.)", found[5]):
+                    marks.setdefault(name, []).append((len(sizes), *(float(each) for each in found.groups()[:4])))
+        return sizes, marks
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="graincrack-page."))
+        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
+        cls.browser = Browser(cls.folder)
+        size = "--edge 4mm --material augig-granite-triangles --quiet"
+        solve = "--material augig-granite-triangles --rate-tolerance 0.006 --quiet"
+        script = f"""
+            for seed in 1 2; do
+                graincrack-mesh rectangle --width 20mm --height 40mm {size} --seed $seed -o $seed.h5
+                graincrack-solve uniaxial $seed.h5 {solve} -o u$seed.h5
+                graincrack-solve triaxial $seed.h5 --confining-pressure 8MPa {solve} -o t$seed.h5
+            done
+            graincrack-mesh disc --diameter 25mm {size} -o disc.h5
+            graincrack-solve brazilian disc.h5 {solve} -o b1.h5
+            graincrack-post report u?.h5 t?.h5 b1.h5 --material augig-granite-triangles --quiet -o several.html
+            graincrack-post report u1.h5 --quiet -o one.html
+            graincrack-post page '{TOP}/README.md' '{TOP}/share/results/rocks-targets.tsv' --format html >study.html"""
+        subprocess.run(["bash", "-euc", script], check=True, cwd=cls.folder, env={**os.environ, "PATH": f"{sys.argv[1]}:{os.environ['PATH']}"})
+        cls.reports = [cls.folder / "several.html", cls.folder / "one.html"]
+        if pictures := os.environ.get("GRAINCRACK_SCREENSHOTS"):
+            for page in [*cls.reports, cls.folder / "study.html"]:
+                for width in (400, 1200):
+                    cls.browser(page, f"--screenshot={Path(pictures).resolve()}/{page.stem}-{width}.png", f"--window-size={width},6000")
+                cls.browser(page, f"--print-to-pdf={Path(pictures).resolve()}/{page.stem}.pdf", "--no-pdf-header-footer")
+
+    def expect_sorted(self, column, page):
+        up, down = column["up"], column["down"]
+        for order in (up, down):
+            if column["name"] not in ("run", "specimen", "test"):  # whose empty entries are filled
+                self.assertEqual(sorted(order), column["before"], (page, column["name"]))
+            empty = [each in ("", "–", "-") for each in order]
+            self.assertEqual(empty, sorted(empty), f"{page}: {column['name']}: empty entries last")
+        for order, sign in ((up, 1), (down, -1)):
+            numbers = [number(each) for each in order if number(each) is not None]
+            self.assertEqual(numbers, sorted(numbers, reverse=sign < 0), f"{page}: {column['name']}")
+
+    def test_no_report_is_wider_than_its_window_or_writes_to_the_console_or_asks_for_another_file(self):
+        for page in self.reports:
+            for width in (400, 800, 1200):
+                found, console = self.browser.measured(page, width)
+                self.assertEqual(found["window"], width)
+                self.assertLessEqual(found["width"], width, page)
+                self.assertEqual(console, [], page)
+                self.assertGreater(found["images"], 3, page)
+                self.assertEqual(found["broken"], 0, page)
+            # Nor when a link is followed.
+            for link in re.findall(r"\b(?:src|href|action|data|srcset)\s*=\s*\"([^\"]*)", page.read_text()):
+                self.assertRegex(link, r"^(data:image/(png|svg\+xml);base64,|#)", page)
+
+    def test_tables_sort_by_a_click_and_by_enter(self):
+        for page in self.reports:
+            found, _ = self.browser.measured(page, 1200)
+            self.assertGreater(len(found["sorted"]), 3)
+            for column in (column for table in found["sorted"] for column in table):
+                self.expect_sorted(column, page)
+
+    def test_the_page_of_a_study_fits_and_sorts_too(self):
+        found, _ = self.browser.measured(self.folder / "study.html", 400)
+        self.assertLessEqual(found["width"], 400)
+        for column in (column for table in found["sorted"] for column in table):
+            self.expect_sorted(column, "study.html")
+
+    def test_a_print_on_a4_cuts_no_figure_and_no_table(self):
+        for page in self.reports:
+            sizes, marks = self.browser.printed(page)
+            for width, height in sizes:
+                self.assertAlmostEqual(width, A4[0], delta=1)
+                self.assertAlmostEqual(height, A4[1], delta=1)
+            n_figures = page.read_text().count("<figure")
+            n_tables = page.read_text().count("<thead")
+            self.assertEqual(sum(name.startswith("FIGA") for name in marks), n_figures)
+            self.assertEqual(sum(name.startswith("TABB") for name in marks), n_tables)
+            for name, places in marks.items():
+                for _, left, top, right, bottom in places:
+                    self.assertTrue(30 < left < right < A4[0] - 30 and 30 < top < bottom < A4[1] - 30, f"{page}: {name} in the margin: {places}")
+            for i in range(n_figures):
+                (first, *begin), (last, *end) = marks[f"FIGA{i}"][0], marks[f"FIGB{i}"][0]
+                self.assertEqual(first, last, f"{page}: figure {i} is cut")
+                self.assertLess(begin[1] + 60, end[3], f"{page}: figure {i}")
+                self.assertLess(begin[0] + 60, end[2], f"{page}: figure {i}")
+
+    def test_what_is_wrong_is_seen(self):
+        page = self.folder / "wrong.html"
+        figure = '<figure style="break-inside: auto; height: 400mm; max-width: none; width: 300mm">tall</figure>'
+        page.write_text(self.reports[1].read_text().replace("</body>", f'{figure}<img src="https://graincrack.invalid/a.png">'
+                                                                       "<script>nothing.there();</script></body>"))
+        found, console = self.browser.measured(page, 400)
+        self.assertGreater(found["width"], 400)
+        self.assertEqual(found["broken"], 1)
+        self.assertIn("Content Security Policy", "".join(console))
+        self.assertIn("nothing is not defined", "".join(console))
+        _, marks = self.browser.printed(page)
+        last = page.read_text().count("<figure") - 1
+        self.assertNotEqual(marks[f"FIGA{last}"][0][0], marks.get(f"FIGB{last}", [[0]])[0][0])
+
+
+if __name__ == "__main__":
+    for program, package in (("chromium", "chromium"), ("pdftotext", "poppler-utils")):
+        if not shutil.which(program):
+            print(f"report_page: skipped: {program} is not here (package {package})")
+            sys.exit(77)
+    unittest.main(argv=sys.argv[:1])
