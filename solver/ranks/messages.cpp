@@ -20,6 +20,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "share/base/error.hpp"
 
@@ -116,6 +117,8 @@ public:
         MPI_Win_shared_query(window, 0, &place_size, &unit, static_cast<void*>(&is_said_));
         MPI_Barrier(here);
     }
+    /// Other ranks on this machine.
+    [[nodiscard]] std::size_t count() const { return peers_.size(); }
     /// Ends this rank if another one of this machine has ended. The first that notices says so.
     void require_life() const {
         const auto dead = std::find_if(peers_.begin(), peers_.end(), [](const Peer& peer) { return !lives(peer.process); });
@@ -137,10 +140,13 @@ private:
     int* is_said_ = nullptr;  ///< 1 once a rank of this machine has said that another has ended; they share it
 };
 
-/// Waits for requests: busily for a while, then it leaves the processor to others between two looks.
+/// Waits for requests: busily for a while, then it leaves the processor to others between two looks. Where ranks share processors
+/// it does so soon; else not before other work seems to be in the way, as what takes the processor keeps it for milliseconds.
 class Waiting {
 public:
-    Waiting(MPI_Comm communicator, const Voice& voice) : peers_(communicator, voice) {
+    Waiting(MPI_Comm communicator, const Voice& voice)
+        : peers_(communicator, voice),
+          busy_looks_(peers_.count() < std::thread::hardware_concurrency() ? many_looks : few_looks) {
         if (const char* delay = std::getenv("GRAINCRACK_MESSAGE_DELAY"); delay != nullptr) delay_ = 1e-6 * std::atof(delay);
     }
     /// \param begin when the messages were sent
@@ -149,7 +155,7 @@ public:
         int done = 0;
         for (int looks = 0; done == 0; ++looks) {
             MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
-            if (done == 0 && looks > busy_looks) {
+            if (done == 0 && looks > busy_looks_) {
                 ::sched_yield();
                 if (looks % looks_between_checks == 0) require_life(now);
             }
@@ -159,7 +165,8 @@ public:
     }
 
 private:
-    static constexpr int busy_looks = 200;
+    static constexpr int few_looks = 50;     // some 10 µs
+    static constexpr int many_looks = 5000;  // some 1 ms
     static constexpr int looks_between_checks = 1024;
     static constexpr double patience = 0.1;  // s, before the other ranks of this machine are looked at; launchers leave a second
 
@@ -171,6 +178,7 @@ private:
     }
 
     Peers peers_;
+    int busy_looks_;
     double delay_ = 0;       // s, of every message
     double next_check_ = 0;  // s
 };
