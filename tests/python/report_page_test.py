@@ -105,10 +105,13 @@ class Page(unittest.TestCase):
             graincrack-mesh disc --diameter 25mm {size} -o disc.h5
             graincrack-solve brazilian disc.h5 {solve} -o b1.h5
             graincrack-post report u?.h5 t?.h5 b1.h5 --material augig-granite-triangles --quiet -o several.html
+            graincrack-mesh disc --diameter 25mm --material augig-granite-calibrated --quiet -o crystals.h5
+            graincrack-solve brazilian crystals.h5 --material augig-granite-calibrated --rate-tolerance 0.02 --quiet -o b2.h5
+            graincrack-post report b2.h5 --quiet -o crystals.html  # has the widest table, with fourteen classes of contacts
             graincrack-post report u1.h5 --quiet -o one.html
             graincrack-post page '{TOP}/README.md' '{TOP}/share/results/rocks-targets.tsv' --format html >study.html"""
         subprocess.run(["bash", "-euc", script], check=True, cwd=cls.folder, env={**os.environ, "PATH": f"{sys.argv[1]}:{os.environ['PATH']}"})
-        cls.reports = [cls.folder / "several.html", cls.folder / "one.html"]
+        cls.reports = [cls.folder / f"{name}.html" for name in ("several", "one", "crystals")]
         if pictures := os.environ.get("GRAINCRACK_SCREENSHOTS"):
             for page in [*cls.reports, cls.folder / "study.html"]:
                 for width in (400, 1200):
