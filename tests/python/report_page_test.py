@@ -38,7 +38,8 @@ const mark = (kind, each, i) => {
   each.style.position = "relative";
   for (const [end, corner] of [["A", "top: 0; left: 0"], ["B", "bottom: 0; right: 0"]]) {
     each.append(Object.assign(document.createElement("span"),
-                              {textContent: `${kind}${end}${i}.`, style: `position: absolute; font-size: 3px; line-height: 1; ${corner}`}));
+                              {textContent: `${kind}${end}${1000 + i}`,
+                               style: `position: absolute; font-size: 3px; line-height: 1; white-space: nowrap; ${corner}`}));
   }
 };
 document.querySelectorAll("figure").forEach((each, i) => mark("FIG", each, i));
@@ -83,7 +84,7 @@ class Browser:
             if found := re.search(r'<page width="(\S+)" height="(\S+)"', line):
                 sizes.append(tuple(float(each) for each in found.groups()))
             elif found := re.search(r'<word xMin="(\S+)" yMin="(\S+)" xMax="(\S+)" yMax="(\S+)">(.*)</word>', line):
-                for name in re.findall(r"(?:FIG|TAB)[AB]\d+(?=\.)", found[5]):
+                for name in re.findall(r"(?:FIG|TAB)[AB]1\d{3}", found[5]):
                     marks.setdefault(name, []).append((len(sizes), *(float(each) for each in found.groups()[:4])))
         return sizes, marks
 
@@ -169,7 +170,7 @@ class Page(unittest.TestCase):
                 for _, left, top, right, bottom in places:
                     self.assertTrue(30 < left < right < A4[0] - 30 and 30 < top < bottom < A4[1] - 30, f"{page}: {name} in the margin: {places}")
             for i in range(n_figures):
-                (first, *begin), (last, *end) = marks[f"FIGA{i}"][0], marks[f"FIGB{i}"][0]
+                (first, *begin), (last, *end) = marks[f"FIGA{1000 + i}"][0], marks[f"FIGB{1000 + i}"][0]
                 self.assertEqual(first, last, f"{page}: figure {i} is cut")
                 self.assertLess(begin[1] + 60, end[3], f"{page}: figure {i}")
                 self.assertLess(begin[0] + 60, end[2], f"{page}: figure {i}")
@@ -185,7 +186,7 @@ class Page(unittest.TestCase):
         self.assertIn("Content Security Policy", "".join(console))
         self.assertIn("nothing is not defined", "".join(console))
         _, marks = self.browser.printed(page)
-        last = page.read_text().count("<figure") - 1
+        last = 1000 + page.read_text().count("<figure") - 1
         self.assertNotEqual(marks[f"FIGA{last}"][0][0], marks.get(f"FIGB{last}", [[0]])[0][0])
 
 
