@@ -59,7 +59,8 @@ summary { cursor: pointer; font-weight: bold; }
 @media (max-width: 500px) { body { padding: 12px; } table { font-size: 12px; } th, td { padding-right: 5px; } }
 @page { size: A4; margin: 14mm; }
 @media print { body { max-width: none; padding: 0; font-size: 10pt; } table, figcaption { font-size: 9pt; }
-       .columns { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 2; } h2, h3, summary { break-after: avoid; }
+       .columns { grid-template-columns: minmax(0, 1fr); } .columns table { font-size: 8pt; } .figures { column-count: 2; }
+       h2, h3, summary { break-after: avoid; }
        .first.of2 { grid-template-columns: repeat(2, minmax(0, 1fr)); } .first.of3 { grid-template-columns: repeat(3, minmax(0, 1fr)); }
        details::details-content { content-visibility: visible; } .wide { overflow: visible; }
        figure, tr, .kind { break-inside: avoid; } figure img { max-height: 220mm; object-fit: contain; } }

@@ -313,21 +313,25 @@ std::vector<std::string> contact_row(const std::string& label, const std::vector
     return row;
 }
 
-std::string parameter_table(const TestReport& test) {
+/// What holds for all, and below it what differs by class of contacts, with a row for each: there may be many classes.
+std::string parameter_tables(const TestReport& test) {
     const RunHeader& h = test.data.header;
     const std::vector<ContactParameters>& classes = h.fabric.contacts;
-    std::vector<std::string> columns{"parameter"};
-    if (classes.size() > 1) {
-        std::transform(test.class_names.begin(), test.class_names.end(), std::back_inserter(columns), mineral_label);
-    } else {
-        columns.emplace_back("value");
-    }
-    html::Table table(columns);
+    html::Table table({"parameter", "value"});
+    std::vector<std::string> columns{"contacts"};
+    std::vector<std::vector<std::string>> rows;
+    for (const std::string& name : test.class_names) rows.push_back({mineral_label(name)});
     const auto add = [&](const std::string& label, double value, Dimension dimension) {
         table.row_for_all(label, format_quantity(value, dimension));
     };
     const auto add_contact = [&](const std::string& label, double ContactParameters::*value, Dimension dimension) {
-        table.row(contact_row(label, classes, value, dimension));
+        const std::vector<std::string> row = contact_row(label, classes, value, dimension);
+        if (row.size() == 2) {
+            table.row(row);
+            return;
+        }
+        columns.push_back(label);
+        for (std::size_t k = 0; k < classes.size(); ++k) rows[k].push_back(row[k + 1]);
     };
     const std::string whose = classes.size() > 1 ? "rock" : "grains";
     add("E of the " + whose, h.rock.young_modulus, Dimension::stress);
@@ -348,7 +352,10 @@ std::string parameter_table(const TestReport& test) {
     add("platen friction", h.platen_friction, Dimension::angle);
     table.row_for_all("contact law, coupling, fracture energy",
                       h.contact_law + ", " + h.coupling + ", " + h.fracture_energy_choice);
-    return table.str();
+    if (columns.size() == 1) return table.str();
+    html::Table by_class(columns);
+    for (const auto& row : rows) by_class.row(row);
+    return table.str() + by_class.str();
 }
 
 /// Contacts follow the plane condition: one table for each.
@@ -357,7 +364,7 @@ std::string parameters(const Content& content) {
     for (const TestReport& t : content.tests) planes.emplace(name_of(t.data.header.plane), &t);
     std::string out = "<div class=\"columns\">\n";
     for (const auto& [plane, test] : planes) {
-        out += "<div><h3>plane " + html::escaped(std::string(plane)) + "</h3>" + parameter_table(*test) + "</div>\n";
+        out += "<div><h3>plane " + html::escaped(std::string(plane)) + "</h3>" + parameter_tables(*test) + "</div>\n";
     }
     return out + "</div>\n";
 }

@@ -38,7 +38,8 @@ const mark = (kind, each, i) => {
   each.style.position = "relative";
   for (const [end, corner] of [["A", "top: 0; left: 0"], ["B", "bottom: 0; right: 0"]]) {
     each.append(Object.assign(document.createElement("span"),
-                              {textContent: `${kind}${end}${i}.`, style: `position: absolute; font-size: 3px; line-height: 1; ${corner}`}));
+                              {textContent: `${kind}${end}${1000 + i}`,
+                               style: `position: absolute; font-size: 3px; line-height: 1; white-space: nowrap; ${corner}`}));
   }
 };
 document.querySelectorAll("figure").forEach((each, i) => mark("FIG", each, i));
@@ -83,7 +84,7 @@ class Browser:
             if found := re.search(r'<page width="(\S+)" height="(\S+)"', line):
                 sizes.append(tuple(float(each) for each in found.groups()))
             elif found := re.search(r'<word xMin="(\S+)" yMin="(\S+)" xMax="(\S+)" yMax="(\S+)">(.*)</word>', line):
-                for name in re.findall(r"(?:FIG|TAB)[AB]\d+(?=\.)", found[5]):
+                for name in re.findall(r"(?:FIG|TAB)[AB]1\d{3}", found[5]):
                     marks.setdefault(name, []).append((len(sizes), *(float(each) for each in found.groups()[:4])))
         return sizes, marks
 
@@ -105,10 +106,13 @@ class Page(unittest.TestCase):
             graincrack-mesh disc --diameter 25mm {size} -o disc.h5
             graincrack-solve brazilian disc.h5 {solve} -o b1.h5
             graincrack-post report u?.h5 t?.h5 b1.h5 --material augig-granite-triangles --quiet -o several.html
+            graincrack-mesh disc --diameter 25mm --material augig-granite-calibrated --quiet -o crystals.h5
+            graincrack-solve brazilian crystals.h5 --material augig-granite-calibrated --rate-tolerance 0.02 --quiet -o b2.h5
+            graincrack-post report b2.h5 --quiet -o crystals.html  # has the widest table, with fourteen classes of contacts
             graincrack-post report u1.h5 --quiet -o one.html
             graincrack-post page '{TOP}/README.md' '{TOP}/share/results/rocks-targets.tsv' --format html >study.html"""
         subprocess.run(["bash", "-euc", script], check=True, cwd=cls.folder, env={**os.environ, "PATH": f"{sys.argv[1]}:{os.environ['PATH']}"})
-        cls.reports = [cls.folder / "several.html", cls.folder / "one.html"]
+        cls.reports = [cls.folder / f"{name}.html" for name in ("several", "one", "crystals")]
         if pictures := os.environ.get("GRAINCRACK_SCREENSHOTS"):
             for page in [*cls.reports, cls.folder / "study.html"]:
                 for width in (400, 1200):
@@ -166,7 +170,7 @@ class Page(unittest.TestCase):
                 for _, left, top, right, bottom in places:
                     self.assertTrue(30 < left < right < A4[0] - 30 and 30 < top < bottom < A4[1] - 30, f"{page}: {name} in the margin: {places}")
             for i in range(n_figures):
-                (first, *begin), (last, *end) = marks[f"FIGA{i}"][0], marks[f"FIGB{i}"][0]
+                (first, *begin), (last, *end) = marks[f"FIGA{1000 + i}"][0], marks[f"FIGB{1000 + i}"][0]
                 self.assertEqual(first, last, f"{page}: figure {i} is cut")
                 self.assertLess(begin[1] + 60, end[3], f"{page}: figure {i}")
                 self.assertLess(begin[0] + 60, end[2], f"{page}: figure {i}")
@@ -182,7 +186,7 @@ class Page(unittest.TestCase):
         self.assertIn("Content Security Policy", "".join(console))
         self.assertIn("nothing is not defined", "".join(console))
         _, marks = self.browser.printed(page)
-        last = page.read_text().count("<figure") - 1
+        last = 1000 + page.read_text().count("<figure") - 1
         self.assertNotEqual(marks[f"FIGA{last}"][0][0], marks.get(f"FIGB{last}", [[0]])[0][0])
 
 
