@@ -304,10 +304,10 @@ void expect_newmark(const NewmarkBlock& problem, const std::string& name) {
     }
     test::record_curves(name, {{"time_s", time}, {"base_m_s", base}, {"block_m_s", velocity}, {"slip_m", slip}});
     const std::string text = fmt::format("dynamics: Newmark's block, slope {:.0f} deg, ", problem.slope / test::degree);
-    // Friction is there after a quarter of the period of the block on its springs, 0.25 ms of 200.
+    // Friction is there after a quarter of the period of the block on its springs, 0.25 ms of 200; it swings on them.
     verify(text + "slip (mm)", slip.back() * 1e3, problem.slip() * 1e3, 0.005, "Newmark (1965)");
     const std::size_t half = slip.size() / 2;
-    verify(text + "acceleration of the block (m/s2)", velocity[half] / time[half], problem.yield(), 0.005,
+    verify(text + "acceleration of the block (m/s2)", velocity[half] / time[half], problem.yield(), 0.01,
            "g (cos b tan phi - sin b)");
     EXPECT_NEAR(slip.back(), slip[slip.size() * 9 / 10], 1e-3 * problem.slip()) << "it should stick in the end";
 }

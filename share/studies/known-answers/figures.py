@@ -2,17 +2,21 @@
 import math
 
 import matplotlib.pyplot as plt
-from matplotlib.patches import Polygon, Rectangle
+from matplotlib.patches import Circle, Polygon
 
 GRAIN, EXACT, COMPUTED = "#d9d4c7", "black", ["#c0392b", "#2471a3", "#1e8449", "#b9770e", "#6c3483"]
-FIGURES = {}
+FIGURES, SKETCHES = {}, {}
 
 
-def figure(name):
+def figure(name, kept=FIGURES):
     def keep(function):
-        FIGURES[name] = function
+        kept[name] = function
         return function
     return keep
+
+
+def sketch_of(name):
+    return figure(name, SKETCHES)
 
 
 def draw(name, path, rows, curves):
@@ -23,10 +27,9 @@ def draw(name, path, rows, curves):
     if name in FIGURES:
         FIGURES[name](left, right, curves)
     else:
-        left.remove()
-        right.set_position([0.1, 0.18, 0.86, 0.76])
+        SKETCHES[name](left)
         errors(right, rows)
-    if name in FIGURES: fig.tight_layout()
+    fig.tight_layout()
     fig.savefig(path, metadata={"Software": None})
     plt.close(fig)
 
@@ -97,24 +100,26 @@ def slipping_crack(sketch, plot, curves):
     box(sketch, 0, 0, 1, 2)
     sketch.plot([0, 1], [0.5, 1.5], color="black", lw=1)
     sketch.plot([0.31, 0.69], [0.81, 1.19], color=COMPUTED[0], lw=3)
-    sketch.text(1.06, 1.5, r"elastic, $k$", va="center")
-    sketch.text(0.72, 1.05, r"slips, $k$, $\varphi$", va="center", ha="left", fontsize=8)
+    sketch.text(1.06, 1.5, r"elastic, $k$", va="center", fontsize=8)
+    sketch.text(1.06, 1.05, r"slips, $k$, $\varphi$", va="center", ha="left", fontsize=8)
     arrow(sketch, (0.5, 2.45), (0.5, 2.02), "$P$, $u$", (0.75, 2.3))
     sketch.plot([-0.1, 1.1], [-0.02, -0.02], color="black", lw=2)
     view(sketch, -0.3, 1.8, -0.15, 2.6)
-    for colour, name, values, scale, text in ((COMPUTED[0], "slipping-crack", (36.28, 38.89, 34.42), 1, "k 220 GPa/m"),
-                                        (COMPUTED[1], "slipping-crack-soft", (0.627075, 0.764441, 0.547911), 1, "k 0.55 GPa/m")):
+    for colour, name, values, text in ((COMPUTED[0], "slipping-crack", (36.28, 38.89, 34.42), "220 GPa/m (Brady et al.)"),
+                                       (COMPUTED[1], "slipping-crack-soft", (0.627075, 0.764441, 0.547911), "0.55 GPa/m (rigid halves)")):
         c = curves(name)
         u, force = c["approach_m"], c["force_N"]
         peak = max(u)
         loading, stick, back = (1e9 * value for value in values)
         top = loading * peak
         meet = (top - stick * peak) / (back - stick)
-        plot.plot([x / peak for x in u], [p / top for p in force], color=colour, lw=2.5, alpha=0.6, label=f"computed, {text}")
-        plot.plot([0, 1, meet / peak, 0], [0, 1, back * meet / top, 0], ":", color=EXACT, lw=1.2, label="closed form" if scale and name.endswith("soft") else None)
+        # Less a straight line to the largest force, so that the loops open.
+        plot.plot([x / peak for x in u], [100 * (p / top - x / peak) for x, p in zip(u, force)], color=colour, lw=2.5, alpha=0.6, label=f"k {text}")
+        plot.plot([0, 1, meet / peak, 0], [0, 0, 100 * (back * meet / top - meet / peak), 0], ":", color=EXACT, lw=1.2,
+                  label="closed forms" if name.endswith("soft") else None)
     plot.set_xlabel("approach over its largest")
-    plot.set_ylabel("force over its largest")
-    plot.legend(frameon=False)
+    plot.set_ylabel("force less loading line,\n% of the largest")
+    plot.legend(frameon=False, loc="lower left")
 
 
 @figure("rayleigh-wave")
@@ -189,8 +194,8 @@ def tilted_block(sketch, plot, curves):
     sketch.text(0.35, -0.22, r"$\alpha$")
     centre = turned([(0.25, 0.6)], 0.35)[0]
     arrow(sketch, centre, (centre[0], centre[1] - 0.6), "$g$", (centre[0] + 0.1, centre[1] - 0.55))
-    sketch.text(0.2, 1.42, "$b$")
-    sketch.text(0.32, 1.0, "$h$")
+    sketch.text(*turned([(0.25, 1.3)], 0.35)[0], "$b$", ha="center", va="center")
+    sketch.text(*turned([(0.6, 0.6)], 0.35)[0], "$h$", ha="center", va="center")
     view(sketch, -0.8, 1.7, -0.5, 1.7)
     slopes = [i / 200 for i in range(1, 201)]
     for colour, friction in ((COMPUTED[0], 30), (COMPUTED[1], 20)):
@@ -228,3 +233,165 @@ def newmark(sketch, plot, curves):
     plot.set_xlabel("time (s)")
     plot.set_ylabel("slip (mm)")
     plot.legend(frameon=False)
+
+
+# --- sketches of problems whose figure is that of their errors ---------------------------------------------------------
+
+
+@sketch_of("block-on-a-slope")
+def block_on_a_slope(axes):
+    box(axes, -1.2, -0.2, 2.6, 0.2, 0.5)
+    box(axes, -0.5, 0, 0.9, 0.3, 0.5)
+    arrow(axes, *turned([(-0.6, 0.15), (-1.1, 0.15)], 0.5), r"$\ddot s$", turned([(-1.2, 0.3)], 0.5)[0])
+    axes.plot([-1.0, 1.2], [-0.75, -0.75], color="black", lw=0.8)
+    axes.text(-0.2, -0.6, r"$\alpha$")
+    view(axes, -1.5, 1.5, -0.9, 1)
+
+
+@sketch_of("waves")
+def waves(axes):
+    box(axes, 0, 0, 4, 0.4)
+    arrow(axes, (-0.7, 0.2), (-0.05, 0.2), r"$\sigma$", (-0.5, 0.45))
+    arrow(axes, (0.8, 0.7), (1.8, 0.7), "$c$", (1.3, 0.95))
+    arrow(axes, (3.4, -0.3), (2.4, -0.3), "reflected", (2.9, -0.6))
+    view(axes, -0.9, 4.3, -0.9, 1.2)
+
+
+@sketch_of("bar-with-interfaces")
+def bar_with_interfaces(axes):
+    for i in range(5):
+        box(axes, i * 0.9, 0, 0.75, 0.4)
+        if i: axes.plot([i * 0.9 - 0.15, i * 0.9 - 0.11, i * 0.9 - 0.04, i * 0.9], [0.2, 0.3, 0.1, 0.2], color=COMPUTED[0])
+    arrow(axes, (0.82, -0.2), (1.72, -0.2), "$s$", (1.27, -0.4))
+    axes.text(1.72, 0.55, "$k$", color=COMPUTED[0], ha="center")
+    view(axes, -0.2, 4.6, -0.7, 0.9)
+
+
+@sketch_of("bouncing-block")
+def bouncing_block(axes):
+    box(axes, 0, 0.6, 1, 1)
+    for x in (0.15, 0.5, 0.85): axes.plot([x, x + 0.06, x - 0.06, x + 0.06, x], [0, 0.1, 0.25, 0.4, 0.5], color=COMPUTED[0])
+    axes.plot([-0.3, 1.3], [0, 0], color="black", lw=2)
+    arrow(axes, (0.5, 1.2), (0.5, 0.75), "$v$", (0.65, 1.0))
+    axes.text(1.0, 0.25, "$k$", color=COMPUTED[0])
+    view(axes, -0.6, 1.6, -0.2, 1.8)
+
+
+@sketch_of("bars-collide")
+def bars_collide(axes):
+    box(axes, 0, 0, 2, 0.3)
+    box(axes, 2.15, 0, 2, 0.3)
+    arrow(axes, (0.6, 0.5), (1.4, 0.5), "$v$", (1, 0.7))
+    axes.text(1, -0.25, "$L$", ha="center")
+    view(axes, -0.2, 4.4, -0.6, 1)
+
+
+@sketch_of("joint-in-shear")
+def joint_in_shear(axes):
+    box(axes, 0, 0, 2, 0.5)
+    box(axes, 0.1, 0.5, 2, 0.5)
+    axes.plot([0.1, 2], [0.5, 0.5], color=COMPUTED[0], lw=2)
+    for x in (0.5, 1.1, 1.7): arrow(axes, (x, 1.4), (x, 1.03))
+    arrow(axes, (2.15, 0.8), (2.75, 0.8), "$T$", (2.6, 1.0))
+    axes.text(1.1, 1.5, "$N$", ha="center")
+    axes.plot([-0.1, 2.1], [-0.02, -0.02], color="black", lw=2)
+    view(axes, -0.3, 2.9, -0.2, 1.8)
+
+
+@sketch_of("jaeger-joint")
+def jaeger_joint(axes):
+    box(axes, 0, 0, 1, 2)
+    axes.plot([0, 1], [0.4, 1.6], color=COMPUTED[0], lw=2)
+    arrow(axes, (0.5, 2.5), (0.5, 2.03), r"$\sigma_1$", (0.7, 2.3))
+    for side, start in ((-0.03, -0.5), (1.03, 1.5)): arrow(axes, (start, 1), (side, 1))
+    axes.text(1.35, 1.15, r"$\sigma_3$")
+    axes.text(0.35, 0.55, r"$\beta$")
+    view(axes, -0.7, 1.8, -0.2, 2.6)
+
+
+@sketch_of("elastic-disc")
+def elastic_disc(axes):
+    axes.add_patch(Circle((0, 0), 1, facecolor=GRAIN, edgecolor="black"))
+    arrow(axes, (0, 1.6), (0, 1.02), "$P$", (0.2, 1.4))
+    arrow(axes, (0, -1.6), (0, -1.02))
+    axes.plot([-1, 1], [0, 0], ":", color="black")
+    axes.text(0.6, 0.1, "$x$")
+    view(axes, -1.5, 1.5, -1.7, 1.7)
+
+
+@sketch_of("spinning-disc")
+def spinning_disc(axes):
+    axes.add_patch(Circle((0, 0), 1, facecolor=GRAIN, edgecolor="black"))
+    arrow(axes, (0.9, -0.9), (0.9, 0.9), r"$\omega$", (1.5, 0), connectionstyle="arc3,rad=0.45")
+    arrow(axes, (0, 0), (-0.7, 0.7), "$R$", (-0.25, 0.5))
+    view(axes, -1.4, 1.8, -1.3, 1.3)
+
+
+@sketch_of("lattice-moduli")
+def lattice_moduli(axes):
+    h = math.sqrt(0.75)
+    for row in range(2):
+        for i in range(3):
+            x = i + 0.5 * row
+            axes.add_patch(Polygon([(x, row * h), (x + 1, row * h), (x + 0.5, row * h + h)], facecolor=GRAIN, edgecolor=COMPUTED[0]))
+            axes.add_patch(Polygon([(x + 1, row * h), (x + 1.5, row * h + h), (x + 0.5, row * h + h)], facecolor=GRAIN, edgecolor=COMPUTED[0]))
+    axes.text(0.5, -0.25, "$a$", ha="center")
+    axes.text(4.1, h, "$k_n$, $k_s$", color=COMPUTED[0], ha="center")
+    view(axes, -0.3, 4.7, -0.5, 2)
+
+
+@sketch_of("fracture-energy")
+def fracture_energy(axes):
+    box(axes, 0, 0, 1.4, 0.8)
+    box(axes, 0, 0.9, 1.4, 0.8)
+    axes.plot([0, 1.4], [0.85, 0.85], color=COMPUTED[0], lw=2)
+    arrow(axes, (0.7, 1.72), (0.7, 2.2))
+    arrow(axes, (0.7, -0.02), (0.7, -0.5))
+    axes.text(1.5, 0.85, "$G_f$", color=COMPUTED[0], va="center")
+    view(axes, -0.4, 2, -0.6, 2.3)
+
+
+@sketch_of("double-cantilever")
+def double_cantilever(axes):
+    for sign in (1, -1):
+        xs = [0.1 * i for i in range(41)]
+        open_ = [0.03 + 0.12 * max(0, 2.2 - x) ** 2 for x in xs]
+        axes.add_patch(Polygon([(x, sign * o) for x, o in zip(xs, open_)] + [(x, sign * (o + 0.4)) for x, o in reversed(list(zip(xs, open_)))],
+                               facecolor=GRAIN, edgecolor="black"))
+        arrow(axes, (-0.1, sign * 0.75), (-0.1, sign * 1.3))
+    axes.plot([2.2, 4], [0, 0], color=COMPUTED[0], lw=2)
+    arrow(axes, (0, 0), (2.2, 0), "$a$", (1.2, 0.2))
+    axes.text(-0.5, 0.95, "$F$, $M$", ha="center")
+    axes.text(4.1, 0.25, "$h$")
+    view(axes, -0.9, 4.5, -1.4, 1.4)
+
+
+@sketch_of("column-under-weight")
+def column_under_weight(axes):
+    box(axes, 0, 0, 0.5, 2)
+    axes.plot([-0.2, 0.7], [-0.02, -0.02], color="black", lw=2)
+    arrow(axes, (0.25, 1.3), (0.25, 0.7), "$g$", (0.36, 1))
+    axes.add_patch(Polygon([(0.9, 0), (1.5, 0), (0.9, 2)], fill=False, edgecolor=COMPUTED[0]))
+    axes.text(1.3, 0.9, r"$-\sigma_{yy}$", color=COMPUTED[0])
+    view(axes, -0.5, 2, -0.3, 2.2)
+
+
+@sketch_of("two-minerals")
+def two_minerals(axes):
+    box(axes, 0, 0, 2, 0.4)
+    axes.add_patch(Polygon([(2, 0), (4, 0), (4, 0.4), (2, 0.4)], facecolor="#8a8378", edgecolor="black"))
+    arrow(axes, (0.5, 0.7), (1.4, 0.7), "1", (0.95, 0.9))
+    arrow(axes, (2.3, 0.7), (3.1, 0.7), "$T$", (2.7, 0.9))
+    arrow(axes, (1.7, -0.3), (1.2, -0.3), "$R$", (1.45, -0.55))
+    axes.text(1, 0.2, "$Z_1$", ha="center", va="center")
+    axes.text(3, 0.2, "$Z_2$", ha="center", va="center")
+    view(axes, -0.2, 4.2, -0.8, 1.2)
+
+
+@sketch_of("energy-balance")
+def energy_balance(axes):
+    box(axes, 0, 0, 1, 2)
+    axes.plot([0.2, 0.45, 0.5, 0.8], [0.3, 0.9, 1.2, 1.8], color=COMPUTED[0], lw=2)
+    for y, end in ((2.5, 2.05), (-0.5, -0.05)): arrow(axes, (0.5, y), (0.5, end))
+    for y in (2.02, -0.02): axes.plot([-0.2, 1.2], [y, y], color="black", lw=2)
+    view(axes, -0.6, 1.6, -0.6, 2.6)

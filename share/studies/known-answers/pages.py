@@ -6,7 +6,6 @@ folder; their rows and curves go to the folder --rows. Rows of tests that are no
 """
 import argparse
 import csv
-import math
 import os
 import pathlib
 import subprocess
@@ -16,6 +15,7 @@ import tomllib
 import matplotlib
 
 matplotlib.use("Agg")
+sys.dont_write_bytecode = True
 import figures
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -69,6 +69,13 @@ def page(name, problem, rows):
     return "\n".join(lines)
 
 
+def index(problems):
+    lines = ["# Problems with known answers", "", "Each page states a problem and its closed form, shows both and says what the comparison would miss. [Verification](../verification.md)",
+             "has the cases of all tests.", "", "| problem | tests |", "|---|---|"]
+    lines += [f"| [{problem['title']}]({name}.md) | {', '.join(f'`{test}`' for test in problem['tests'])} |" for name, problem in problems.items()]
+    return "\n".join(lines) + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(add_help=False)
     parser.add_argument("-h", "--help", action="store_true")
@@ -90,6 +97,7 @@ def main():
         figures.draw(name, options.doc / f"{name}.png", rows, lambda curve: curves_of(options.rows, curve))
         (options.doc / f"{name}.md").write_text(page(name, problem, rows))
         print(options.doc / f"{name}.md")
+    (options.doc / "index.md").write_text(index(problems))
     return 0
 
 
