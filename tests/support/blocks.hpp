@@ -1,6 +1,7 @@
 // Blocks that rest, slide and turn on each other.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
