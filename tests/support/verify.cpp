@@ -104,4 +104,18 @@ void verify_between(const std::string& name, double measured, double low, double
     }
 }
 
+void record_curves(const std::string& name, const std::vector<std::pair<std::string, std::vector<double>>>& columns) {
+    const char* const folder = std::getenv("GRAINCRACK_VERIFICATION");
+    if (folder == nullptr || *folder == '\0') return;
+    std::ofstream file(fmt::format("{}/{}.csv", folder, name));
+    std::string text;
+    const auto add = [&](const std::string& entry, std::size_t column) { text += (column == 0 ? "" : ",") + entry; };
+    for (std::size_t c = 0; c < columns.size(); ++c) add(columns[c].first, c);
+    for (std::size_t row = 0; row < columns.front().second.size(); ++row) {
+        text += '\n';
+        for (std::size_t c = 0; c < columns.size(); ++c) add(number(columns[c].second[row]), c);
+    }
+    file << text << '\n';
+}
+
 }  // namespace graincrack::test

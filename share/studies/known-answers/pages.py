@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+"""Usage: pages.py [--tests FOLDER] --rows FOLDER --doc FOLDER [PROBLEM...]
+
+Writes the pages of problems.toml, all or those named, to the folder --doc. With --tests it first runs their tests by the programs in that
+folder; their rows and curves go to the folder --rows. Rows of tests that are not there are those of share/doc/verification.md.
+"""
+import argparse
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import tomllib
+
+import matplotlib
+
+matplotlib.use("Agg")
+sys.dont_write_bytecode = True
+import figures
+
+HERE = pathlib.Path(__file__).resolve().parent
+TABLE = HERE.parent.parent / "doc" / "verification.md"
+
+
+def run_tests(problem, tests, rows):
+    rows.mkdir(parents=True, exist_ok=True)
+    command = [str(tests / problem["program"]), "--gtest_brief=1", "--gtest_filter=" + ":".join(problem["tests"])]
+    done = subprocess.run(command, env={**os.environ, "GRAINCRACK_VERIFICATION": str(rows)}, stdout=subprocess.PIPE, text=True)
+    if done.returncode != 0: sys.exit(f"{done.stdout}pages: {' '.join(command)} failed")
+
+
+def cells(line):
+    return [cell.strip().replace("\\|", "|") for cell in line.replace("\\|", "\0").strip().strip("|").replace("\0", "\\|").split(" | ")]
+
+
+def rows_of(problem, folder):
+    """Rows of the problem's tests: case, measured, expected, error, tolerance, source."""
+    found = []
+    for test in problem["tests"]:
+        path = folder / f"{test}.tsv"
+        if path.exists():
+            for row in csv.reader(path.open(), delimiter="\t", quoting=csv.QUOTE_NONE):
+                found.append([row[0].split(": ", 1)[1], *row[1:5], row[7]])
+        else:
+            lines = [cells(line) for line in TABLE.read_text().splitlines() if line.endswith(f"| {test} |")]
+            found += [[*row[:5], row[6]] for row in lines]
+    if not found: sys.exit(f"pages: no rows of {problem['tests']}; run them by --tests, or tests/run --all --table")
+    return [row for row in found if any(row[0].startswith(start) for start in problem.get("rows", [""]))]
+
+
+def curves_of(folder, name):
+    """Columns of a curve by their names."""
+    with (folder / f"{name}.csv").open() as file:
+        lines = list(csv.reader(file))
+    return {head: [float(line[i]) for line in lines[1:]] for i, head in enumerate(lines[0])}
+
+
+def page(name, problem, rows):
+    common = os.path.commonprefix([row[0] for row in rows]) if len(rows) > 1 else ""
+    common = common[:common.rfind(", ") + 2] if ", " in common else ""
+    lines = [f"# {problem['title']}", "", problem["statement"].strip(), "", f"![{problem['title']}]({name}.png)", "", problem["caption"].strip(), "",
+             "## Closed form", "", problem["theory"].strip(), "", f"Source: {problem['source'].strip()}", "", "## Model", "", problem["model"].strip(), "",
+             "## Computed and exact", "", "| case | computed | exact | error | tolerance |", "|---|---|---|---|---|"]
+    for row in rows:
+        lines.append(f"| {row[0][len(common):]} | " + " | ".join(row[1:5]).replace("|  ", "| ") + " |")
+    lines += ["", problem["tolerance"].strip(), "", "## Command", "", "```sh", f"make -C share/studies/known-answers {name}", "```", "",
+              f"runs `{problem['program']}` ({', '.join(f'`{test}`' for test in problem['tests'])}) and writes this page.", "",
+              "## What it would miss", "", problem["misses"].strip(), ""]
+    return "\n".join(lines)
+
+
+def index(problems):
+    lines = ["# Problems with known answers", "", "Each page states a problem and its closed form, shows both and says what the comparison would miss. [Verification](../verification.md)",
+             "has the cases of all tests.", "", "| problem | tests |", "|---|---|"]
+    lines += [f"| [{problem['title']}]({name}.md) | {', '.join(f'`{test}`' for test in problem['tests'])} |" for name, problem in problems.items()]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("-h", "--help", action="store_true")
+    parser.add_argument("--tests", type=pathlib.Path)
+    parser.add_argument("--rows", type=pathlib.Path)
+    parser.add_argument("--doc", type=pathlib.Path)
+    parser.add_argument("problems", nargs="*")
+    options = parser.parse_args()
+    if options.help or not options.rows or not options.doc:
+        print(__doc__.strip(), file=sys.stdout if options.help else sys.stderr)
+        return 0 if options.help else 2
+    problems = tomllib.loads((HERE / "problems.toml").read_text())
+    for name in options.problems or problems:
+        if name not in problems: sys.exit(f"pages: {name}: problems.toml has {', '.join(problems)}")
+        problem = problems[name]
+        if options.tests: run_tests(problem, options.tests, options.rows)
+        rows = rows_of(problem, options.rows)
+        options.doc.mkdir(parents=True, exist_ok=True)
+        figures.draw(name, options.doc / f"{name}.png", rows, lambda curve: curves_of(options.rows, curve))
+        (options.doc / f"{name}.md").write_text(page(name, problem, rows))
+        print(options.doc / f"{name}.md")
+    (options.doc / "index.md").write_text(index(problems))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
