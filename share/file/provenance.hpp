@@ -24,7 +24,7 @@ struct Provenance {
     std::string specimen_configuration;  ///< of a run: options by which its specimen was made, as TOML; "" if unknown
     std::vector<std::string> libraries;
     double wall_time = 0;  ///< s
-    int threads = 1;  ///< of each rank
+    int threads = 1;       ///< of each rank
     int ranks = 1;
     std::string vector_target;  ///< of a run: the instructions that its kernels used; any give the same content
 };
