@@ -27,7 +27,7 @@ void append_bytes(const std::vector<Value>& values, Bytes& bytes) { append_bytes
 template <class Value>
 requires std::is_trivially_copyable_v<Value> std::vector<Value> values_of(const Bytes& bytes) {
     std::vector<Value> values(bytes.size() / sizeof(Value));
-    std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(Value));
+    if (!values.empty()) std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(Value));
     return values;
 }
 template <class Value>
