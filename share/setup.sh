@@ -90,7 +90,7 @@ have_packages() {
     fi
 }
 
-# configure_build FOLDER PRESET [CMAKE OPTION…]: the build that is there, or a new one by its preset. From the top folder.
+# configure_build FOLDER PRESET [CMAKE OPTION…]: the build that is there, or a new one by a preset and these options. From the top folder.
 configure_build() {
     local folder=$1 preset=$2 launcher=()
     shift 2
@@ -98,6 +98,6 @@ configure_build() {
         cmake -S . -B "$folder" "$@"
     else
         if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-        cmake --preset "$preset" "${launcher[@]}" "$@"
+        cmake --preset "$preset" -B "$folder" "${launcher[@]}" "$@"
     fi
 }

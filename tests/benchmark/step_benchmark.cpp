@@ -1,4 +1,4 @@
-// Time of a step and of its stages, for each law and vector unit: `tests/run --benchmark`. Real time; items are grains.
+// Time of a step and of its stages, for each law and vector unit: `tests/benchmark/run`. Real time; items are grains.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

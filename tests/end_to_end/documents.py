@@ -24,6 +24,9 @@ TOP = pathlib.Path(__file__).resolve().parent.parent.parent
 CALLS = re.compile(r"(graincrack-(mesh|solve|post)|share/|tests/|make|cmake|sbatch|export|printf)\b(?!:)")
 NOT_HERE = {
     "tests/run": "is what runs this test",
+    "tests/rules": "reads all sources: .ci/run",
+    "tests/benchmark/": "needs a machine that does nothing else",
+    "tests/verification_table": "needs the rows of tests/run --all",
     "share/studies/job-array": "needs Slurm: tests/slurm/run",
     "share/studies/large-run": "needs Slurm: tests/slurm/run",
     "sbatch": "needs Slurm: tests/slurm/run",

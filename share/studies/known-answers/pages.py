@@ -44,7 +44,7 @@ def rows_of(problem, folder):
         else:
             lines = [cells(line) for line in TABLE.read_text().splitlines() if line.endswith(f"| {test} |")]
             found += [[*row[:5], row[6]] for row in lines]
-    if not found: sys.exit(f"pages: no rows of {problem['tests']}; run them by --tests, or tests/run --all --table")
+    if not found: sys.exit(f"pages: no rows of {problem['tests']}; run them by --tests, or by tests/run --all")
     return [row for row in found if any(row[0].startswith(start) for start in problem.get("rows", [""]))]
 
 
