@@ -17,7 +17,6 @@
 #include "share/options/completion.hpp"
 #include "share/options/configuration_file.hpp"
 #include "share/options/option_names.hpp"
-#include "share/options/option_variables.hpp"
 
 namespace graincrack {
 namespace {
@@ -43,15 +42,6 @@ std::string help_command(CLI::App& app) {
     return command + "--help";
 }
 
-/// Gives the options of an application, not of its subcommands, their environment variables: --max-strain:
-/// GRAINCRACK_MAX_STRAIN.
-void name_variables(CLI::App& app) {
-    for (CLI::Option* option : app.get_options()) {
-        if (!option->get_configurable() || option->get_lnames().empty() || !option->get_envname().empty()) continue;
-        option->envname(variable_of(option->get_lnames().front()));
-    }
-}
-
 void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
     action(app);
     for (CLI::App* sub : app.get_subcommands({})) for_each_app(*sub, action);
@@ -59,7 +49,7 @@ void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
 
 // --- help ------------------------------------------------------------------------------------------------------------
 
-/// Help without the names of environment variables; help of a subcommand also shows the options of the tool.
+/// Help of a subcommand also shows the options of the tool.
 class HelpFormatter : public CLI::Formatter {
 public:
     std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
@@ -113,9 +103,7 @@ public:
 /// What the user may have meant otherwise, and with --verbose the options that hold; nothing with --quiet.
 void print_notes(const CLI::App& app) {
     if (app.count("--quiet") > 0) return;
-    for (const auto& notes : {bare_number_notes(), misspelt_variables()}) {
-        for (const std::string& note : notes) std::cerr << app.get_name() << ": note: " << note << '\n';
-    }
+    for (const std::string& note : bare_number_notes()) std::cerr << app.get_name() << ": note: " << note << '\n';
     if (app.count("--verbose") > 0) std::cerr << effective_configuration(app);
 }
 
@@ -150,7 +138,6 @@ bool on_command_line(const Call& call, const CLI::Option& option) {
 std::string with_origin(const Call& call, const CLI::Option& option) {
     std::string name = shown_name(option);
     if (on_command_line(call, option)) return name;
-    if (in_environment(option.get_envname())) return fmt::format("{} (from {})", name, option.get_envname());
     const ConfigurationFile* file = configuration_file(call.app);
     const std::string origin = file == nullptr ? "" : file->origin(&option);
     return origin.empty() ? name : fmt::format("{} (from {})", name, origin);
@@ -322,8 +309,7 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
     app.get_formatter()->label("SUBCOMMAND", "subcommand");
     app.footer(
         "Numbers take units (4mm, 24.15MPa, 48.76deg); a bare number is SI. Any option may stand in the file of --config\n"
-        "(TOML, by its name) or in the environment (GRAINCRACK_MAX_STRAIN for --max-strain); flags win over the\n"
-        "environment, which wins over the file.\n\nExamples:\n" +
+        "(TOML, by its name); flags win over the file.\n\nExamples:\n" +
         examples);
     app.set_help_flag("-h,--help", "print this and exit");
     app.set_version_flag(
@@ -377,13 +363,8 @@ bool CommandLine::parse(int argc, const char* const* argv, const std::function<v
     const auto ends = std::find(call.arguments.begin(), call.arguments.end(), "--");
     const bool print_config = std::find(call.arguments.begin(), ends, "--print-config") != ends;
     std::vector<CLI::Option*> required;
-    name_variables(app);
     for_each_app(app, [&](CLI::App& each) {
-        if (each.get_parent() != nullptr) {
-            each.fallthrough();
-            // only for subcommands that run: the variables do not apply to others
-            each.preparse_callback([&each](std::size_t) { name_variables(each); });
-        }
+        if (each.get_parent() != nullptr) each.fallthrough();
         for (CLI::Option* option : each.get_options()) {
             if (print_config && option->get_required()) {
                 required.push_back(option);

@@ -1,4 +1,4 @@
-// What the command lines of the three tools have in common: quantities with units, configuration files, environment,
+// What the command lines of the three tools have in common: quantities with units, configuration files,
 // --version, --print-config, --quiet, --verbose. Options are declared by option_set.hpp.
 //
 // A program reads its command line like this:
@@ -11,19 +11,19 @@
 //     if (!line.parse(argc, argv)) return 0;  // --help, --version and --print-config are answered
 //
 // Options of the tool may stand behind a subcommand.
-// Subcommands may share targets: for options added by the functions here, environment and defaults of the subcommand that runs
-// hold; other targets keep the values they were initialised with.
+// Subcommands may share targets: for options added by the functions here, the defaults of the subcommand that runs hold; other
+// targets keep the values they were initialised with.
 //
-// Where a value comes from: a flag, else the environment variable GRAINCRACK_<OPTION> (--max-strain: GRAINCRACK_MAX_STRAIN),
-// else the file of --config, else the default. The file is TOML; keys are the names of options without dashes in front and of
-// positional arguments, values are what would stand on the command line, as text, number, boolean or array:
+// A value comes from a flag, else from the file of --config, else it is the default. The file is TOML; keys are the names of
+// options without dashes in front and of positional arguments, values are what would stand on the command line, as text, number,
+// boolean or array:
 //
 //     quiet = true                   # a key at the top is an option of the tool or of the subcommand that runs
 //     max-strain = 0.015
 //     [triaxial]                     # keys of a section are options of that subcommand, and win over those at the top;
 //     confining-pressure = "4MPa"    # sections of other subcommands are checked for their names only
 //
-// A key that is no option is an error. A key is ignored if a flag or variable gave the option, or an option that excludes it.
+// A key that is no option is an error. A key is ignored if a flag gave the option, or one that excludes it.
 #pragma once
 
 #include <functional>
@@ -62,7 +62,7 @@ public:
     /// --version, --print-config, which needs no required options).
     /// \param complete called once all options are read and before defaults are; it may call `set_default`
     bool parse(int argc, const char* const* argv, const std::function<void()>& complete = {});
-    /// Whether the command line, the environment or a file gave an option of the subcommand that runs.
+    /// Whether the command line or a file gave an option of the subcommand that runs.
     [[nodiscard]] bool is_given(const std::string& option) const;
     /// Gives an option of the subcommand that runs another default, unless it is given, or one that excludes it.
     void set_default(const std::string& option, const std::string& text);

@@ -143,9 +143,9 @@ void ConfigurationFile::add_item(const TomlFile& toml, const TomlEntry& entry, s
     if (!option->get_configurable()) {
         refuse(toml, entry.line, fmt::format("{} cannot stand in a file; give it on the command line", entry.key));
     }
-    if (!runs || entry.values.empty() || option->count() > 0 || in_environment(option->get_envname())) return;
+    if (!runs || entry.values.empty() || option->count() > 0) return;
     for (const CLI::Option* other : option->get_excludes()) {
-        if (other->count() > 0 || in_environment(other->get_envname())) return;
+        if (other->count() > 0) return;
     }
     if (option->get_expected_min() == 0 && (entry.is_array || entry.values.front().kind != TomlValue::Kind::boolean)) {
         refuse(toml, entry.line, fmt::format("{} is true or false", entry.key));

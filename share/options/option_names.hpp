@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,6 @@ inline std::string key_of(const CLI::Option& option) {
     if (!option.get_lnames().empty()) return option.get_lnames().front();
     if (option.get_positional()) return option.get_name(true);
     return option.get_snames().front();
-}
-
-inline bool in_environment(const std::string& name) {
-    const char* value = name.empty() ? nullptr : std::getenv(name.c_str());
-    return value != nullptr && *value != '\0';
 }
 
 /// The application and the subcommands that were called, from the top.

@@ -30,7 +30,7 @@ public:
     Option required();
     /// How help names its value.
     Option type_name(const std::string& name);
-    /// Leaves it out of configuration files and of the environment.
+    /// Leaves it out of configuration files.
     Option only_on_command_line();
     /// Only one of the two may be given.
     Option excludes(Option other);

@@ -55,7 +55,8 @@ CONFINED ?= 0.006
 # paper study that drop by 30 %, three peaks changed by more than 0.1 %: specimens whose grains interlock and whose stress rises again (cc a
 # quarter of UCS). Empty: the solver's default, which runs with a strain limit of their own or with frames have too.
 UNIAXIAL_PEAK_DROP ?= 0.15
-export GRAINCRACK_FRAMES ?= 0
+# Frames of runs whose settings have none.
+FRAMES ?= 0
 
 # --- settings --------------------------------------------------------------------------------------------------------
 
@@ -153,6 +154,7 @@ $(RUNS)/%.h5: $$(call changed_run,$$@) | $(SPECIMENS)/$$(specimen_$$@).h5
 	@$(LAUNCH) $(if $(filter-out 1,$(RANKS)),$(MPIRUN) -n $(RANKS) )$(BIN)/graincrack-solve $(firstword $(solve_$@)) $| $(wordlist 2,99,$(solve_$@)) $(other_options) -o $@ $(IF_IT_FAILS)
 	@echo '$(call run_options,$@)' >$@.options$(if $(material_$@), && rm $@.toml)
 other_options = --material $(if $(material_$@),$@.toml,$(MATERIAL_FILE)) --threads $(THREADS) $(MESSAGES) $(OPTIONS) \
+                $(if $(findstring --frames,$(solve_$@) $(OPTIONS)),,--frames $(FRAMES)) \
                 $$(! test -e $@.checkpoint || echo --restart $@.checkpoint)
 # Position of a run in `runs`, from 1.
 position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(space),|,$(runs))|))))

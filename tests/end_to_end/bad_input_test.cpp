@@ -99,7 +99,6 @@ const std::vector<BadInput> mesher{
      "--joint-set"},
     {"HoleOfFewGrains", "graincrack-mesh disc --diameter 20mm --edge 2mm --hole 0,0,1mm -o out.h5", 2, "--edge"},
     {"RingWithoutRock", "graincrack-mesh ring --diameter 20mm --inner-diameter 20mm --edge 2mm -o out.h5", 2, "--inner-diameter"},
-    {"Variable", "GRAINCRACK_DIAMETER=20kg graincrack-mesh disc --grains 60 -o out.h5", 2, "GRAINCRACK_DIAMETER"},
 };
 INSTANTIATE_TEST_SUITE_P(Mesher, Refused, testing::ValuesIn(mesher), name_of_case);
 
@@ -186,8 +185,6 @@ const std::vector<BadInput> solver{
      "--span: rollers at a distance of 30 mm have no room on a beam of 30 mm"},
     {"ShortBeamWithoutSpan", "graincrack-solve bend beam.h5 --material augig-granite -o out.h5", 2, "--span: missing"},
     {"SpanOfAnotherTest", "graincrack-solve brazilian disc.h5 --span 10mm --material augig-granite -o out.h5", 2, "--span"},
-    {"Variable", "GRAINCRACK_RATE=5kg graincrack-solve brazilian disc.h5 --material augig-granite -o out.h5", 2,
-     "GRAINCRACK_RATE"},
 };
 INSTANTIATE_TEST_SUITE_P(Solver, Refused, testing::ValuesIn(solver), name_of_case);
 
@@ -256,7 +253,6 @@ const std::vector<BadInput> postprocessor{
     {"NoSubcommand", "graincrack-post", 2, "strength"},
     {"UnknownOption", "graincrack-post strength run.h5 --formatt tsv", 2, "--formatt"},
     {"WordForAnother", "graincrack-post strength run.h5 --format xml", 2, "xml"},
-    {"Variable", "GRAINCRACK_FORMAT=xml graincrack-post strength run.h5", 2, "GRAINCRACK_FORMAT"},
 };
 INSTANTIATE_TEST_SUITE_P(Postprocessor, Refused, testing::ValuesIn(postprocessor), name_of_case);
 

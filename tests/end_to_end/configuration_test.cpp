@@ -1,4 +1,4 @@
-// Sources of options: flags, environment and configuration file; --print-config and --dry-run.
+// Sources of options: flags and configuration file; --print-config and --dry-run.
 #include <cmath>
 
 #include "tests/end_to_end/shell.hpp"
@@ -31,17 +31,6 @@ TEST(Configuration, AFileRunsLikeFlags) {
         make_disc + "flags.h5\n" + make_disc +
         "file.h5 --print-config >config.toml\ngraincrack-mesh disc --config config.toml\n"
         "cmp <(graincrack-post info --digest flags.h5 | cut -d' ' -f1) <(graincrack-post info --digest file.h5 | cut -d' ' -f1)");
-}
-
-TEST(Configuration, FlagsWinOverEnvironmentOverFile) {
-    const Shell shell;
-    write_text(shell.file("config.toml"), "seed = 1\n[disc]\ndiameter = \"20mm\"\ngrains = 60\n");
-    const auto seed = [&](const std::string& before, const std::string& after) {
-        return shell.must(before + " graincrack-mesh disc --config config.toml " + after + " --print-config | grep '^seed'");
-    };
-    EXPECT_EQ(seed("", ""), "seed = 1\n");
-    EXPECT_EQ(seed("GRAINCRACK_SEED=2", ""), "seed = 2\n");
-    EXPECT_EQ(seed("GRAINCRACK_SEED=2", "--seed 3"), "seed = 3\n");
 }
 
 TEST(DryRun, TellsCountsAndLeavesNothing) {

@@ -3,7 +3,6 @@
 #include <regex>
 #include <vector>
 
-#include "share/options/option_variables.hpp"
 #include "share/rock/contact_parameters.hpp"
 #include "tests/end_to_end/shell.hpp"
 
@@ -213,33 +212,6 @@ TEST(Help, CompletionOffersWhatFits) {
     const Outcome unknown = shell.run("graincrack-solve --completion fish");
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_EQ(unknown.err, "graincrack-solve: --completion: unknown shell \"fish\"; one of bash|zsh fits\n");
-}
-
-/// Long options of a help text.
-std::vector<std::string> options_of(const std::string& help) {
-    std::vector<std::string> names;
-    static const std::regex option("\n  (?:-[a-z],)?--([a-z][a-z0-9-]*)");
-    for (auto each = std::sregex_iterator(help.begin(), help.end(), option); each != std::sregex_iterator(); ++each) {
-        names.push_back((*each)[1]);
-    }
-    return names;
-}
-
-// Otherwise a variable that is an option would be called misspelt.
-TEST(Help, EveryOptionIsAmongThoseOfAllTools) {
-    const Shell shell;
-    const std::vector<std::string> without_variable{"help", "version", "config", "print-config", "completion", "files-from"};
-    const auto& known = options_of_all_tools();
-    const std::function<void(const std::string&)> check = [&](const std::string& command) {
-        const std::string help = shell.must(command + " --help");
-        for (const std::string& sub : subcommands_of(help)) check(command + " " + sub);
-        for (const std::string& name : options_of(help)) {
-            const bool exempt = std::count(without_variable.begin(), without_variable.end(), name) > 0;
-            EXPECT_TRUE(exempt || std::count(known.begin(), known.end(), name) > 0)
-                << command << " has --" << name << ", which share/options/option_variables.cpp does not list";
-        }
-    };
-    for (const char* tool : {"graincrack-mesh", "graincrack-solve", "graincrack-post"}) check(tool);
 }
 
 TEST(Help, VersionNamesToolAndLibraries) {

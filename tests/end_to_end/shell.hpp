@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -32,16 +33,25 @@ struct Outcome {
     std::string err;
 };
 
-/// bash in an empty folder, with the tools on the PATH, an empty stdin and none of the caller's GRAINCRACK_ variables. One
-/// thread unless --threads is given: tests run side by side.
+/// bash in an empty folder, with the tools on the PATH, an empty stdin and none of the caller's GRAINCRACK_ variables. The solver
+/// has one thread unless --threads or --config is given: tests run side by side.
 class Shell {
 public:
+    Shell() {
+        std::string one_thread;
+        for (const char* test : {"uniaxial", "triaxial", "brazilian", "tension", "bend", "program"}) {
+            one_thread += std::string("[") + test + "]\nthreads = 1\n";
+        }
+        write_text(own_.file("one-thread.toml"), one_thread);
+        write_text(own_.file("graincrack-solve"), "#!/bin/sh\ncase \" $* \" in *\" --config \"*) ;; *) set -- --config " +
+                                                      own_.file("one-thread.toml") +
+                                                      " \"$@\" ;; esac\nexec " GRAINCRACK_BIN "/graincrack-solve \"$@\"\n");
+        std::filesystem::permissions(own_.file("graincrack-solve"), std::filesystem::perms::owner_all);
+    }
     /// Runs lines of bash; a pipeline has the exit code of the last command in it that failed.
     [[nodiscard]] Outcome run(const std::string& lines) const {
-        write_text(own_.file("lines.sh"),
-                   "unset \"${!GRAINCRACK_@}\"\nset -o pipefail\nexport LC_ALL=C GRAINCRACK_THREADS=1 "
-                   "PATH=" GRAINCRACK_BIN ":$PATH\ncd " +
-                       folder_.file("") + "\n" + lines + "\n");
+        write_text(own_.file("lines.sh"), "unset \"${!GRAINCRACK_@}\"\nset -o pipefail\nexport LC_ALL=C PATH=" + own_.file("") +
+                                              ":" GRAINCRACK_BIN ":$PATH\ncd " + folder_.file("") + "\n" + lines + "\n");
         const std::string command =
             "bash " + own_.file("lines.sh") + " </dev/null >" + own_.file("out") + " 2>" + own_.file("err");
         const int status = std::system(command.c_str());

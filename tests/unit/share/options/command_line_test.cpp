@@ -4,7 +4,6 @@
 #include <sched.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -92,18 +91,11 @@ protected:
         folder = fs::temp_directory_path() / ("graincrack-command-line-" + std::to_string(getpid()));
         fs::create_directories(folder);
     }
-    void TearDown() override {
-        for (const std::string& name : variables) unsetenv(name.c_str());
-        fs::remove_all(folder);
-    }
+    void TearDown() override { fs::remove_all(folder); }
     std::string write(const std::string& text) {
         const fs::path file = folder / "run.toml";
         std::ofstream(file) << text;
         return file.string();
-    }
-    void set(const std::string& name, const std::string& value) {
-        setenv(name.c_str(), value.c_str(), 1);
-        variables.push_back(name);
     }
     /// The error message for these arguments.
     static std::string complaint(const std::vector<std::string>& arguments) {
@@ -127,7 +119,6 @@ protected:
     }
 
     fs::path folder;
-    std::vector<std::string> variables;
 };
 
 TEST_F(CommandLines, OptionsOfAllKinds) {
@@ -195,13 +186,12 @@ TEST_F(CommandLines, SubcommandsShareATargetAndKeepTheirOwnDefaults) {
     Tool triaxial;
     ASSERT_TRUE(triaxial.parse({"triaxial", "a.h5", "-o", "b.h5"}));
     EXPECT_EQ(triaxial.options.max_strain, 0.05);
-    set("GRAINCRACK_MAX_STRAIN", "0.02");
     Tool given;
     ASSERT_TRUE(given.parse({"uniaxial", "a.h5", "-o", "b.h5", "--max-strain", "1%"}));
     EXPECT_EQ(given.options.max_strain, 0.01);
 }
 
-TEST_F(CommandLines, NotesSayWhatABareNumberWasTakenForAndWhichVariableDoesNothing) {
+TEST_F(CommandLines, NotesSayWhatABareNumberWasTakenFor) {
     const auto notes = [](const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"uniaxial", "a.h5", "-o", "b.h5"};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -213,13 +203,6 @@ TEST_F(CommandLines, NotesSayWhatABareNumberWasTakenForAndWhichVariableDoesNothi
     EXPECT_EQ(notes({"--edge", "80"}), "graincrack-try: note: --edge: 80 has no unit and was taken for 80 m\n");
     EXPECT_EQ(notes({"--edge", "80", "--quiet"}), "");
     EXPECT_EQ(notes({"--edge", "80mm", "--spread", "0.1"}), "");
-    set("GRAINCRACK_MAX_STRIAN", "0.02");
-    set("GRAINCRACK_SOMETHING_ELSE", "1");
-    set("GRAINCRACK_CONFINING_PRESSURE", "4MPa");  // of another tool or subcommand
-    EXPECT_EQ(notes({}),
-              "graincrack-try: note: GRAINCRACK_MAX_STRIAN: no option has this variable, so that it does nothing; did you mean "
-              "GRAINCRACK_MAX_STRAIN?\n");
-    EXPECT_EQ(notes({"--quiet"}), "");
     EXPECT_NE(notes({"--verbose"}).find("max-strain"), std::string::npos);
 }
 
@@ -279,9 +262,6 @@ TEST_F(CommandLines, FlagsTakeTrueAndFalseOnly) {
               "--deep: \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
     EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep", "--quiet=no-idea"}),
               "--quiet: \"no-idea\" does not fit; write --quiet alone, or --quiet=true or --quiet=false");
-    set("GRAINCRACK_DEEP", "perhaps");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b"}),
-              "--deep (from GRAINCRACK_DEEP): \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
 }
 
 TEST_F(CommandLines, WhatIsMissingIsSaidInTheOrderOfTheCall) {
@@ -312,30 +292,12 @@ TEST_F(CommandLines, AnOptionThatNeedsAnother) {
     }
 }
 
-TEST_F(CommandLines, FlagsWinOverEnvironmentOverFile) {
-    const std::string file = write("edge = '1mm'\nframes = 11\ndamping = 0.1\n");
-    set("GRAINCRACK_EDGE", "2mm");
-    set("GRAINCRACK_FRAMES", "12");
-    {
-        Tool tool;
-        ASSERT_TRUE(tool.parse({"uniaxial", "a.h5", "-o", "b", "--config", file, "--edge", "3mm"}));
-        EXPECT_EQ(tool.options.edge, 0.003);
-        EXPECT_EQ(tool.options.frames, 12);
-        EXPECT_EQ(tool.options.damping, 0.1);
-    }
-    set("GRAINCRACK_QUIET", "true");
-    set("GRAINCRACK_FRAMES", "");  // an empty variable counts as unset
-    {
-        Tool tool;
-        ASSERT_TRUE(tool.parse({"uniaxial", "a.h5", "-o", "b", "--config", file}));
-        EXPECT_EQ(tool.options.edge, 0.002);
-        EXPECT_EQ(tool.options.frames, 11);
-        EXPECT_EQ(tool.common.verbosity, Verbosity::quiet);
-    }
-    set("GRAINCRACK_SPREAD", "2km");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b"}),
-              "--spread (from GRAINCRACK_SPREAD): \"2km\" has the unit of a length, a pure number is needed; a pure number, or "
-              "one in %, fits");
+TEST_F(CommandLines, FlagsWinOverTheFile) {
+    const std::string file = write("edge = '1mm'\nframes = 11\n");
+    Tool tool;
+    ASSERT_TRUE(tool.parse({"uniaxial", "a.h5", "-o", "b", "--config", file, "--edge", "3mm"}));
+    EXPECT_EQ(tool.options.edge, 0.003);
+    EXPECT_EQ(tool.options.frames, 11);
 }
 
 TEST_F(CommandLines, KeysAtTheTopBelongToWhatRunsAndSectionsToTheirSubcommand) {
