@@ -3,14 +3,96 @@
 
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
-#include "tests/benchmark/stages.hpp"
+#include "solver/model/vertex_clusters.hpp"
+#include "solver/program/standard_tests.hpp"
+#include "solver/run/measure.hpp"
+#include "solver/setup/stable_time_step.hpp"
+#include "solver/step/contact_forces.hpp"
+#include "solver/step/mass_scaling.hpp"
+#include "solver/step/mass_scaling_step.hpp"
+#include "solver/step/nodal_forces.hpp"
+#include "solver/step/step.hpp"
+#include "tests/support/augig_granite.hpp"
+#include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace graincrack::benchmark {
 namespace {
+
+constexpr double speed = 0.05;  // of each platen, m/s
+
+LoadingRequest compression() {
+    LoadingRequest request;
+    request.platen_friction = 5 * test::degree;
+    return request;
+}
+
+/// Augig granite between platens, intact and compressed to about a tenth of its strength.
+struct LoadedSpecimen {
+    Specimen specimen;
+    Assemblage assemblage;
+    StepParameters parameters;
+    Boundary boundary;
+    State state;
+
+    LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTarget vector_target)
+        : specimen(std::move(s)),
+          assemblage(make_assemblage(specimen, test::augig_granite().rock, PlaneCondition::strain)),
+          parameters{make_contact_law(test::augig_contact(), law, Coupling::full), 0, 0.8},
+          boundary(test::boundary_of_test(assemblage, specimen, compression(), test::augig_contact())) {
+        assemblage.vector_target = vector_target;
+        const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.laws) : 0;
+        parameters.mass_scaling = make_mass_scaling(assemblage, factor);
+        parameters.time_step = 0.7 * stable_time_step(assemblage, boundary, parameters.laws, factor);
+        state = make_state(assemblage, boundary, specimen);
+        for (std::size_t i = 0; i < state.velocity.size(); ++i) {
+            state.velocity[i] = {0, -2 * speed * assemblage.position[i].y / specimen.height};
+        }
+        start(assemblage, parameters, state);
+        ThreadTeam alone(1);
+        advance_by(2000, alone);
+    }
+    /// Further steps at the platens' speed.
+    void advance_by(std::int64_t steps, ThreadTeam& team) {
+        const IntervalLoading loading{{speed, -speed}, {speed, -speed}, nullptr};
+        advance(assemblage, boundary, parameters, loading, steps, team, state);
+    }
+    [[nodiscard]] double grains() const { return static_cast<double>(specimen.n_grains()); }
+};
+
+template <class Act>
+void for_each_chunk(std::size_t n, Act&& act) {
+    for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(n); ++chunk) act(chunk);
+}
+
+void contacts(LoadedSpecimen& l) {
+    for_each_chunk(l.assemblage.contact_chunks.size(),
+                   [&](std::int32_t chunk) { advance_contacts(l.assemblage, l.parameters.laws, chunk, l.state.step, l.state); });
+}
+void forces(LoadedSpecimen& l) { sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, l.state); }
+void nodes(LoadedSpecimen& l) {
+    StepParameters still = l.parameters;
+    still.time_step = 0;  // as much work, and the state stays
+    for_each_chunk(l.assemblage.node_chunks.size(), [&](std::int32_t chunk) {
+        book_half_load_work(l.assemblage, l.boundary, chunk, 0, l.state);
+        integrate_nodes(l.assemblage, l.boundary, still, chunk, l.state);
+        book_half_load_work(l.assemblage, l.boundary, chunk, 0, l.state);
+    });
+}
+void clusters(LoadedSpecimen& l) {
+    const double time_step = std::exchange(l.parameters.time_step, 0.0);
+    for_each_chunk(l.assemblage.node_chunks.size(), [&](std::int32_t chunk) {
+        update_clusters(l.assemblage, l.parameters, l.state.loading, chunk, l.state);
+        integrate_clusters(l.assemblage, l.parameters, l.state.loading, chunk, l.state);
+    });
+    l.parameters.time_step = time_step;
+}
 
 constexpr int few = 17;    // × 33 cells of two grains: 1,122
 constexpr int many = 178;  // × 354: 126,024
@@ -66,10 +148,10 @@ void run_node_edge_contacts(::benchmark::State& timer, VectorTarget target, bool
     timer.counters["node-edge contacts"] = std::accumulate(moving.begin(), moving.end(), 0);
 }
 
-void run_stage(::benchmark::State& timer, std::size_t index, bool scaled, VectorTarget target) {
+using Stage = void (*)(LoadedSpecimen&);
+void run_stage(::benchmark::State& timer, Stage stage, bool scaled, VectorTarget target) {
     LoadedSpecimen loaded(granite(few), LawVariant::consistent, scaled, target);
-    const Stage stage = stages_of(loaded)[index];
-    for (auto _ : timer) stage.run(loaded);
+    for (auto _ : timer) stage(loaded);
     count(timer, loaded, 1);
 }
 
@@ -89,9 +171,9 @@ void add_all() {
         const std::string unit(name_of(target));
         for (const bool scaled : {false, true}) {
             const std::string masses = scaled ? "scaled/" : "";
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::string stage = std::array{"contacts", "forces", "integration"}[i];
-                add("stage/" + masses + stage + "/1122/" + unit, [=](auto& timer) { run_stage(timer, i, scaled, target); });
+            for (const auto& [stage, act] : std::vector<std::pair<std::string, Stage>>{
+                     {"contacts", contacts}, {"forces", forces}, {"integration", scaled ? clusters : nodes}}) {
+                add("stage/" + masses + stage + "/1122/" + unit, [=](auto& timer) { run_stage(timer, act, scaled, target); });
             }
             for (const int threads : {1, 2}) {
                 for (const int columns : {few, many}) {

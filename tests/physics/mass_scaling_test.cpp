@@ -10,12 +10,9 @@
 #include <map>
 #include <numeric>
 
-#include "share/file/h5_file.hpp"
-#include "solver/run/simulation.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
 #include "tests/support/small_run.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tests/support/verify.hpp"
 
 namespace graincrack {
@@ -346,31 +343,6 @@ TEST(MassScaling, EnergyBalanceClosesThroughFailure) {
         verify("specimens: residual of the energy balance through failure with mass scaling", worst / scale, 0, 5e-3,
                "each term by itself", 1);
     }
-}
-
-std::string digest_with(int threads, SimulationSummary& summary) {
-    SimulationRequest r;
-    r.material = test::augig_granite();
-    r.contact = augig_contact();
-    r.loading.platen_speed = 1;
-    r.loading.platen_friction = 5 * test::degree;
-    r.loading.max_strain = 0.006;
-    r.frames = 2;
-    r.mass_scaling = true;
-    r.threads = threads;
-    r.elements_per_thread = 1;
-    const test::TemporaryFolder folder;
-    summary = simulate(test::jittered_grid(8, 16, 0.04, 0.08, 0.25), r, folder.file("run.h5"), Verbosity::quiet, {});
-    return H5Input(folder.file("run.h5"), "run").digest();
-}
-
-TEST(MassScaling, OneTwoAndThreeThreadsGiveTheSameDigestPastThePeak) {
-    SimulationSummary summary;
-    const std::string first = digest_with(1, summary);
-    EXPECT_GT(summary.tensile_cracks + summary.shear_cracks, 20U);
-    EXPECT_EQ(summary.header.mass_scaling, "selective");
-    EXPECT_GT(summary.header.mass_scaling_factor, 10);
-    for (const int threads : {2, 3}) EXPECT_EQ(digest_with(threads, summary), first) << threads << " threads";
 }
 
 }  // namespace

@@ -59,13 +59,19 @@ TEST(Threads, OneTwoAndThreeGiveTheSameDigestPastThePeak) {
     EXPECT_NE(digest_of(other, summary), first);
 }
 
-// Compression fails in both modes and rubs.
+// Compression fails in both modes and rubs; real masses, and scaled ones.
 TEST(Threads, OneAndTwoGiveTheSameDigestThroughShearAndFriction) {
-    SimulationSummary summary;
-    const std::string first = digest_of(request(TestKind::uniaxial, 1), summary);
-    EXPECT_GT(summary.tensile_cracks, 10U);
-    EXPECT_GT(summary.shear_cracks, 10U);
-    EXPECT_EQ(digest_of(request(TestKind::uniaxial, 2), summary), first);
+    for (const bool scaled : {false, true}) {
+        SimulationRequest r = request(TestKind::uniaxial, 1);
+        r.mass_scaling = scaled;
+        SimulationSummary summary;
+        const std::string first = digest_of(r, summary);
+        EXPECT_GT(summary.tensile_cracks, 10U);
+        EXPECT_GT(summary.shear_cracks, 10U);
+        EXPECT_EQ(summary.header.mass_scaling_factor > 10, scaled);
+        r.threads = 2;
+        EXPECT_EQ(digest_of(r, summary), first);
+    }
 }
 
 // Crystals that break within and between, and slide on a flaw with values of its own.
@@ -138,24 +144,16 @@ bool same(const SmallRun& l, const SmallRun& r) {
            l.state.next_mark == r.state.next_mark && events_of(l) == events_of(r);
 }
 
+// Real masses, scaled ones, and six classes of contacts, which also node–edge contacts take their values from.
 TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsTouch) {
-    for (const double factor : {0.0, 60.0}) {
-        const SmallRun one = crushed(LawVariant::consistent, factor, widest_vector_target(), 1);
+    for (const auto& [factor, has_phases] : {std::pair{0.0, false}, std::pair{60.0, false}, std::pair{60.0, true}}) {
+        const SmallRun one = crushed(LawVariant::consistent, factor, widest_vector_target(), 1, has_phases);
         const auto& contacts = one.state.contact_pairs.contacts;
         EXPECT_GT(std::count_if(contacts.begin(), contacts.end(), [](const NodeEdgeContact& c) { return c.active; }), 5);
         for (const int threads : {2, 3}) {
-            EXPECT_TRUE(same(one, crushed(LawVariant::consistent, factor, widest_vector_target(), threads))) << threads;
+            EXPECT_TRUE(same(one, crushed(LawVariant::consistent, factor, widest_vector_target(), threads, has_phases)))
+                << threads;
         }
-    }
-}
-
-// Six classes of contacts, which also node–edge contacts take their values from.
-TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsOfThreePhasesTouch) {
-    const SmallRun one = crushed(LawVariant::consistent, 60, widest_vector_target(), 1, true);
-    const auto& contacts = one.state.contact_pairs.contacts;
-    EXPECT_GT(std::count_if(contacts.begin(), contacts.end(), [](const NodeEdgeContact& c) { return c.active; }), 5);
-    for (const int threads : {2, 3}) {
-        EXPECT_TRUE(same(one, crushed(LawVariant::consistent, 60, widest_vector_target(), threads, true))) << threads;
     }
 }
 
@@ -170,17 +168,6 @@ TEST(Threads, EveryVectorUnitGivesTheSameBytesForEveryLaw) {
             EXPECT_TRUE(same(plain_phases, crushed(law.variant, 60, target, 1, true))) << law.name << " on " << name_of(target);
         }
     }
-}
-
-// Damage before the peak is summed by lanes and chunks.
-TEST(Threads, OneAndTwoGiveTheSameDigestWithDamageBeforeThePeak) {
-    SimulationRequest damaged = request(TestKind::tension, 1);
-    damaged.law = LawVariant::consistent;
-    SimulationSummary summary;
-    const std::string first = digest_of(damaged, summary);
-    EXPECT_GT(summary.tensile_cracks, 5U);
-    damaged.threads = 2;
-    EXPECT_EQ(digest_of(damaged, summary), first);
 }
 
 }  // namespace
