@@ -36,7 +36,7 @@ TEST(Help, ExamplesOfTheMesherRun) {
     const Shell shell;
     const auto examples = examples_of(shell.must("graincrack-mesh --help"));
     ASSERT_EQ(examples.size(), 6u);
-    const std::string folder = GRAINCRACK_SOURCE "/share/doc/import/";
+    const std::string folder = GRAINCRACK_SOURCE "/share/doc/specimens/";
     shell.must("cp " + folder + "vein.msh section.msh; cp " + folder + "thin-section.png .; cp " + folder +
                "thin-section.tsv minerals.tsv");
     for (const std::string& example : examples) shell.must(example);
