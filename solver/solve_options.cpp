@@ -192,7 +192,7 @@ OptionSet add_program(OptionSet tool, SolveOptions& options, RawOptions& raw, Co
         "program", "a loading program from a file: stages, boundary conditions, gravity, probes", program_examples);
     add_text(command, "specimen", options.specimen, "specimen file, - for stdin").required().type_name("FILE");
     add_text(command, "--program", raw.program,
-             "loading program: a TOML file, or the name of one of share/programs such as joint-shear; see share/doc/programs.md")
+             "loading program: a TOML file, or the name of one of share/programs such as joint-shear; see share/doc/loading.md")
         .required()
         .type_name("FILE|NAME");
     add_contact_options(command, raw.contact);

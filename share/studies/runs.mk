@@ -32,7 +32,7 @@ SIZE_disc ?= $(if $(EDGE),e$(EDGE:mm=),g452)
 FABRIC ?=
 # Threads of a run: those of the allocation.
 THREADS ?= $(or $(SLURM_CPUS_PER_TASK),1)
-# Ranks of a run, and what starts several (share/doc/many-machines.md). Ranks are not bound to cores: runs side by side would be bound to the
+# Ranks of a run, and what starts several (share/doc/speed.md). Ranks are not bound to cores: runs side by side would be bound to the
 # same ones, and the threads of a rank to one.
 RANKS ?= 1
 MPIRUN ?= mpirun --bind-to none
@@ -48,7 +48,7 @@ OPEN ?=
 LAW ?=
 MAX_STRAIN ?=
 # The rate tolerance of tests; empty: the solver's default, 0.003. Confined tests take 60 % of the steps with 0.006, uniaxial ones hardly
-# fewer; share/doc/equilibrium.md has its effect on strengths. Brazilian tests are short and keep the solver's default.
+# fewer; share/studies/equilibrium/README.md has its effect on strengths. Brazilian tests are short and keep the solver's default.
 UNIAXIAL ?=
 CONFINED ?= 0.006
 # Of most uniaxial tests only the peak is used, and the drop after it took half of a run: they end 15 % below the peak. Of 282 runs of the

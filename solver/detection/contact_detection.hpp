@@ -12,7 +12,7 @@
 namespace graincrack {
 
 /// Where contacts begin and when they are transferred, as far as the choice of watched pairs has to know it; see
-/// share/doc/node-edge-contacts.md.
+/// share/doc/laws.md.
 namespace detection_rule {
 /// How far beyond the ends of its edge a contact stays on it, in lengths of the edge, so that a node at a joint does not go to
 /// and fro between two edges. Longer, and the forces act farther beside the edge.

@@ -1,6 +1,6 @@
 // The table of contact laws: options, files, dispatch and tests take the list of laws from here.
 //
-// A law is a type with static pure functions; share/doc/adding-a-law.md tells how to add one:
+// A law is a type with static pure functions; share/doc/laws.md tells how to add one:
 //
 // - `description`: its row of the table
 // - `min_energies(law)`: the least Gf (G_I) and G_II with which the law works; 0 where it has none

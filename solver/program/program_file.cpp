@@ -1,4 +1,4 @@
-// The program's file: TOML, strict. share/doc/programs.md describes it.
+// The program's file: TOML, strict. share/doc/loading.md describes it.
 #include "solver/program/program_file.hpp"
 
 #include <fmt/format.h>

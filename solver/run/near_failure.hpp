@@ -1,4 +1,4 @@
-// How near the specimen is to failing as a whole: what the automatic rate slows down for (share/doc/equilibrium.md).
+// How near the specimen is to failing as a whole: what the automatic rate slows down for (share/doc/loading.md).
 #pragma once
 
 #include "solver/law/contact_law.hpp"

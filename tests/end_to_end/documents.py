@@ -3,8 +3,8 @@
 
 Usage: documents.py BIN [--whole-tests] [--only NAME]
 
-BIN is the folder of the tools. The commands are the indented lines of README.md, CONTRIBUTING.md and share/doc/*.md that call a tool, a
-script, make or printf, with the pipelines that they begin and the lines that a \\ joins to them, and the lines in the heads of share/programs/*.toml. Those of one document run one after
+BIN is the folder of the tools. The commands are the indented lines of README.md, CONTRIBUTING.md, share/doc/*.md and share/studies/*/README.md that call
+a tool, a script, make or printf, with the pipelines that they begin and the lines that a \\ joins to them, and the lines in the heads of share/programs/*.toml. Those of one document run one after
 the other in one folder, which has links to what is called by a path from the top. A command fails the test if its exit code is not 0.
 
 Studies are printed and not made (make -n; tests/studies/run makes them on tiny specimens; STAND_INS are what later commands read of them),
@@ -50,11 +50,9 @@ STAND_INS = {
 LARGER_GRAINS = {
     "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "disc --diameter 68mm --slit 17mm": "disc --diameter 40mm --slit 10mm",
                   "disc --diameter 68mm": "disc --diameter 24mm"},
-    "programs.md": {"--edge 3mm": "--edge 5mm"},
-    "two-flaws.md": {"--edge 3mm": "--edge 5mm"},
-    "polygons.md": {"--grains 300": "--grains 80", "--element-size 1.75mm": "--element-size 3.4mm"},
+    "loading.md": {"--edge 3mm": "--edge 5mm"},
+    "specimens.md": {"--edge 3mm": "--edge 5mm", "--grains 300": "--grains 80", "--element-size 2.5mm": "--element-size 5mm"},
     "tutorial.md": {"--width 30mm --height 60mm": "--width 12mm --height 24mm"},
-    "import.md": {"--element-size 2.5mm": "--element-size 5mm", "--rate-tolerance 0.002": "--rate-tolerance 0.02 --rate-share 4 --peak-drop 0.1"},
     "gallery.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "--width 40mm --height 80mm": "--width 20mm --height 40mm",
                    "--diameter 68mm --inner-diameter 25mm": "--diameter 50mm --inner-diameter 25mm", "--diameter 68mm": "--diameter 32mm",
                    "--diameter 80mm --slit 20mm": "--diameter 40mm --slit 10mm", "0.006 --peak-drop none": "0.01 --peak-drop none",
@@ -174,7 +172,7 @@ def main():
     parser.add_argument("--only", metavar="NAME", help="one document, as tutorial.md")
     options = parser.parse_args()
     documents = [TOP / "README.md", TOP / "CONTRIBUTING.md", *sorted((TOP / "share" / "doc").glob("*.md")),
-                 *sorted((TOP / "share" / "programs").glob("*.toml"))]
+                 *sorted((TOP / "share" / "studies").glob("*/README.md")), *sorted((TOP / "share" / "programs").glob("*.toml"))]
     documents = [path for path in documents if options.only in (None, path.name)]
     total, failures = 0, []
     for path in documents:

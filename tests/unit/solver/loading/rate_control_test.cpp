@@ -91,7 +91,7 @@ TEST(RateControl, FarFromDamageItIsFasterUpToALimit) {
     EXPECT_GT(far.speed_after(400), 3 * near.speed_after(400));
     const double speed = far.speed_after(400);
     EXPECT_LE(speed, control.max_speed(far.strain(), 0));
-    // 0.1 is kinetic over stored energy of 1e-3; once contacts are near failure, first peaks ask for less (equilibrium.md).
+    // 0.1 is kinetic over stored energy of 1e-3; once contacts are near failure, first peaks ask for less (share/doc/loading.md).
     EXPECT_LE(control.max_speed(1e-3, 0) * 2 * scales.transit_time / scales.height, 0.1 * 1e-3);
     expect_close(control.max_speed(1e-3, 0.1) * 2 * scales.transit_time / scales.height, 0.015e-3, 1e-12, 1e-5);
     EXPECT_EQ(control.max_speed(1e-3, 1), control.max_speed(1e-3, 0.1));
