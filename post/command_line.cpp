@@ -13,25 +13,7 @@
 
 #include "post/chart/font.hpp"
 #include "post/chart/picture.hpp"
-#include "post/commands/calibrate.hpp"
-#include "post/commands/ccd.hpp"
-#include "post/commands/claims.hpp"
-#include "post/commands/cracks.hpp"
-#include "post/commands/envelope.hpp"
-#include "post/commands/export.hpp"
-#include "post/commands/film.hpp"
-#include "post/commands/fpz.hpp"
-#include "post/commands/history.hpp"
-#include "post/commands/info.hpp"
-#include "post/commands/material.hpp"
-#include "post/commands/measures.hpp"
-#include "post/commands/page.hpp"
-#include "post/commands/plot.hpp"
-#include "post/commands/properties.hpp"
-#include "post/commands/report.hpp"
-#include "post/commands/size_effect.hpp"
-#include "post/commands/summarize.hpp"
-#include "post/commands/trend.hpp"
+#include "post/commands/commands.hpp"
 #include "post/cracks/crack_map.hpp"
 #include "share/base/error.hpp"
 #include "share/options/command_line.hpp"
@@ -56,18 +38,15 @@ std::vector<Command> commands() {
         envelope_command(),
         properties_command(),
         size_effect_command(),
-        trend_command(),
         summarize_command(),
         material_command(),
         fpz_command(),
         ccd_command(),
         calibrate_command(),
-        claims_command(),
         cracks_command(),
         classes_command(),
         export_command(),
         report_command(),
-        page_command(),
         plot_command(),
         film_command(),
     };

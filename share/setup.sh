@@ -4,7 +4,7 @@
 # What the three tools are built from, with the font of pictures.
 build_packages=(
     cmake g++ ninja-build
-    libcairo2-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libopenmpi-dev libmd4c-dev libmd4c-html0-dev
+    libcairo2-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libopenmpi-dev
     libpango1.0-dev libpng-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libvtk9-dev nlohmann-json3-dev pkg-config
     fonts-liberation
 )

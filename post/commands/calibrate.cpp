@@ -1,4 +1,4 @@
-#include "post/commands/calibrate.hpp"
+#include "post/commands/commands.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>

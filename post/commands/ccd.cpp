@@ -1,4 +1,4 @@
-#include "post/commands/ccd.hpp"
+#include "post/commands/commands.hpp"
 
 #include "post/ccd/design_options.hpp"
 #include "post/ccd/tables.hpp"

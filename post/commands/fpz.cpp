@@ -1,4 +1,4 @@
-#include "post/commands/fpz.hpp"
+#include "post/commands/commands.hpp"
 
 #include <fmt/ostream.h>
 

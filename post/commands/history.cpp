@@ -1,4 +1,4 @@
-#include "post/commands/history.hpp"
+#include "post/commands/commands.hpp"
 
 #include "post/measure/history.hpp"
 #include "post/options/common_options.hpp"

@@ -1,4 +1,4 @@
-#include "post/commands/info.hpp"
+#include "post/commands/commands.hpp"
 
 #include <fmt/format.h>
 

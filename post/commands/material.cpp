@@ -1,4 +1,4 @@
-#include "post/commands/material.hpp"
+#include "post/commands/commands.hpp"
 
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>

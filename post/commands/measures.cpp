@@ -1,11 +1,17 @@
-#include "post/commands/measures.hpp"
+// Commands that print tables of runs.
+#include "post/commands/commands.hpp"
 
+#include "post/cracks/class_counts.hpp"
+#include "post/cracks/crack_options.hpp"
+#include "post/fit/fit_options.hpp"
+#include "post/fit/size_effect.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/rate_limit.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
 #include "post/options/common_options.hpp"
+#include "post/report/properties.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {
@@ -68,6 +74,64 @@ Command toughness_command() {
         [](OptionSet set, TableFormat& format) { add_format(set, format); },
         [](const TableFormat& format, const Call& call) {
             write_toughness_table(call.out, call.files, format, call.diagnostics());
+        });
+}
+
+Command classes_command() {
+    struct Options {
+        std::optional<TableFormat> format;
+        CrackLabelChoice label;
+    };
+    return make_command<Options>(
+        "classes", "contacts and micro-cracks for each class (pair of minerals), one row per class",
+        {"uniaxial.h5", "uniaxial.h5 brazilian.h5 --crack-event broken --format jsonl"}, several_runs,
+        [](OptionSet set, Options& options) {
+            add_crack_label(set, options.label);
+            add_format(set, options.format);
+        },
+        [](const Options& options, const Call& call) {
+            std::vector<RunClasses> runs;
+            for (const std::string& file : call.files) runs.push_back(read_classes(RunReader(file), options.label));
+            write_class_counts(call.out, runs, format_for(options.format, call.out));
+        });
+}
+
+Command properties_command() {
+    struct Options {
+        std::string material;
+        EnvelopeOptions envelope;
+        TableFormat format = TableFormat::tsv;
+    };
+    return make_command<Options>(
+        "properties", "elastic constants, strengths, cohesion and friction angle of a set of tests, compared with the laboratory",
+        {"uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite", "brazilian.h5 --material augig-granite --format jsonl"},
+        several_runs,
+        [](OptionSet set, Options& options) {
+            add_laboratory_material(set, options.material).required();
+            add_envelope_options(set, options.envelope);
+            add_format(set, options.format);
+        },
+        [](const Options& options, const Call& call) {
+            const Material material = read_incomplete_material_of(call, options.material).material;
+            write_properties(call.out, measure_properties(read_runs(call.files), material, options.envelope), options.format);
+        });
+}
+
+Command size_effect_command() {
+    struct Options {
+        TableFormat format = TableFormat::tsv;
+        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+    };
+    return make_command<Options>(
+        "size-effect", "power law of strength against mean edge, one fit for each test and confining pressure",
+        {"brazilian-coarse.h5 brazilian.h5", "brazilian-coarse.h5 brazilian.h5 --capped accept --format jsonl"}, several_runs,
+        [](OptionSet set, Options& options) {
+            add_format(set, options.format);
+            add_strain_limit_runs(set, options.strain_limit_runs);
+        },
+        [](const Options& options, const Call& call) {
+            write_size_effect_table(call.out, read_runs(call.files), options.format, options.strain_limit_runs,
+                                    call.diagnostics());
         });
 }
 

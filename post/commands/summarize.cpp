@@ -1,4 +1,4 @@
-#include "post/commands/summarize.hpp"
+#include "post/commands/commands.hpp"
 
 #include "post/fit/fit_options.hpp"
 #include "post/options/common_options.hpp"
@@ -16,11 +16,13 @@ Command summarize_command() {
          "--format markdown"},
         FileArguments{"tables", "tables as FILE, named by the stem of the file, or NAME=FILE; those of one name are combined"},
         [](OptionSet set, SummaryOptions& options) {
-            add_text(set, "--sql", options.sql,
-                     "a SELECT as SQLite has it, or a file *.sql with one. Further aggregates: mean, deviation (n-1), low, "
-                     "high, half_interval (95 %, Student's t), slope(x, y), intercept, exponent, cohesion(s3, s1), "
-                     "friction_angle, mean_and_half(x, '.1f'), entries; text('{:.1f} of {}', x, y) formats numbers. "
-                     "Default: all of the first table")
+            add_text(
+                set, "--sql", options.sql,
+                "a SELECT as SQLite has it, or a file *.sql with one. Further aggregates: mean, median, deviation (n-1), low, "
+                "high, half_interval (95 %, Student's t), slope(x, y), intercept, exponent, each with _low and _high, "
+                "lack_of_fit, rank_correlation, cohesion(s3, s1), friction_angle, mean_and_half(x, '.1f'), entries; "
+                "text('{:.1f} of {}', x, y) formats numbers. "
+                "Default: all of the first table")
                 .type_name("QUERY|FILE.sql");
             add_texts(set, "--set", options.settings, "NAME=VALUE", "value of :NAME in the query; may be given again");
             add_flag(set, "--pivot", options.pivot,

@@ -14,7 +14,6 @@
 #include "post/cracks/crack_summary.hpp"
 #include "post/cracks/cracked_crystals.hpp"
 #include "post/cracks/emission.hpp"
-#include "post/cracks/paraview_state.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/run_state.hpp"
@@ -209,7 +208,6 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     table("classes", [&](std::ostream& out) { write_class_counts(out, classes, format); });
     std::vector<Part> blocks{{"grains", "vtu"}};
     if (series.has_platens()) blocks.push_back({"platens", "vtp"});
-    if (options.paraview) write_whole_file(folder + "/open_in_paraview.py", paraview_state(data.header.contact.tensile_strength));
     OutputFile grains_list(folder + "/grains.pvd");
     OutputFile cracks_list(folder + "/cracks.pvd");
     grains_list.begin();

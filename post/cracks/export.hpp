@@ -24,14 +24,12 @@ struct CrackExportOptions {
     EventOptions events;
     CrackLabelChoice label;                 ///< of the maps, the rosette and the counts
     TableFormat format = TableFormat::tsv;  ///< of the tables, whose names then end in .jsonl
-    bool paraview = false;                  ///< a Python state beside the series
 };
 
 /// Writes `folder`/{grains.pvd, cracks.pvd} with the frames they name, and the tables cracks.tsv, rosette.tsv, summary.tsv,
 /// counts.tsv, classes.tsv, events.tsv, fragments.tsv, fragment-counts.tsv, of a specimen with crystals of several grains
-/// crystals.tsv; the .pvd files last, so that a series that exists is complete. On request open_in_paraview.py, a state that
-/// opens both series. A run whose axial stress never rises has no counts.tsv and no peak in summary.tsv. \throws InputError for a
-/// run without frames, OutputError
+/// crystals.tsv; the .pvd files last, so that a series that exists is complete. A run whose axial stress never rises has no
+/// counts.tsv and no peak in summary.tsv. \throws InputError for a run without frames, OutputError
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);
 
 /// The events of a run by its window, made of the micro-cracks of its contact law.

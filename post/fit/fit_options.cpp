@@ -22,11 +22,4 @@ void add_envelope_options(OptionSet set, EnvelopeOptions& options) {
         "the largest or the residual one; runs without it are left out");
 }
 
-void add_trend(OptionSet set, TrendOptions& options) {
-    add_text(set, "--x", options.x, "column of the abscissa, one number per row").required();
-    add_text(set, "--y", options.y, "column of the ordinate, one number per row").required();
-    add_flag(set, "--power", options.power, "fit y = a x^b in logarithms instead of y = a + b x");
-    add_texts(set, "--group", options.groups, "COLUMN", "one fit for each value of this column; may be given again");
-}
-
 }  // namespace graincrack

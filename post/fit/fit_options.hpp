@@ -2,7 +2,6 @@
 #pragma once
 
 #include "post/fit/envelope.hpp"
-#include "post/fit/trend.hpp"
 #include "post/measure/strength.hpp"
 #include "post/options/command.hpp"
 
@@ -12,9 +11,5 @@ namespace graincrack {
 void add_envelope_options(OptionSet set, EnvelopeOptions& options);
 /// --capped refuse|accept
 void add_strain_limit_runs(OptionSet set, StrainLimitRuns& strain_limit_runs);
-inline constexpr FileArguments trend_tables{"tables",
-                                            "tables: tab-separated values with one header line; their rows are combined"};
-/// --x, --y, --power, --group: a line or power law through columns of tables.
-void add_trend(OptionSet set, TrendOptions& options);
 
 }  // namespace graincrack

@@ -160,19 +160,6 @@ Database::Database(const std::vector<std::string>& files, const std::string& lab
     sqlite3_set_authorizer(database, authorize, nullptr);
 }
 
-bool Database::has(const std::string& table, const std::string& column) const {
-    const auto found = columns_.find(table);
-    return found != columns_.end() && std::find(found->second.begin(), found->second.end(), column) != found->second.end();
-}
-
-std::vector<std::vector<Cell>> Database::answer_of_file(const std::string& sql, const std::string& name) const {
-    try {
-        return query(sql, name, {}).rows;
-    } catch (const UsageError& error) {
-        throw InputError(error.what());
-    }
-}
-
 Answer Database::query(const std::string& sql, const std::string& name,
                        const std::map<std::string, std::string>& settings) const {
     const auto refuse = [&](const std::string& message) { throw UsageError(fmt::format("{}: {}", name, message)); };

@@ -22,24 +22,19 @@ struct Answer {
 class Database {
 public:
     /// \param files NAME=FILE, or FILE, whose stem is the name, with _ for what is neither letter nor digit; "-" is `stdin`.
-    /// Files of
-    ///        one name make one table: their rows one behind the other, NULL in columns that only others have.
+    /// Files of one name make one table: their rows one behind the other, NULL in columns that only others have.
     /// \param label empty, or a column that is added to every table: the stem of the file of the row
     /// \throws InputError if a file cannot be read, has a column twice or a column `label`
     Database(const std::vector<std::string>& files, const std::string& label);
 
     /// Names of the tables, in the order of the files.
     [[nodiscard]] const std::vector<std::string>& tables() const { return tables_; }
-    /// Whether there is such a table with such a column.
-    [[nodiscard]] bool has(const std::string& table, const std::string& column) const;
 
     /// \param name of the query, for messages \param settings values of :NAME in it
     /// \throws UsageError for what is no query, a :NAME without a value or a value without :NAME; InputError for a text where a
     ///         number is needed
     [[nodiscard]] Answer query(const std::string& sql, const std::string& name,
                                const std::map<std::string, std::string>& settings) const;
-    /// The rows of a query that stands in a file of input. \throws InputError instead of UsageError
-    [[nodiscard]] std::vector<std::vector<Cell>> answer_of_file(const std::string& sql, const std::string& name) const;
 
 private:
     std::shared_ptr<sqlite3> database_;

@@ -113,18 +113,15 @@ $(HERE)/material.toml: $$(if $$(call same,$$(file <$$@),$$(file <$$(MATERIAL_FIL
 # The query among the prerequisites, *.sql, of the tables among them.
 query = $(POST) summarize $(filter %.tsv,$^) --sql $(filter %.sql,$^)
 lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
-# Verdicts on the claims of a study: its claims.tsv is the first prerequisite, the tables of results are the others. A study may set
-# claim_settings, --set NAME=VALUE for each {NAME} in its claims.
-claims = $(call table,$(POST) --quiet claims $(filter %.tsv,$^) --study $(STUDY) $(claim_settings))
+# Verdicts on the claims of a study: its criteria.tsv, judged by the numbers of measured.tsv, which its measured.sql makes of its tables.
+judged := $(STUDIES)/lib/judged.sql $(STUDIES)/lib/measured.tsv
+$(HERE)/claims.tsv: criteria.tsv $(HERE)/measured.tsv $(judged)
+	$(call table,$(POST) summarize $< $(patsubst %,measured=%,$(filter %/measured.tsv,$^)) --sql $(firstword $(judged)) --set STUDY=$(STUDY))
 
 # --- the page --------------------------------------------------------------------------------------------------------
 
-# As Markdown and HTML: a text of the study, its claims, tables and pictures in the order of the prerequisites, then quality checks.
-define page
-$(call table,$(page_command))
-@$(page_command) --format html >$(@:.md=.html).part && mv $(@:.md=.html).part $(@:.md=.html)
-endef
-page_command = $(POST) page $(filter-out $(RUNS)/% $(checks),$^) $(filter $(checks),$^)
+# As Markdown: a text of the study, its claims, tables and pictures in the order of the prerequisites, then quality checks.
+page = $(call table,$(STUDIES)/lib/page $(POST) $(filter-out $(RUNS)/% $(checks),$^) $(filter $(checks),$^))
 checks = $(HERE)/checks.tsv
 $(HERE)/page.md: $$(if $$(strip $$(runs)),$(checks))
 $(checks): $$(runs) $(runs_list)

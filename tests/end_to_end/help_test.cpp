@@ -83,7 +83,6 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post toughness",
                                 "post envelope",
                                 "post properties",
-                                "post trend",
                                 "post summarize",
                                 "post fpz",
                                 "post material init",
@@ -97,11 +96,9 @@ TEST(Help, EverySubcommandExplainsItself) {
                                 "post ccd solve",
                                 "post film",
                                 "post report",
-                                "post page",
                                 "post plot specimen",
                                 "post plot curve",
                                 "post plot strength",
-                                "post plot trend",
                                 "post plot cracks",
                                 "post plot fragments",
                                 "post plot rosette",
@@ -170,10 +167,6 @@ TEST(Help, ExamplesOfEveryPostprocessorCommandRun) {
                "/table7.csv .\n"
                "mkdir -p results/my-rock\ncp " GRAINCRACK_SOURCE
                "/share/materials/augig-granite.toml results/my-rock/material.toml\n"
-               "head -3 " GRAINCRACK_SOURCE
-               "/share/studies/verification/claims.tsv >claims.tsv\n"
-               "cp " GRAINCRACK_TEST_DATA
-               "/claims/verification-1/{properties,modes}.tsv .\n"
                "printf 'axial_strain\\tstress_MPa\\n0\\t0\\n0.002\\t60\\n' >measured.tsv");
     std::vector<std::string> commands;
     for (const std::string& name : subcommands_of(shell.must("graincrack-post --help"))) {

@@ -1,8 +1,7 @@
-// Tables: of claims, of finished runs, and any other.
+// Tables: of finished runs, and any other.
 #include <filesystem>
 
 #include "post/calibrate/folder.hpp"
-#include "post/claims/claim.hpp"
 #include "post/table/table_file.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
@@ -19,6 +18,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             fuzz::one_input([&] { static_cast<void>(table.numbers_or_nan(column)); });
         }
     });
-    fuzz::one_input([&] { claims::read_claims(file, {{"tc", "24"}}); });
     return fuzz::one_input([&] { calibrate::read_finished(folder); });
 }

@@ -1,4 +1,4 @@
-"""Opens reports and the page of a study in a browser, headless Chromium: on a screen, on a narrow one, and printed.
+"""Opens reports in a browser, headless Chromium: on a screen, on a narrow one, and printed.
 
 Usage: report_page_test.py BIN. Ends with 77, "skipped", and the reason, where chromium or pdftotext is not installed. A script at the end of a
 copy of the page measures it and leaves what it found in the page, which --dump-dom prints; a policy in the head of the copy reports what the page
@@ -16,7 +16,6 @@ import tempfile
 import unittest
 from pathlib import Path
 
-TOP = Path(__file__).resolve().parents[2]
 POLICY = """<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">"""
 MEASURE = """<script>
 for (const each of document.querySelectorAll("details")) each.open = true;
@@ -109,12 +108,11 @@ class Page(unittest.TestCase):
             graincrack-mesh disc --diameter 25mm --material augig-granite-calibrated --quiet -o crystals.h5
             graincrack-solve brazilian crystals.h5 --material augig-granite-calibrated --rate-tolerance 0.02 --quiet -o b2.h5
             graincrack-post report b2.h5 --quiet -o crystals.html  # has the widest table, with fourteen classes of contacts
-            graincrack-post report u1.h5 --quiet -o one.html
-            graincrack-post page '{TOP}/README.md' '{TOP}/share/results/rocks-targets.tsv' --format html >study.html"""
+            graincrack-post report u1.h5 --quiet -o one.html"""
         subprocess.run(["bash", "-euc", script], check=True, cwd=cls.folder, env={**os.environ, "PATH": f"{sys.argv[1]}:{os.environ['PATH']}"})
         cls.reports = [cls.folder / f"{name}.html" for name in ("several", "one", "crystals")]
         if pictures := os.environ.get("GRAINCRACK_SCREENSHOTS"):
-            for page in [*cls.reports, cls.folder / "study.html"]:
+            for page in cls.reports:
                 for width in (400, 1200):
                     cls.browser(page, f"--screenshot={Path(pictures).resolve()}/{page.stem}-{width}.png", f"--window-size={width},6000")
                 cls.browser(page, f"--print-to-pdf={Path(pictures).resolve()}/{page.stem}.pdf", "--no-pdf-header-footer")
@@ -149,12 +147,6 @@ class Page(unittest.TestCase):
             self.assertGreater(len(found["sorted"]), 3)
             for column in (column for table in found["sorted"] for column in table):
                 self.expect_sorted(column, page)
-
-    def test_the_page_of_a_study_fits_and_sorts_too(self):
-        found, _ = self.browser.measured(self.folder / "study.html", 400)
-        self.assertLessEqual(found["width"], 400)
-        for column in (column for table in found["sorted"] for column in table):
-            self.expect_sorted(column, "study.html")
 
     def test_a_print_on_a4_cuts_no_figure_and_no_table(self):
         for page in self.reports:

@@ -7,8 +7,7 @@
 #     spack repo add here
 #     spack dev-build --source-path . graincrack@0.1.0
 #
-# Spack's own packages have no md4c: an installed one is entered as an external package
-# (packages.yaml). Pictures use the font Liberation Sans of the system.
+# Pictures use the font Liberation Sans of the system.
 from spack.package import *
 
 try:
@@ -46,7 +45,6 @@ class Graincrack(CMakePackage):
     depends_on("hdf5@1.10:")
     depends_on("hdf5~mpi", when="~mpi")
     depends_on("libpng")
-    depends_on("md4c")
     depends_on("mpi", when="+mpi")
     depends_on("nlohmann-json")
     depends_on("openssl@3:")

@@ -20,7 +20,6 @@
 #include "post/plot/surface.hpp"
 #include "post/plot/table.hpp"
 #include "post/plot/thresholds.hpp"
-#include "post/plot/trend.hpp"
 #include "post/run/run_state.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -132,12 +131,6 @@ TEST_P(Layout, PicturesOfTables) {
     expect_fit_to_print(draw_tables({path("small.tsv")}, {"time_s", {"opening_m", "sliding_m"}, false}, style_), "table");
     const std::string label = draw_tables({path("small.tsv")}, {"time_s", {"opening_m"}, false}, style_).words();
     EXPECT_NE(label.find("opening, 10⁻¹⁵ m"), std::string::npos) << label;
-    std::ostringstream ignored;
-    TrendOptions trend;
-    trend.x = "time_s";
-    trend.y = "opening_m";
-    trend.power = true;
-    expect_fit_to_print(draw_trend(collect_trends({path("small.tsv")}, trend, ignored), trend, style_), "trend");
     ccd::SolveOptions problem;
     problem.goals.targets = {"C_MPa=21", "phi_deg=53"};
     const ccd::Problem solved = ccd::solve_problem(std::string(GRAINCRACK_SOURCE) + "/tests/data/table7.csv", problem);

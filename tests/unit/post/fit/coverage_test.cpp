@@ -13,7 +13,6 @@
 #include "post/cracks/emission.hpp"
 #include "post/fit/envelope.hpp"
 #include "post/fit/size_effect.hpp"
-#include "post/fit/trend.hpp"
 #include "tests/support/normal.hpp"
 
 namespace graincrack {
@@ -160,30 +159,21 @@ TEST(Coverage, PowerLawsOfSize) {
     coverage.expect_95_percent();
 }
 
-TEST(Coverage, Trends) {
+TEST(Coverage, Lines) {
     Normal normal(20140440);
     Coverage coverage;
     for (int i = 0; i < sets; ++i) {
         std::vector<double> x;
         std::vector<double> y;
-        std::vector<double> power;
         for (const double level : {10.0, 20.0, 40.0}) {
             for (int seed = 0; seed < 3; ++seed) {
                 x.push_back(level);
                 y.push_back(3 + 0.4 * level + 2 * normal());
-                power.push_back(2.5 * std::pow(level, 0.7) * std::exp(0.1 * normal()));
             }
         }
-        const auto line = fit_trend(x, y, false);
-        coverage.add("intercept", line->coefficient, 3);
-        coverage.add("slope", line->slope, 0.4);
-        // b x/y where the planted line is at the mean of the levels, 70/3
-        coverage.add("elasticity", line->elasticity, 0.4 * (70.0 / 3) / (3 + 0.4 * (70.0 / 3)));
-        coverage.add("mean at 30", line->at(30), 15);
-        const auto law = fit_trend(x, power, true);
-        coverage.add("coefficient", law->coefficient, 2.5);
-        coverage.add("exponent", law->elasticity, 0.7);
-        coverage.add("power at 30", law->at(30), 2.5 * std::pow(30, 0.7));
+        const auto line = fit_line(x, y);
+        coverage.add("intercept", estimate(line->intercept, line->intercept_variance, line->freedom), 3);
+        coverage.add("slope", estimate(line->slope, line->slope_variance, line->freedom), 0.4);
     }
     coverage.expect_95_percent();
 }

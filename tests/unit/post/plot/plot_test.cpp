@@ -14,7 +14,6 @@
 #include "post/plot/law.hpp"
 #include "post/plot/strength.hpp"
 #include "post/plot/thresholds.hpp"
-#include "post/plot/trend.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -180,24 +179,6 @@ TEST_F(Plot, CountsNamePairsOfMineralsAndLeaveOutThoseWithoutCracks) {
     const Drawing many = draw_counts(counts, data, "what a crack is");
     EXPECT_TRUE(says(many, "other pairs, shear\n"));
     EXPECT_FALSE(says(many, "mineral5"));
-}
-
-TEST_F(Plot, NoBandOfATrendIsCut) {
-    std::ofstream(path("t.tsv")) << "x\ty\n1\t2\n2\t4.5\n3\t5.5\n";  // its interval reaches far beyond the points
-    std::ostringstream ignored;
-    const TrendOptions options{"x", "y", false, {}};
-    const Drawing page = draw_trend(collect_trends({path("t.tsv")}, options, ignored), options);
-    const auto frame = lines_of(page, palette::ink, 1.8);
-    ASSERT_EQ(frame.size(), 1U);
-    const auto bounds = lines_of(page, palette::series(0), 1.6);
-    ASSERT_EQ(bounds.size(), 2U);
-    for (const Polyline& bound : bounds) {
-        ASSERT_EQ(bound.points.size(), 61U);
-        for (const Pixel& point : bound.points) {
-            EXPECT_GT(point.y, frame[0].points[2].y);
-            EXPECT_LT(point.y, frame[0].points[0].y);
-        }
-    }
 }
 
 TEST_F(Plot, TheLawOfTheMaterialHasACurveOfItsOwn) {

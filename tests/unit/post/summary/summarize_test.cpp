@@ -93,6 +93,16 @@ TEST_F(Summarize, LinesThroughPairs) {
     EXPECT_EQ(entry("slope(confinement, power)"), "");
     EXPECT_EQ(entry("exponent(confinement, stress)"), "");
     EXPECT_EQ(entry("slope(level, stress)"), "");
+    // Five pairs about y = 2 + 3 x with residuals (1, -1, 0, -1, 1): Σ r² = 4, Σ (x − x̄)² = 10, t(0.975, 3) = 3.182446
+    std::ofstream(first_) << "level\ttest\tx\ty\n10\tdisc\t0\t3\n10\tdisc\t1\t4\n10\tdisc\t2\t8\n10\tdisc\t3\t10\n"
+                             "10\tdisc\t4\t15\n";
+    const double half = 3.182446 * std::sqrt(4.0 / 3 / 10);
+    EXPECT_NEAR(number("slope_low(x, y)"), 3 - half, 1e-5);
+    EXPECT_NEAR(number("slope_high(x, y)"), 3 + half, 1e-5);
+    EXPECT_NEAR(number("intercept_high(x, y) - intercept_low(x, y)"), 2 * half * std::sqrt(6), 1e-5);  // Σ x²/n = 6
+    EXPECT_EQ(number("rank_correlation(x, y)"), 1);
+    EXPECT_EQ(number("median(y)"), 8);
+    EXPECT_EQ(entry("lack_of_fit(x, y)"), "");  // no x occurs twice
 }
 
 TEST_F(Summarize, TextsForTables) {

@@ -1,0 +1,126 @@
+// Commands that write pages, pictures and folders of a run.
+#include "post/commands/commands.hpp"
+
+#include "post/cracks/crack_options.hpp"
+#include "post/cracks/export.hpp"
+#include "post/film/film.hpp"
+#include "post/fit/fit_options.hpp"
+#include "post/options/common_options.hpp"
+#include "post/plot/counts.hpp"
+#include "post/plot/cracks.hpp"
+#include "post/plot/curve.hpp"
+#include "post/plot/emission.hpp"
+#include "post/plot/energy.hpp"
+#include "post/plot/envelope.hpp"
+#include "post/plot/fragments.hpp"
+#include "post/plot/law.hpp"
+#include "post/plot/rosette.hpp"
+#include "post/plot/size_effect.hpp"
+#include "post/plot/specimen.hpp"
+#include "post/plot/strength.hpp"
+#include "post/plot/surface.hpp"
+#include "post/plot/table.hpp"
+#include "post/plot/thresholds.hpp"
+#include "post/report/report.hpp"
+#include "share/base/quantities.hpp"
+#include "share/file/output_file.hpp"
+#include "share/options/option_set.hpp"
+
+namespace graincrack {
+
+Command cracks_command() {
+    struct Options {
+        std::string folder;
+        CrackExportOptions crack_export;
+    };
+    return make_command<Options>(
+        "cracks", "grains and cracks as VTK series; tables of cracks, events, fragments and directions",
+        {"uniaxial.h5 -o cracks", "brazilian.h5 --event-distance 10mm -o cracks"}, one_run,
+        [](OptionSet set, Options& options) {
+            add_output(set, options.folder, "folder for grains.pvd, cracks.pvd and the tables");
+            add_events(set, options.crack_export.events);
+            add_crack_label(set, options.crack_export.label);
+            add_format(set, options.crack_export.format);
+        },
+        [](const Options& options, const Call& call) {
+            export_cracks(RunReader(call.file()), options.folder, options.crack_export, call.verbosity);
+        });
+}
+
+Command report_command() {
+    struct Options {
+        ReportOptions report;
+        std::string material;
+        std::string page;
+    };
+    return make_command<Options>(
+        "report", "report of one test or of a set of tests as a self-contained HTML page",
+        {"uniaxial.h5 -o page.html", "uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite -o page.html"}, several_runs,
+        [](OptionSet set, Options& options) {
+            add_text(set, "--material", options.material,
+                     "material with the laboratory values and targets to compare with; default: that of the first run, if it "
+                     "is found where the run names it");
+            add_strain_limit_runs(set, options.report.strain_limit_runs);
+            add_crack_label(set, options.report.label);
+            add_output(set, options.page, "page: .html");
+        },
+        [](const Options& options, const Call& call) {
+            require_ending(options.page, ".html");
+            ReportOptions report = options.report;
+            if (!options.material.empty()) report.material = read_material_of(call, options.material);
+            write_whole_file(options.page, make_report(call.files, report, call.verbosity));
+        });
+}
+
+/// The pictures in the order of --help.
+Command plot_command() {
+    return make_group("plot", "pictures as PNG, SVG or PDF; no display needed",
+                      {
+                          specimen_plot(),
+                          curve_plot(),
+                          strength_plot(),
+                          cracks_plot(),
+                          fragments_plot(),
+                          rosette_plot(),
+                          counts_plot(),
+                          emission_plot(),
+                          energy_plot(),
+                          thresholds_plot(),
+                          envelope_plot(),
+                          size_effect_plot(),
+                          surface_plot(),
+                          law_plot(),
+                          lennard_jones_plot(),
+                          table_plot(),
+                      });
+}
+
+Command film_command() {
+    static constexpr Quantity duration{"duration", Dimension::time, 0, 3600, "how long a film runs", true};
+    static constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
+    return make_command<FilmOptions>(
+        "film", "a film of a test: crack map beside the stress-strain curve, as MP4, WebM or PNG",
+        {"uniaxial.h5 -o uniaxial.mp4 --duration 2s --size 640x480", "brazilian.h5 -o frames --by time --frames-per-second 2"},
+        one_run,
+        [](OptionSet set, FilmOptions& options) {
+            add_output(set, options.output,
+                       "film: .mp4 (H.264) or .webm (VP9), which ffmpeg encodes, or a folder of numbered PNG");
+            add_choice<FilmSteps>(
+                set, "--by", options.contents.steps, {{"strain", FilmSteps::strain}, {"time", FilmSteps::time}},
+                "what pictures are even steps of: axial strain, or time, which shows slowly what happens at the peak; between "
+                "the stored frames of the run displacements are linear in it, and cracks appear at their own times");
+            add_quantity(set, "--duration", options.duration, duration, "how long the film runs", "10s");
+            add_integer(set, "--frames-per-second", options.frames_per_second, "pictures in a second", 1, 120);
+            add_value(
+                set, "--size", [&options](const std::string& text) { options.contents.size = parse_film_size(text); },
+                "pixels of a picture, both even, 1.3 to 3 times as wide as high", "WIDTHxHEIGHT", "1280x720");
+            add_quantity(set, "--magnify", options.contents.magnification, magnification,
+                         "draw displacements so many times as large", "1");
+            add_text(set, "--title", options.contents.title, "title in place of the film's own").type_name("TEXT");
+            add_crack_label(set, options.contents.label);
+            add_classes(set, options.contents.classes);
+        },
+        make_film);
+}
+
+}  // namespace graincrack
