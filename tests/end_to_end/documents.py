@@ -25,6 +25,7 @@ CALLS = re.compile(r"(graincrack-(mesh|solve|post)|share/|tests/|make|cmake|sbat
 NOT_HERE = {
     "tests/run": "is what runs this test",
     "tests/rules": "reads all sources: .ci/run",
+    "tests/layout": "is part of tests/rules",
     "tests/benchmark/": "needs a machine that does nothing else",
     "tests/verification_table": "needs the rows of tests/run --all",
     "share/studies/job-array": "needs Slurm: tests/slurm/run",
