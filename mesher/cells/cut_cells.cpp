@@ -1,141 +1,296 @@
 #include "mesher/cells/cut_cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
-#include "mesher/cells/cell_pieces.hpp"
-#include "mesher/cells/joined_pieces.hpp"
+#include "mesher/cells/cell_lines.hpp"
 #include "mesher/cells/polygon.hpp"
-#include "mesher/cells/snapped_corners.hpp"
+#include "mesher/plane/constrained_triangulation.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 
 namespace {
 
-/// Divides the piece in which a path from one of its points to another lies; a path along its side is marked only.
-bool split_piece(CellPieces& pieces, const std::vector<std::pair<int, int>>& path) {
-    const int u = path.front().first;
-    const int v = path.back().first;
-    const auto mark_path = [&] {
-        for (std::size_t i = 1; i < path.size(); ++i) {
-            // An extension that is there gives way to a wall, and no wall to an extension.
-            if (path[i].second < 0 && pieces.mark_of(path[i - 1].first, path[i].first) >= 0) continue;
-            pieces.mark(path[i - 1].first, path[i].first, path[i].second);
+using Loop = std::vector<int>;
+
+/// A part of a cell between lines, of some triangles.
+struct Piece {
+    std::vector<std::size_t> triangles;
+    std::size_t cell = 0;  ///< of which it is, or most of it
+    double area = 0;
+    double fraction = 0;  ///< of the requested area of its cells
+};
+
+class PieceJoiner {
+public:
+    PieceJoiner(const CellLines& lines, const Zones& zones) : lines_(lines), zones_(zones) {
+        std::vector<Edge> inner;
+        for (const auto& [edge, side] : lines.side_of) inner.push_back(edge);
+        triangles_ = constrained_triangles(lines.points, lines.hull, inner);
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            for (std::size_t k = 0; k < 3; ++k) triangle_left_[side_of_triangle(t, k)] = t;
         }
-    };
-    const Point middle = midpoint(pieces.at(u), pieces.at(path[1].first));
-    for (const int number : std::vector<int>(pieces.pieces_at(u))) {
-        const auto piece = static_cast<std::size_t>(number);
-        PieceLoop loop = pieces.loop(piece);
-        const auto start = std::find(loop.begin(), loop.end(), u);
-        std::rotate(loop.begin(), start, loop.end());
-        const auto end = std::find(loop.begin(), loop.end(), v);
-        if (end == loop.end()) continue;
-        if (path.size() == 2 && (loop[1] == v || loop.back() == v)) {
-            mark_path();
-            return true;
+        find_pieces();
+    }
+
+    /// Joins the pieces of a zone until there are as many as areas, each of which is requested of one of them.
+    /// \param areas over the squares of the graded sizes where they were requested
+    /// \return whether they have room; if not, `no_room` is a place in a piece that is too many
+    bool join(std::size_t zone, std::vector<double> areas, const std::vector<double>& area_of_cell, const SizeField& size,
+              Point& no_room) {
+        std::vector<std::size_t> left;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            if (zone_of_[i] != zone) continue;
+            pieces_[i].fraction = pieces_[i].area / area_of_cell[pieces_[i].cell];
+            left.push_back(i);
         }
-        if (!pieces.is_inside(loop, middle)) continue;
-        PieceLoop right(loop.begin(), end + 1);
-        PieceLoop left(end, loop.end());
-        left.push_back(u);
-        for (std::size_t i = path.size() - 2; i > 0; --i) right.push_back(path[i].first);
-        for (std::size_t i = 1; i + 1 < path.size(); ++i) left.push_back(path[i].first);
-        if (!(area_of(pieces.corners(left)) > 0) || !(area_of(pieces.corners(right)) > 0)) return false;
-        pieces.set_loop(piece, std::move(left));
-        pieces.add_piece(std::move(right), pieces.origin(piece));
-        mark_path();
+        while (left.size() > areas.size()) {
+            std::sort(left.begin(), left.end(),
+                      [&](std::size_t a, std::size_t b) { return pieces_[a].fraction < pieces_[b].fraction; });
+            const auto joined =
+                std::find_if(left.begin(), left.end(), [&](std::size_t piece) { return join_to_neighbour(piece); });
+            if (joined == left.end()) break;
+            left.erase(joined);
+        }
+        no_room = left.empty() ? Point{} : middle_of(left.front());
+        if (left.empty() || left.size() != areas.size()) return false;
+        // The largest area goes to the largest piece, over the squares of their graded sizes.
+        const auto square_at = [&](std::size_t piece) { return std::pow(size.graded(middle_of(piece)), 2); };
+        std::sort(areas.begin(), areas.end());
+        std::sort(left.begin(), left.end(),
+                  [&](std::size_t a, std::size_t b) { return pieces_[a].area / square_at(a) < pieces_[b].area / square_at(b); });
+        double present = 0;
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            present += pieces_[left[i]].area;
+            areas[i] *= square_at(left[i]);
+        }
+        const double scale = present / std::accumulate(areas.begin(), areas.end(), 0.0);
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            no_room = middle_of(left[i]);
+            std::optional<Loop> loop = outline(pieces_[left[i]].triangles);
+            if (!loop) return false;
+            kept_.push_back({std::move(*loop), scale * areas[i]});
+        }
         return true;
     }
-    return false;
-}
 
-/// Cuts pieces along a chain. \return whether they have room
-bool cut_along(CellPieces& pieces, WallChain chain, Point& no_room) {
-    no_room = midpoint(chain.points.front(), chain.points[1]);
-    const ChainNodes nodes = snapped_corners(pieces, chain);
-    if (nodes.size() < 2) return false;
-    const auto n = static_cast<double>(chain.sides.size());
-    for (std::size_t i = 0; i + (chain.is_closed ? 0 : 1) < nodes.size(); ++i) {
-        const auto [from, u] = nodes[i];
-        auto [to, v] = nodes[(i + 1) % nodes.size()];
-        if (i + 1 == nodes.size()) to += n;
-        std::vector<std::pair<int, int>> path{{u, 0}};  // points, and the sides that lead to them
-        const auto side_at = [&](double t) { return chain.sides[static_cast<std::size_t>(t) % chain.sides.size()]; };
-        for (double k = std::floor(from) + 1; k < to; ++k) {
-            const auto corner = static_cast<std::size_t>(k) % chain.sides.size();
-            const int added = pieces.add_point(chain.points[corner]);
-            pieces.fix(added);
-            path.emplace_back(added, side_at(k - 0.5));
+    /// The pieces that are left as cells, fixed points first.
+    [[nodiscard]] CutCells cells() {
+        drop_kinks();
+        CutCells made;
+        std::vector<char> is_used(lines_.points.size(), 0);
+        for (const auto& [loop, area] : kept_) {
+            for (const int p : loop) is_used[index(p)] = 1;
         }
-        path.emplace_back(v, side_at(std::max(from, std::ceil(to) - 1)));
-        if (split_piece(pieces, path)) continue;
-        no_room = midpoint(pieces.at(path[0].first), pieces.at(path[1].first));
-        return false;
+        std::vector<int> number(lines_.points.size(), -1);
+        for (const bool fixed : {true, false}) {
+            for (std::size_t p = 0; p < number.size(); ++p) {
+                if (is_used[p] == 0 || (lines_.is_fixed[p] != 0) != fixed) continue;
+                number[p] = static_cast<int>(made.cells.points.size());
+                made.cells.points.push_back(lines_.points[p]);
+            }
+            if (fixed) made.n_fixed = made.cells.points.size();
+        }
+        std::vector<std::pair<int, Side>> sides;
+        for (const auto& [loop, area] : kept_) {
+            made.areas.push_back(area);
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const int p = loop[i];
+                const int q = loop[(i + 1) % loop.size()];
+                const int from = number[index(p)];
+                const int to = number[index(q)];
+                made.cells.corners.push_back(from);
+                made.cells.edges.push_back(edge_between(from, to));
+                const int side = line(p, q);
+                if (side < 0) continue;
+                const Side& wall = lines_.sides[index(side)];
+                if (wall.part >= 0) sides.push_back({side, {from, to, wall.part, {}}});
+                if (wall.part < 0 && from < to) sides.push_back({side, {from, to, -1, wall.kind}});
+            }
+            made.cells.start.push_back(static_cast<int>(made.cells.corners.size()));
+        }
+        std::sort(made.cells.edges.begin(), made.cells.edges.end());
+        made.cells.edges.erase(std::unique(made.cells.edges.begin(), made.cells.edges.end()), made.cells.edges.end());
+        std::stable_sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) {
+            return std::pair(a.second.part < 0, a.first) < std::pair(b.second.part < 0, b.first);
+        });
+        for (const auto& [number_of_side, side] : sides) made.cells.sides.push_back(side);
+        return made;
     }
-    return true;
-}
 
-/// The pieces that are left, fixed points first.
-CutCells cells_of(const CellPieces& pieces, const std::vector<double>& areas) {
-    const auto index = [](int i) { return static_cast<std::size_t>(i); };
-    CutCells made;
-    std::vector<int> number(pieces.n_points(), -1);
-    for (const bool fixed : {true, false}) {
-        for (int p = 0; p < static_cast<int>(pieces.n_points()); ++p) {
-            if (pieces.pieces_at(p).empty() || pieces.is_fixed(p) != fixed) continue;
-            number[index(p)] = static_cast<int>(made.cells.points.size());
-            made.cells.points.push_back(pieces.at(p));
-        }
-        if (fixed) made.n_fixed = made.cells.points.size();
+private:
+    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] Point at(int p) const { return lines_.points[index(p)]; }
+    [[nodiscard]] Edge side_of_triangle(std::size_t t, std::size_t k) const {
+        return {triangles_[t][k], triangles_[t][(k + 1) % 3]};
     }
-    std::vector<std::pair<int, Side>> walls;
-    for (std::size_t cell = 0; cell < pieces.size(); ++cell) {
-        const PieceLoop& loop = pieces.loop(cell);
-        if (loop.empty()) continue;
-        made.areas.push_back(areas[cell]);
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const int p = loop[i];
-            const int q = loop[(i + 1) % loop.size()];
-            const Edge edge = edge_between(number[index(p)], number[index(q)]);
-            made.cells.corners.push_back(number[index(p)]);
-            made.cells.edges.push_back(edge);
-            const int side = pieces.mark_of(p, q);
-            if (side < 0) continue;
-            const Side& wall = pieces.side(side);
-            if (wall.part >= 0) {
-                walls.push_back({side, {number[index(p)], number[index(q)], wall.part, {}}});
-            } else if (pieces.is_of_walls(side) && edge[0] == number[index(p)]) {
-                walls.push_back({side, {edge[0], edge[1], -1, wall.kind}});
+    [[nodiscard]] double area_of_triangle(std::size_t t) const {
+        return signed_area(at(triangles_[t][0]), at(triangles_[t][1]), at(triangles_[t][2]));
+    }
+    [[nodiscard]] Point middle_of(std::size_t piece) const {
+        const auto& own = pieces_[piece].triangles;
+        const std::size_t t = *std::max_element(
+            own.begin(), own.end(), [&](std::size_t a, std::size_t b) { return area_of_triangle(a) < area_of_triangle(b); });
+        return (1.0 / 3) * (at(triangles_[t][0]) + at(triangles_[t][1]) + at(triangles_[t][2]));
+    }
+    /// The side on which an edge lies, `CellLines::extension` or `CellLines::no_wall`.
+    [[nodiscard]] int line(int p, int q) const {
+        const auto found = lines_.side_of.find(edge_between(p, q));
+        return found == lines_.side_of.end() ? CellLines::no_wall : found->second;
+    }
+
+    void find_pieces() {
+        constexpr std::size_t none = static_cast<std::size_t>(-1);
+        piece_of_.assign(triangles_.size(), none);
+        for (std::size_t start = 0; start < triangles_.size(); ++start) {
+            if (piece_of_[start] != none) continue;
+            Piece piece;
+            piece_of_[start] = pieces_.size();
+            piece.triangles = {start};
+            for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
+                const std::size_t t = piece.triangles[i];
+                piece.area += area_of_triangle(t);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Edge side = side_of_triangle(t, k);
+                    if (const auto cell = lines_.cell_left.find(side); cell != lines_.cell_left.end()) {
+                        piece.cell = index(cell->second);
+                    }
+                    const auto next = triangle_left_.find({side[1], side[0]});
+                    if (lines_.side_of.contains(edge_between(side[0], side[1])) || next == triangle_left_.end()) continue;
+                    if (piece_of_[next->second] != none) continue;
+                    piece_of_[next->second] = pieces_.size();
+                    piece.triangles.push_back(next->second);
+                }
+            }
+            pieces_.push_back(std::move(piece));
+            zone_of_.push_back(zones_.zone_at(middle_of(pieces_.size() - 1)));
+        }
+    }
+
+    /// The loop around triangles, unless it meets itself. Walls and extensions belong to it where they end within.
+    [[nodiscard]] std::optional<Loop> outline(const std::vector<std::size_t>& triangles) const {
+        std::map<int, int> next;
+        std::size_t n = 0;
+        for (const std::size_t t : triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Edge side = side_of_triangle(t, k);
+                const auto other = triangle_left_.find({side[1], side[0]});
+                const bool is_inner = other != triangle_left_.end() && line(side[0], side[1]) == CellLines::no_wall &&
+                                      std::find(triangles.begin(), triangles.end(), other->second) != triangles.end();
+                if (is_inner) continue;
+                if (!next.emplace(side[0], side[1]).second) return std::nullopt;
+                ++n;
             }
         }
-        made.cells.start.push_back(static_cast<int>(made.cells.corners.size()));
+        Loop loop;
+        for (int p = next.begin()->first; loop.empty() || p != loop.front(); p = next.at(p)) loop.push_back(p);
+        return loop.size() == n ? std::optional(loop) : std::nullopt;
     }
-    std::sort(made.cells.edges.begin(), made.cells.edges.end());
-    made.cells.edges.erase(std::unique(made.cells.edges.begin(), made.cells.edges.end()), made.cells.edges.end());
-    std::stable_sort(walls.begin(), walls.end(), [](const auto& a, const auto& b) {
-        return std::pair(a.second.part < 0, a.first) < std::pair(b.second.part < 0, b.first);
-    });
-    for (const auto& [side, wall] : walls) made.cells.sides.push_back(wall);
-    return made;
-}
+
+    [[nodiscard]] std::vector<Point> corners(const Loop& loop) const {
+        std::vector<Point> corners;
+        for (const int p : loop) corners.push_back(at(p));
+        return corners;
+    }
+
+    /// Joins a piece to the neighbour with the longest common side, of those with which it makes a sound polygon if there are
+    /// any.
+    bool join_to_neighbour(std::size_t piece) {
+        std::map<std::size_t, double> common;
+        for (const std::size_t t : pieces_[piece].triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Edge side = side_of_triangle(t, k);
+                const auto other = triangle_left_.find({side[1], side[0]});
+                if (other == triangle_left_.end() || line(side[0], side[1]) != CellLines::no_wall) continue;
+                if (piece_of_[other->second] != piece) common[piece_of_[other->second]] += length(at(side[1]) - at(side[0]));
+            }
+        }
+        std::vector<std::pair<double, std::size_t>> order;
+        for (const auto& [other, size] : common) order.emplace_back(-size, other);
+        std::sort(order.begin(), order.end());
+        for (const bool must_be_sound : {true, false}) {
+            for (const auto& [size, other] : order) {
+                std::vector<std::size_t> united = pieces_[other].triangles;
+                united.insert(united.end(), pieces_[piece].triangles.begin(), pieces_[piece].triangles.end());
+                const std::optional<Loop> loop = outline(united);
+                if (!loop || (must_be_sound && !is_sound(corners(*loop)))) continue;
+                Piece& whole = pieces_[other];
+                for (const std::size_t t : pieces_[piece].triangles) piece_of_[t] = other;
+                if (pieces_[piece].area > whole.area) whole.cell = pieces_[piece].cell;
+                whole.fraction += pieces_[piece].fraction;
+                whole.area += pieces_[piece].area;
+                whole.triangles = std::move(united);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Leaves out points that lie within one side of cells, if these stay sound.
+    void drop_kinks() {
+        std::map<int, std::vector<std::size_t>> cells_at;
+        for (std::size_t cell = 0; cell < kept_.size(); ++cell) {
+            for (const int p : kept_[cell].first) cells_at[p].push_back(cell);
+        }
+        for (const auto& [p, around] : cells_at) {
+            if (lines_.is_fixed[index(p)] != 0) continue;
+            std::vector<Edge> ends;
+            std::vector<Loop> loops;
+            bool fits = true;
+            for (const std::size_t cell : around) {
+                Loop loop = kept_[cell].first;
+                std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), p), loop.end());
+                ends.push_back(edge_between(loop[1], loop.back()));
+                loop.erase(loop.begin());
+                fits = fits && ends.back() == ends.front() && loop.size() > 2 && is_sound(corners(loop));
+                loops.push_back(std::move(loop));
+            }
+            const auto [from, to] = ends.front();
+            const int side = line(from, p);
+            const bool is_within = side == line(to, p) && line(from, to) == CellLines::no_wall;
+            if (!fits || !is_within || (around.size() == 1 && side < 0)) continue;
+            for (std::size_t k = 0; k < around.size(); ++k) kept_[around[k]].first = std::move(loops[k]);
+            if (side != CellLines::no_wall) lines_.side_of[edge_between(from, to)] = side;
+        }
+    }
+
+    CellLines lines_;
+    const Zones& zones_;
+    std::vector<Triangle> triangles_;
+    std::map<Edge, std::size_t> triangle_left_;  ///< of a directed edge
+    std::vector<Piece> pieces_;
+    std::vector<std::size_t> piece_of_;          ///< [triangles]
+    std::vector<std::size_t> zone_of_;           ///< [pieces]
+    std::vector<std::pair<Loop, double>> kept_;  ///< cells with their requested areas
+};
 
 }  // namespace
 
-std::optional<CutCells> cut_cells(const PlaneCells& cells, std::span<const Point> seeds, const std::vector<double>& areas,
-                                  const Walls& walls, const SizeField& size, Point* no_room) {
+std::optional<CutCells> cut_cells(const PlaneCells& cells, const std::vector<double>& areas, const Walls& walls,
+                                  const Zones& zones, std::span<const std::size_t> zone_of_cell, const SizeField& size,
+                                  Point& no_room) {
     const double mean_area = std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
-    CellPieces pieces(cells, walls, std::sqrt(mean_area), size);
-    Point place;
-    Point& without_room = no_room == nullptr ? place : *no_room;
-    for (const WallChain& chain : walls.chains()) {
-        if (!cut_along(pieces, chain, without_room)) return std::nullopt;
+    try {
+        PieceJoiner joiner(cell_lines(cells, walls, std::sqrt(mean_area), size), zones);
+        for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+            if (!zones.is_inside(zone)) continue;
+            std::vector<double> requested;
+            for (std::size_t cell = 0; cell < areas.size(); ++cell) {
+                if (zone_of_cell[cell] != zone) continue;
+                requested.push_back(areas[cell] / std::pow(size.graded(moments(corners_of(cells, cell)).centroid), 2));
+            }
+            if (!joiner.join(zone, requested, areas, size, no_room)) return std::nullopt;
+        }
+        return joiner.cells();
+    } catch (const UsageError&) {
+        no_room = walls.points.back();
+        return std::nullopt;  // lines that cross once more
     }
-    const auto wanted = joined_pieces(pieces, seeds, areas, without_room);
-    if (!wanted) return std::nullopt;
-    return cells_of(pieces, *wanted);
 }
 
 }  // namespace graincrack::mesher

@@ -13,10 +13,6 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr int most_moves = 12;
-constexpr int steps = 6;  ///< in which areas far from those wanted are approached, and further ones to them
-constexpr int further_steps = 12;
-constexpr double near_error = 0.01;   ///< of areas, from which whole steps lead on
-constexpr double longest_move = 0.3;  ///< of a point in such a step, over the shortest edge there
 constexpr int most_halvings_of_a_move = 8;
 constexpr double smallest_pivot = 1e-12;  ///< over the largest
 
@@ -56,9 +52,9 @@ public:
     bool improve() {
         const std::vector<Point> step = least_step();
         const std::vector<Point> before = cells_.points;
-        double share = 1;
-        for (int i = 0; i < most_halvings_of_a_move; ++i, share /= 2) {
-            for (std::size_t p = 0; p < before.size(); ++p) cells_.points[p] = before[p] + share * step[p];
+        double fraction = 1;
+        for (int i = 0; i < most_halvings_of_a_move; ++i, fraction /= 2) {
+            for (std::size_t p = 0; p < before.size(); ++p) cells_.points[p] = before[p] + fraction * step[p];
             std::vector<double> trial = areas_of(cells_);
             if (!(largest_error(trial) < largest_error()) || !are_sound()) continue;
             present_ = std::move(trial);
@@ -66,28 +62,6 @@ public:
         }
         cells_.points = before;
         return false;
-    }
-
-    /// One step of which each move is at most a share of its reach, and none is made that would turn a cell inside out.
-    void approach() {
-        const std::vector<Point> step = least_step();
-        const std::vector<Point> before = cells_.points;
-        std::vector<char> was_sound;
-        for (std::size_t cell = 0; cell < cells_.size(); ++cell) was_sound.push_back(is_sound(corners_of(cells_, cell)) ? 1 : 0);
-        for (std::size_t p = 0; p < before.size(); ++p) {
-            const double size = length(step[p]);
-            const double share = size > longest_move * reach_[p] ? longest_move * reach_[p] / size : 1;
-            cells_.points[p] = before[p] + share * step[p];
-        }
-        for (bool is_whole = false; !is_whole;) {
-            is_whole = true;
-            for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-                if (was_sound[cell] == 0 || is_sound(corners_of(cells_, cell))) continue;
-                is_whole = false;
-                for (const int p : cells_.loop(cell)) cells_.points[index(p)] = before[index(p)];
-            }
-        }
-        present_ = areas_of(cells_);
     }
 
 private:
@@ -170,56 +144,7 @@ private:
     std::vector<char> is_outer_;
 };
 
-/// Moves free points of cells that have a point on a wall half the distance to the middle of their neighbours, unless that turns
-/// a cell inside out.
-void smooth(PlaneCells& cells, std::size_t n_fixed) {
-    const auto index = [](int i) { return static_cast<std::size_t>(i); };
-    std::vector<char> is_on_wall(cells.points.size(), 0);
-    for (const Side& side : cells.sides) is_on_wall[index(side.from)] = is_on_wall[index(side.to)] = 1;
-    std::vector<std::vector<std::size_t>> cells_at(cells.points.size());
-    std::vector<char> is_near(cells.points.size(), 0);
-    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-        const auto loop = cells.loop(cell);
-        const bool is_beside = std::any_of(loop.begin(), loop.end(), [&](int p) { return is_on_wall[index(p)] != 0; });
-        for (const int p : loop) {
-            cells_at[index(p)].push_back(cell);
-            if (is_beside) is_near[index(p)] = 1;
-        }
-    }
-    std::vector<std::vector<int>> neighbours(cells.points.size());
-    for (const Edge& e : cells.edges) {
-        neighbours[index(e[0])].push_back(e[1]);
-        neighbours[index(e[1])].push_back(e[0]);
-    }
-    for (std::size_t p = n_fixed; p < cells.points.size(); ++p) {
-        if (is_near[p] == 0 || is_on_wall[p] != 0) continue;
-        const auto n_unsound = [&] {
-            return std::count_if(cells_at[p].begin(), cells_at[p].end(),
-                                 [&](std::size_t cell) { return !is_sound(corners_of(cells, cell)); });
-        };
-        const auto before = n_unsound();
-        const Point place = cells.points[p];
-        Point sum;
-        for (const int q : neighbours[p]) sum = sum + cells.points[index(q)];
-        cells.points[p] = midpoint(place, (1.0 / static_cast<double>(neighbours[p].size())) * sum);
-        if (n_unsound() > before) cells.points[p] = place;
-    }
-}
-
 }  // namespace
-
-double restore_areas_in_steps(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas) {
-    for (int left = steps; left > -further_steps; --left) {
-        if (left > 0) smooth(cells, n_fixed);
-        std::vector<double> goal = areas_of(cells);
-        for (std::size_t i = 0; i < goal.size(); ++i) goal[i] += (areas[i] - goal[i]) / std::max(1, left);
-        if (*std::min_element(goal.begin(), goal.end()) <= 0) goal = areas;
-        AreaRestorer restorer(cells, n_fixed, goal);
-        if (left <= 0 && restorer.largest_error() < near_error) break;
-        restorer.approach();
-    }
-    return restore_areas(cells, n_fixed, areas);
-}
 
 double restore_areas(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas) {
     AreaRestorer restorer(cells, n_fixed, areas);

@@ -19,8 +19,4 @@ namespace graincrack::mesher {
 /// \return largest difference of an area that is left, over the wanted one
 double restore_areas(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas);
 
-/// Does the same where areas are far from those wanted: in steps, before each of which free points of cells beside walls move
-/// towards the middle of their neighbours.
-double restore_areas_in_steps(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas);
-
 }  // namespace graincrack::mesher

@@ -63,7 +63,7 @@ bool do_cross(Point a, Point b, Point c, Point d) {
 
 }  // namespace
 
-double nearest_share(Point p, Point from, Point to) {
+double nearest_fraction(Point p, Point from, Point to) {
     return std::clamp(dot(p - from, to - from) / squared_length(to - from), 0.0, 1.0);
 }
 
@@ -140,58 +140,10 @@ Walls walls_of(const Region& region, double edge, const Stretch& stretch, const 
     return walls;
 }
 
-std::vector<WallChain> Walls::chains() const {
-    std::vector<WallChain> chains;
-    const std::size_t n = sides.size();
-    std::vector<char> is_used(n, 0);
-    std::size_t i = 0;
-    while (i < n && sides[i].part >= 0) {
-        const bool is_hull = is_convex && i == 0;
-        WallChain chain;
-        chain.is_closed = true;
-        const int first = sides[i].from;
-        do {
-            chain.points.push_back(at(sides[i].from));
-            chain.sides.push_back(static_cast<int>(i));
-        } while (sides[i++].to != first);
-        chain.points.push_back(chain.points.front());
-        if (!is_hull) chains.push_back(std::move(chain));
-    }
-    for (; i < n; ++i) {
-        if (is_used[i] != 0) continue;
-        is_used[i] = 1;
-        std::vector<int> numbers{sides[i].from, sides[i].to};
-        std::vector<int> numbers_of_sides{static_cast<int>(i)};
-        for (const bool forwards : {true, false}) {
-            while (true) {
-                const int end = forwards ? numbers.back() : numbers.front();
-                const Point before = at(forwards ? numbers[numbers.size() - 2] : numbers[1]);
-                const Point along = unit(at(end) - before);
-                double straightest = 0.5;
-                std::size_t next = n;
-                for (std::size_t k = 0; k < n; ++k) {
-                    const Side& side = sides[k];
-                    if (is_used[k] != 0 || side.part >= 0 || (side.from != end && side.to != end)) continue;
-                    const int far = side.from == end ? side.to : side.from;
-                    if (std::find(numbers.begin(), numbers.end(), far) != numbers.end()) continue;
-                    const double cosine = dot(along, unit(at(far) - at(end)));
-                    if (cosine <= straightest) continue;
-                    straightest = cosine;
-                    next = k;
-                }
-                if (next == n) break;
-                is_used[next] = 1;
-                const int far = sides[next].from == end ? sides[next].to : sides[next].from;
-                numbers.insert(forwards ? numbers.end() : numbers.begin(), far);
-                numbers_of_sides.insert(forwards ? numbers_of_sides.end() : numbers_of_sides.begin(), static_cast<int>(next));
-            }
-        }
-        WallChain chain;
-        for (const int p : numbers) chain.points.push_back(at(p));
-        chain.sides = std::move(numbers_of_sides);
-        chains.push_back(std::move(chain));
-    }
-    return chains;
+std::size_t Walls::n_sides_of_outline() const {
+    std::size_t n = 1;
+    while (sides[n - 1].to != sides.front().from) ++n;
+    return n;
 }
 
 Zones::Zones(const Walls& walls) : walls_(walls) {
@@ -204,14 +156,13 @@ Zones::Zones(const Walls& walls) : walls_(walls) {
         points.insert(points.end(), walls.hull.corners.begin(), walls.hull.corners.end());
         for (int k = 0; k < 4; ++k) around.push_back(edge_between(n + k, n + (k + 1) % 4));
     }
-    bool is_outer = walls.is_convex;
     for (std::size_t i = 0; i < walls.sides.size(); ++i) {
         const Side& side = walls.sides[i];
+        const bool is_outer = walls.is_convex && i < walls.n_sides_of_outline();
         const Edge edge = edge_between(side.from, side.to);
         (is_outer ? around : inner).push_back(edge);
         borders.insert(edge);
         segments_.push_back({walls.at(side.from), walls.at(side.to), !is_outer});
-        if (side.to == walls.sides.front().from) is_outer = false;
     }
     const std::vector<Triangle> triangles = constrained_triangles(points, around, inner);
     std::map<Edge, std::vector<std::size_t>> beside;
@@ -257,6 +208,14 @@ double Zones::graded_area(std::size_t zone, const SizeField& size) const {
     return sum;
 }
 
+std::size_t Zones::zone_at(Point p) const {
+    const auto found = std::find_if(faces_.begin(), faces_.end(), [p](const Face& face) {
+        const auto& [a, b, c] = face.corners;
+        return signed_area(a, b, p) >= 0 && signed_area(b, c, p) >= 0 && signed_area(c, a, p) >= 0;
+    });
+    return found == faces_.end() ? size() : found->zone;
+}
+
 Point Zones::random_point(std::size_t zone, RandomNumbers& random) const {
     double rest = random.uniform() * areas_[zone];
     double u = random.uniform();
@@ -291,7 +250,7 @@ Point Zones::moved(Point from, Point to, double distance) const {
     Point nearest;
     for (const Segment& s : segments_) {
         if (!s.is_inner) continue;
-        const Point foot = s.from + nearest_share(goal, s.from, s.to) * (s.to - s.from);
+        const Point foot = s.from + nearest_fraction(goal, s.from, s.to) * (s.to - s.from);
         if (squared_length(goal - foot) < least) {
             least = squared_length(goal - foot);
             nearest = foot;

@@ -13,13 +13,6 @@
 
 namespace graincrack::mesher {
 
-/// A line of walls without branches: points, and the side of the walls from each to the next.
-struct WallChain {
-    std::vector<Point> points;
-    std::vector<int> sides;
-    bool is_closed = false;
-};
-
 /// The loops of a region as polygons, its prescribed edges, and a convex outline around both.
 struct Walls {
     std::vector<Point> points;  ///< corners of loops; ends and meetings of prescribed edges
@@ -30,8 +23,8 @@ struct Walls {
 
     /// Whether a point is inside of the loops.
     [[nodiscard]] bool contains(Point p) const;
-    /// Loops other than the hull first, then prescribed edges, each continued by the straightest.
-    [[nodiscard]] std::vector<WallChain> chains() const;
+    /// The number of sides of the first loop, which come first.
+    [[nodiscard]] std::size_t n_sides_of_outline() const;
     [[nodiscard]] Point at(int p) const { return points[static_cast<std::size_t>(p)]; }
 };
 
@@ -50,6 +43,7 @@ public:
     /// Integral of one over the square of the graded size: the cells of a zone are a share of all by it, m².
     [[nodiscard]] double graded_area(std::size_t zone, const SizeField& size) const;
     [[nodiscard]] bool is_inside(std::size_t zone) const { return is_inside_[zone] != 0; }
+    [[nodiscard]] std::size_t zone_at(Point p) const;
     [[nodiscard]] Point random_point(std::size_t zone, RandomNumbers& random) const;
     /// A seed moved towards a place within its zone, and away from walls that are nearer than a distance.
     [[nodiscard]] Point moved(Point from, Point to, double distance) const;
@@ -73,7 +67,7 @@ private:
     std::vector<char> is_inside_;
 };
 
-/// The point of a segment that is nearest to a point, as a share of the segment.
-double nearest_share(Point p, Point from, Point to);
+/// The point of a segment that is nearest to a point, as a fraction of the segment.
+double nearest_fraction(Point p, Point from, Point to);
 
 }  // namespace graincrack::mesher

@@ -147,11 +147,11 @@ Crystals crystals_between_walls(const Region& region, const PolygonRequest& requ
 
         if (!(made.largest_error < 1)) continue;
         std::size_t n_removed = remove_short_edges(made.cells, walls.hull.size(), very_short_edge).n_removed;
-        std::optional<CutCells> cut = cut_cells(made.cells, made.seeds, wanted, walls, request.size, &no_room.emplace());
+        std::optional<CutCells> cut = cut_cells(made.cells, wanted, walls, zones, zone_of, request.size, no_room.emplace());
 
         if (!cut || cut->cells.size() != request.n) continue;
         n_removed += remove_short_edges(cut->cells, cut->n_fixed, very_short_edge).n_removed;
-        const double error = restore_areas_in_steps(cut->cells, cut->n_fixed, cut->areas);
+        const double error = restore_areas(cut->cells, cut->n_fixed, cut->areas);
 
         bool is_whole = true;
         for (std::size_t cell = 0; cell < request.n && is_whole; ++cell) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "mesher/cells/polygon.hpp"
@@ -27,6 +28,18 @@ double length_of_flaws(const CutCells& cut) {
     return sum;
 }
 
+/// The cells of squares cut along the walls of a region, and where they have no room.
+std::optional<CutCells> cut(const Squares& squares, const Walls& walls, Point& no_room) {
+    const Zones zones(walls);
+    std::vector<std::size_t> zone_of_cell;
+    for (const Point& seed : squares.seeds) zone_of_cell.push_back(zones.zone_at(seed));
+    return cut_cells(squares.cells, squares.areas, walls, zones, zone_of_cell, {}, no_room);
+}
+CutCells cut(const Squares& squares, const Walls& walls) {
+    Point no_room;
+    return cut(squares, walls, no_room).value();
+}
+
 void expect_whole(const CutCells& cut, std::size_t n, double area) {
     ASSERT_EQ(cut.cells.size(), n);
     const std::vector<double> areas = areas_of(cut.cells);
@@ -39,26 +52,24 @@ TEST(CutCells, FollowASlitThatCrossesThem) {
     const Squares squares(8, 6);
     Region region = rectangle(8, 6);
     region.edges = {central_slit(region, 4, 0.4, "slit")};
-    const auto cut = cut_cells(squares.cells, squares.seeds, squares.areas, walls_of(region, 1));
-    ASSERT_TRUE(cut);
-    expect_whole(*cut, 48, 48);
-    EXPECT_NEAR(length_of_flaws(*cut), 4, 1e-12);
+    const CutCells made = cut(squares, walls_of(region, 1));
+    expect_whole(made, 48, 48);
+    EXPECT_NEAR(length_of_flaws(made), 4, 1e-12);
 }
 
 TEST(CutCells, OnEitherSideOfAJointKeepTheirNumberAndFillTheirSide) {
     const Squares squares(8, 6);
     Region region = rectangle(8, 6);
     region.edges = {{{-5, 0.25}, {5, 0.25}, {ContactKind::grain_boundary, "joint"}}};
-    const auto cut = cut_cells(squares.cells, squares.seeds, squares.areas, walls_of(region, 1));
-    ASSERT_TRUE(cut);
-    expect_whole(*cut, 48, 48);
-    EXPECT_NEAR(length_of_flaws(*cut), 8, 1e-12);
+    const CutCells made = cut(squares, walls_of(region, 1));
+    expect_whole(made, 48, 48);
+    EXPECT_NEAR(length_of_flaws(made), 8, 1e-12);
     // 24 below on 8 x 3.25, 24 above on 8 x 2.75
     for (std::size_t cell = 0; cell < 48; ++cell) {
         double middle = 0;
-        for (const int p : cut->cells.loop(cell)) middle += cut->cells.points[static_cast<std::size_t>(p)].y;
-        const bool is_above = middle / static_cast<double>(cut->cells.loop(cell).size()) > 0.25;
-        EXPECT_NEAR(cut->areas[cell], (is_above ? 2.75 : 3.25) / 3, 1e-12);
+        for (const int p : made.cells.loop(cell)) middle += made.cells.points[static_cast<std::size_t>(p)].y;
+        const bool is_above = middle / static_cast<double>(made.cells.loop(cell).size()) > 0.25;
+        EXPECT_NEAR(made.areas[cell], (is_above ? 2.75 : 3.25) / 3, 1e-12);
     }
 }
 
@@ -68,7 +79,7 @@ TEST(CutCells, SayWhereTheyHaveNoRoom) {
     Region region = rectangle(8, 6);
     region.edges = {{{3.6, -3}, {4, -2.6}, {ContactKind::grain_boundary, "joint"}}};
     Point no_room;
-    EXPECT_FALSE(cut_cells(squares.cells, squares.seeds, squares.areas, walls_of(region, 1), {}, &no_room));
+    EXPECT_FALSE(cut(squares, walls_of(region, 1), no_room));
     EXPECT_NEAR(no_room.x, 3.8, 0.2);
     EXPECT_NEAR(no_room.y, -2.8, 0.2);
 }
@@ -77,19 +88,17 @@ TEST(CutCells, EndAtTheWallOfAHole) {
     const Squares squares(8, 6);
     Region region = rectangle(8, 6);
     add_hole(region, {0.3, 0.2}, 1.2, "--hole");
-    std::vector<double> areas = squares.areas;
     const Walls walls = walls_of(region, 0.5);
-    const auto cut = cut_cells(squares.cells, squares.seeds, areas, walls);
-    ASSERT_TRUE(cut);
+    const CutCells made = cut(squares, walls);
     // Seeds in the hole have no cells.
     const auto inside = std::count_if(squares.seeds.begin(), squares.seeds.end(), [&](Point p) { return walls.contains(p); });
     EXPECT_LT(inside, 48);
-    expect_whole(*cut, static_cast<std::size_t>(inside), area(region));
+    expect_whole(made, static_cast<std::size_t>(inside), area(region));
     double rim = 0;
-    for (const Side& side : cut->cells.sides) {
+    for (const Side& side : made.cells.sides) {
         if (side.part != 5) continue;
         rim +=
-            length(cut->cells.points[static_cast<std::size_t>(side.to)] - cut->cells.points[static_cast<std::size_t>(side.from)]);
+            length(made.cells.points[static_cast<std::size_t>(side.to)] - made.cells.points[static_cast<std::size_t>(side.from)]);
     }
     EXPECT_NEAR(rim, 2 * 3.14159 * 1.2, 0.15);
 }

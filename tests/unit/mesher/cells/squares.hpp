@@ -15,17 +15,18 @@ struct Squares {
     std::vector<double> areas;
 
     Squares(int width, int height) {
-        const auto point = [&](int i, int j) {  // corners first
-            const bool is_corner = (i == 0 || i == width) && (j == 0 || j == height);
-            if (is_corner) return j == 0 ? (i == 0 ? 0 : 1) : (i == 0 ? 3 : 2);
-            return 4 + i + j * (width + 1);
-        };
-        cells.points.resize(4 + static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1));
-        for (int j = 0; j <= height; ++j) {
-            for (int i = 0; i <= width; ++i) {
-                cells.points[static_cast<std::size_t>(point(i, j))] = {i - width / 2.0, j - height / 2.0};
-            }
+        const int row = width + 1;
+        const std::vector<int> corners{0, width, row * (height + 1) - 1, row * height};
+        std::vector<int> order = corners;  // points in rows from below, but corners first
+        for (int k = 0; k < row * (height + 1); ++k) {
+            if (std::find(corners.begin(), corners.end(), k) == corners.end()) order.push_back(k);
         }
+        std::vector<int> number(order.size());
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            number[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+            cells.points.push_back({order[k] % row - width / 2.0, order[k] / row - height / 2.0});
+        }
+        const auto point = [&](int i, int j) { return number[static_cast<std::size_t>(i + j * row)]; };
         for (int j = 0; j < height; ++j) {
             for (int i = 0; i < width; ++i) {
                 const std::vector<int> loop{point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)};
