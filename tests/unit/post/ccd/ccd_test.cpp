@@ -13,6 +13,7 @@
 #include "tests/support/check.hpp"
 #include "tests/support/normal.hpp"
 #include "tests/support/synthetic_run.hpp"
+#include "tests/support/verify.hpp"
 
 namespace graincrack::ccd {
 namespace {
@@ -37,11 +38,19 @@ struct Table7 {
     std::vector<Optimum> solve_with(const std::vector<Model>& models) const { return solve(models, goals(), Region(runs.coded)); }
 };
 
-void expect_coefficients(const Model& model, const std::vector<double>& expected, double tolerance) {
+void expect_coefficients(const std::string& response, const Model& model, const std::vector<double>& expected, double tolerance) {
     ASSERT_EQ(model.terms().size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        EXPECT_NEAR(model.regression().coefficients[i], expected[i], tolerance) << model.terms()[i].name();
+        test::verify("calibration: " + response + ", term " + model.terms()[i].name(), model.regression().coefficients[i],
+                     expected[i], tolerance, "Eq 19", 1);
     }
+}
+void expect_contact(const Table7& paper, const std::vector<Optimum>& optimum, double cohesion, double friction_angle) {
+    ASSERT_EQ(optimum.size(), 1U);
+    test::verify("calibration: contact cohesion (MPa)", paper.runs.factors[0].value(optimum[0].coded[0]), cohesion, 0.02, "paper",
+                 1);
+    test::verify("calibration: contact friction angle (deg)", paper.runs.factors[1].value(optimum[0].coded[1]), friction_angle,
+                 0.01, "paper", 1);
 }
 
 TEST(CcdDesign, IsTheOneOfTable7) {
@@ -89,8 +98,8 @@ TEST(CcdFit, Table7GivesEquation19) {
     EXPECT_EQ(paper.runs.factors[0].name, "cc_MPa");
     EXPECT_EQ(paper.runs.factors[1].name, "phic_deg");
     // Eq 19 is printed to 0.01 from C and φ as printed to 0.1.
-    expect_coefficients(paper.cohesion(), {11.12, 7.36, -4.94, -7.48, 1.32, 6.89}, 0.006);
-    expect_coefficients(paper.friction(), {66.98, -4.66, 15.76, 4.78, -0.60, -7.98}, 0.006);
+    expect_coefficients("C of rounded values", paper.cohesion(), {11.12, 7.36, -4.94, -7.48, 1.32, 6.89}, 0.006);
+    expect_coefficients("phi of rounded values", paper.friction(), {66.98, -4.66, 15.76, 4.78, -0.60, -7.98}, 0.006);
     EXPECT_NEAR(paper.cohesion().regression().r_squared(), 0.969, 0.0005);
     EXPECT_NEAR(paper.friction().regression().r_squared(), 0.944, 0.0005);
     const std::vector<double> errors{1.04, 0.82, 0.82, 1.16, 0.88, 0.88};
@@ -117,17 +126,17 @@ TEST(CcdFit, StrengthsOfTable7GiveTheUnroundedSurface) {
         const MohrCoulomb line = fit_mohr_coulomb(confining, std::vector<double>{s0[i], s4[i], s8[i]});
         cohesion.push_back(line.cohesion);
         friction.push_back(line.friction_angle * degrees);
-        EXPECT_NEAR(line.cohesion, paper.table.numbers("C_MPa")[i], 0.05 + 1e-9);
-        EXPECT_NEAR(friction.back(), paper.table.numbers("phi_deg")[i], 0.05 + 1e-9);
+        const auto to_tenths = [](double value) { return std::round(value * 10) / 10; };
+        test::verify("calibration: Table 7, C of every run rounded (MPa)", to_tenths(line.cohesion),
+                     paper.table.numbers("C_MPa")[i], 1e-15, "as printed, to 0.1");
+        test::verify("calibration: Table 7, phi of every run rounded (deg)", to_tenths(friction.back()),
+                     paper.table.numbers("phi_deg")[i], 1e-15, "as printed, to 0.1");
     }
     const Model C(quadratic_terms(2), paper.runs.coded, cohesion);
     const Model phi(quadratic_terms(2), paper.runs.coded, friction);
-    expect_coefficients(C, {11.098, 7.388, -4.938, -7.467, 1.322, 6.901}, 0.0006);
-    expect_coefficients(phi, {66.962, -4.654, 15.738, 4.785, -0.608, -7.955}, 0.0006);
-    const auto optimum = paper.solve_with({C, phi});
-    ASSERT_EQ(optimum.size(), 1U);
-    EXPECT_NEAR(paper.runs.factors[0].value(optimum[0].coded[0]), 74.62, 0.02);
-    EXPECT_NEAR(paper.runs.factors[1].value(optimum[0].coded[1]), 48.77, 0.01);
+    expect_coefficients("C of unrounded values", C, {11.098, 7.388, -4.938, -7.467, 1.322, 6.901}, 0.0006);
+    expect_coefficients("phi of unrounded values", phi, {66.962, -4.654, 15.738, 4.785, -0.608, -7.955}, 0.0006);
+    expect_contact(paper, paper.solve_with({C, phi}), 74.62, 48.77);
 }
 
 TEST(CcdSolve, Table7GivesThePapersOptimum) {
@@ -139,8 +148,7 @@ TEST(CcdSolve, Table7GivesThePapersOptimum) {
     EXPECT_NEAR(optimum[0].desirability, 1, 1e-6);
     EXPECT_NEAR(optimum[0].coded[0], 0.443, 0.0006);
     EXPECT_NEAR(optimum[0].coded[1], -0.533, 0.0006);
-    EXPECT_NEAR(paper.runs.factors[0].value(optimum[0].coded[0]), 74.57, 0.02);
-    EXPECT_NEAR(paper.runs.factors[1].value(optimum[0].coded[1]), 48.76, 0.01);
+    expect_contact(paper, optimum, 74.57, 48.76);
     EXPECT_NEAR(models[0].predict({5.75, 4.51}), 21, 0.5);  // it is a root: the coordinates are printed to 0.01
     EXPECT_NEAR(models[1].predict({5.75, 4.51}), 53, 0.8);
     EXPECT_FALSE(Region(paper.runs.coded).holds({5.75, 4.51}));

@@ -35,6 +35,8 @@ TEST(Envelope, RecoversPlantedCohesionAndFriction) {
     EXPECT_NEAR(envelope.friction_angle.value * degrees, 53, 1e-7);
     EXPECT_NEAR(*envelope.cohesion.low, 21e6, 10);  // no scatter: no width
     EXPECT_NEAR(*envelope.friction_angle.high * degrees, 53, 1e-5);
+    const double phi = 53 / degrees;
+    EXPECT_NEAR(envelope.tensile_strength(), 2 * 21e6 * std::cos(phi) / (1 + std::sin(phi)), 1);
 }
 
 TEST(Envelope, RecoversPlantedHoekBrown) {
@@ -77,14 +79,6 @@ TEST(Envelope, CurvatureHasTheSignOfTheData) {
     EXPECT_LT(bent->value, 0);
     EXPECT_FALSE(bent->low.has_value());
     EXPECT_FALSE(fit_envelope(std::vector<double>{0, 8e6}, std::vector<double>{1e8, 1.5e8}).curvature.has_value());
-}
-
-TEST(Envelope, LineImpliesATensileStrength) {
-    const std::vector<double> confining{0, 4e6, 8e6};
-    std::vector<double> strength;
-    for (double s : confining) strength.push_back(mohr_coulomb(21e6, 53 / degrees, s));
-    const double phi = 53 / degrees;
-    EXPECT_NEAR(fit_envelope(confining, strength).tensile_strength(), 2 * 21e6 * std::cos(phi) / (1 + std::sin(phi)), 1);
 }
 
 TEST(Envelope, SeedsGiveTheirOwnConstants) {
@@ -153,6 +147,14 @@ protected:
         test::write_run(folder_.file(name), recipe);
         return folder_.file(name);
     }
+    std::vector<std::string> three_runs() { return {run("0", 0), run("4", 4e6), run("8", 8e6)}; }
+    std::string table(const std::vector<std::string>& runs, const EnvelopeOptions& options,
+                      TableFormat format = TableFormat::tsv) {
+        std::ostringstream out;
+        write_envelope_table(out, runs, format, options, notes_);
+        return out.str();
+    }
+    const EnvelopeOptions of_largest_{StrainLimitRuns::refuse, StrengthKind::largest};
     std::ostringstream notes_;
     test::TemporaryFolder folder_;
 };
@@ -160,60 +162,31 @@ protected:
 TEST_F(EnvelopeTable, RunsEndedByTheStrainCapAreRefusedUnlessAccepted) {
     const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.03, "strain limit"),
                                         run("8", 8e6, "", 0, 0, "strain limit")};
-    std::ostringstream out;
-    test::expect_one_line<InputError>(
-        [&] {
-            write_envelope_table(out, runs, TableFormat::tsv, {StrainLimitRuns::refuse, StrengthKind::largest}, notes_);
-        },
-        {runs[1], "strain limit (1.5 %)", "--capped accept"});
-    EXPECT_EQ(out.str(), "");
+    test::expect_one_line<InputError>([&] { table(runs, of_largest_); }, {runs[1], "strain limit (1.5 %)", "--capped accept"});
     EXPECT_EQ(notes_.str(), "");
-    write_envelope_table(out, runs, TableFormat::tsv, {StrainLimitRuns::accept, StrengthKind::largest}, notes_);
-    EXPECT_EQ(field(out.str(), "runs_at_strain_limit"), "2");
-    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
-    EXPECT_NE(notes_.str().find("2 of 3 runs were stopped at the strain limit"), std::string::npos) << notes_.str();
+    const std::string accepted = table(runs, {StrainLimitRuns::accept, StrengthKind::largest});
+    EXPECT_EQ(field(accepted, "runs_at_strain_limit"), "2");
+    EXPECT_NEAR(std::stod(field(accepted, "cohesion_MPa")), 21, 1e-4);
     const std::string notes = notes_.str();
+    EXPECT_NE(notes.find("2 of 3 runs were stopped at the strain limit"), std::string::npos) << notes;
     EXPECT_EQ(std::count(notes.begin(), notes.end(), '\n'), 1);
-}
-
-TEST_F(EnvelopeTable, AStoppedRunHasNoStrengthAtAll) {
-    std::ostringstream out;
-    const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0, "signal")};
-    EXPECT_THROW(write_envelope_table(out, runs, TableFormat::tsv, {StrainLimitRuns::accept, StrengthKind::largest}, notes_),
+    // A run that a signal stopped has no strength at all.
+    EXPECT_THROW(table({run("0", 0), run("4", 4e6, "", 0, 0, "signal")}, {StrainLimitRuns::accept, StrengthKind::largest}),
                  InputError);
-    EXPECT_EQ(out.str(), "");
-}
-
-TEST_F(EnvelopeTable, RowOfThreeRuns) {
-    std::ostringstream out;
-    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::tsv,
-                         {StrainLimitRuns::refuse, StrengthKind::largest}, notes_);
-    EXPECT_EQ(field(out.str(), "runs"), "3");
-    EXPECT_EQ(field(out.str(), "runs_at_strain_limit"), "0");
-    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
-    EXPECT_NEAR(std::stod(field(out.str(), "friction_angle_deg")), 53, 1e-4);
-    EXPECT_NE(field(out.str(), "hoek_brown_mi"), "");
 }
 
 TEST_F(EnvelopeTable, ForPeopleHasItsIntervalsAndUnits) {
-    std::ostringstream out;
-    write_envelope_table(out, {run("0", 0), run("4", 4e6), run("8", 8e6)}, TableFormat::aligned,
-                         {StrainLimitRuns::refuse, StrengthKind::largest}, notes_);
-    const std::string table = out.str();
-    EXPECT_NE(table.find("3 of 3 compression runs, plane strain; strength: largest\n"), std::string::npos) << table;
-    const std::size_t cohesion = table.find("cohesion C");
-    ASSERT_NE(cohesion, std::string::npos) << table;
-    const std::string line = table.substr(cohesion, table.find('\n', cohesion) - cohesion);
+    const std::string text = table(three_runs(), of_largest_, TableFormat::aligned);
+    EXPECT_NE(text.find("3 of 3 compression runs, plane strain; strength: largest\n"), std::string::npos) << text;
+    const std::size_t cohesion = text.find("cohesion C");
+    ASSERT_NE(cohesion, std::string::npos) << text;
+    const std::string line = text.substr(cohesion, text.find('\n', cohesion) - cohesion);
     EXPECT_NE(line.find(" 21 "), std::string::npos) << line;
     EXPECT_NE(line.find("21 to 21"), std::string::npos) << line;
     EXPECT_TRUE(line.ends_with("MPa")) << line;
-    EXPECT_EQ(table.find('\t'), std::string::npos);
-}
-
-TEST_F(EnvelopeTable, ForPeopleSaysThatTooFewTestsGiveNoInterval) {
-    std::ostringstream out;
-    write_envelope_table(out, {run("0", 0), run("4", 4e6)}, TableFormat::aligned, {}, notes_);
-    EXPECT_NE(out.str().find("not determined by 2 tests"), std::string::npos) << out.str();
+    EXPECT_EQ(text.find('\t'), std::string::npos);
+    const std::string few = table({run("0", 0), run("4", 4e6)}, {}, TableFormat::aligned);
+    EXPECT_NE(few.find("not determined by 2 tests"), std::string::npos) << few;
 }
 
 TEST_F(EnvelopeTable, OtherStressesThanThePeakHaveTheirEnvelopes) {
@@ -231,52 +204,39 @@ TEST_F(EnvelopeTable, OtherStressesThanThePeakHaveTheirEnvelopes) {
         runs.push_back(folder_.file(std::to_string(confining)));
         test::write_run(runs.back(), recipe);
     }
-    std::ostringstream out;
-    write_envelope_table(out, runs, TableFormat::tsv, {StrainLimitRuns::refuse, StrengthKind::largest}, notes_);
-    EXPECT_EQ(field(out.str(), "runs_at_1_percent"), "3");
-    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_at_1_percent_MPa")), 15, 1e-4);
-    EXPECT_NEAR(std::stod(field(out.str(), "friction_angle_at_1_percent_deg")), 40, 1e-4);
-    EXPECT_EQ(field(out.str(), "runs_at_2_percent"), "3");
-    EXPECT_EQ(field(out.str(), "runs_at_3_percent"), "0");
-    EXPECT_EQ(field(out.str(), "cohesion_at_3_percent_MPa"), "");
-    EXPECT_EQ(field(out.str(), "runs_at_first_yield"), "0");  // straight to the peak
+    const std::string of_runs = table(runs, of_largest_);
+    EXPECT_EQ(field(of_runs, "runs_at_1_percent"), "3");
+    EXPECT_NEAR(std::stod(field(of_runs, "cohesion_at_1_percent_MPa")), 15, 1e-4);
+    EXPECT_NEAR(std::stod(field(of_runs, "friction_angle_at_1_percent_deg")), 40, 1e-4);
+    EXPECT_EQ(field(of_runs, "runs_at_2_percent"), "3");
+    EXPECT_EQ(field(of_runs, "runs_at_3_percent"), "0");
+    EXPECT_EQ(field(of_runs, "cohesion_at_3_percent_MPa"), "");
+    EXPECT_EQ(field(of_runs, "runs_at_first_yield"), "0");  // straight to the peak
 }
 
-TEST_F(EnvelopeTable, OfFirstPeaksTakesEachRunThatHasOne) {
+TEST_F(EnvelopeTable, OfFirstPeaksIsTheUsualOneAndTakesEachRunThatHasOne) {
     // The last two never fall: one stopped at the strain limit, one by a signal.
     const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.1, "strain limit"),
                                         run("8", 8e6, "", 0, 0.5, "signal"), run("12", 12e6, "", 0, 0, "strain limit"),
                                         run("13", 12e6, "", 0, 0, "signal")};
-    std::ostringstream out;
-    write_envelope_table(out, runs, TableFormat::tsv, {.strength = StrengthKind::first_peak}, notes_);
-    EXPECT_EQ(field(out.str(), "strength"), "first-peak");
-    EXPECT_EQ(field(out.str(), "runs"), "3");
-    EXPECT_EQ(field(out.str(), "compression_runs"), "5");
-    EXPECT_EQ(field(out.str(), "runs_at_strain_limit"), "0");
-    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 0.3);  // smoothing takes some of each peak
-    EXPECT_LT(std::stod(field(out.str(), "cohesion_MPa")), 21 - 1e-3);
-    EXPECT_NEAR(std::stod(field(out.str(), "friction_angle_deg")), 53, 0.3);
+    const std::string usual = table(runs, {});
+    EXPECT_EQ(field(usual, "strength"), "first-peak");
+    EXPECT_EQ(field(usual, "runs"), "3");
+    EXPECT_EQ(field(usual, "compression_runs"), "5");
+    EXPECT_EQ(field(usual, "runs_at_strain_limit"), "0");
+    EXPECT_NEAR(std::stod(field(usual, "cohesion_MPa")), 21, 0.3);  // smoothing takes some of each peak
+    EXPECT_LT(std::stod(field(usual, "cohesion_MPa")), 21 - 1e-3);
+    EXPECT_NEAR(std::stod(field(usual, "friction_angle_deg")), 53, 0.3);
     const std::string notes = notes_.str();
     EXPECT_EQ(std::count(notes.begin(), notes.end(), '\n'), 2) << notes;
     EXPECT_NE(notes.find(runs[3] + ": no first peak"), std::string::npos) << notes;
 }
 
-TEST_F(EnvelopeTable, OfFirstPeaksIsTheUsualOne) {
-    std::ostringstream out;
-    const std::vector<std::string> runs{run("0", 0), run("4", 4e6), run("8", 8e6)};
-    write_envelope_table(out, runs, TableFormat::tsv, {}, notes_);
-    EXPECT_EQ(field(out.str(), "strength"), "first-peak");
-    EXPECT_EQ(field(out.str(), "compression_runs"), "3");
-    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 0.3);  // smoothing takes some of each peak
-}
-
 TEST_F(EnvelopeTable, OfResidualStrengthsNeedsTestsThatGoOnBehindTheirFirstPeak) {
-    std::ostringstream out;
-    std::vector<std::string> runs{run("0", 0), run("4", 4e6), run("8", 8e6)};  // end 0.1 % behind their peaks
+    std::vector<std::string> runs = three_runs();  // end 0.1 % behind their peaks
     test::expect_one_line<InputError>(
-        [&] { write_envelope_table(out, runs, TableFormat::tsv, {.strength = StrengthKind::residual}, notes_); },
+        [&] { table(runs, {.strength = StrengthKind::residual}); },
         {runs[0], "before 0.5 % strain beyond its first peak", "0 of 3 compression runs have this strength"});
-    EXPECT_EQ(out.str(), "");
     for (const double confining : {4e6, 8e6}) {  // a tenth as stiff
         Recipe recipe;
         recipe.test = "triaxial";
@@ -286,57 +246,43 @@ TEST_F(EnvelopeTable, OfResidualStrengthsNeedsTestsThatGoOnBehindTheirFirstPeak)
         runs.push_back(folder_.file("soft" + std::to_string(confining)));
         test::write_run(runs.back(), recipe);
     }
-    write_envelope_table(out, runs, TableFormat::tsv, {.strength = StrengthKind::residual}, notes_);
-    EXPECT_EQ(field(out.str(), "strength"), "residual");
-    EXPECT_EQ(field(out.str(), "runs"), "2");
-    EXPECT_EQ(field(out.str(), "compression_runs"), "5");
-    EXPECT_LT(std::stod(field(out.str(), "cohesion_MPa")), 20);
+    const std::string residual = table(runs, {.strength = StrengthKind::residual});
+    EXPECT_EQ(field(residual, "strength"), "residual");
+    EXPECT_EQ(field(residual, "runs"), "2");
+    EXPECT_EQ(field(residual, "compression_runs"), "5");
+    EXPECT_LT(std::stod(field(residual, "cohesion_MPa")), 20);
 }
 
 TEST_F(EnvelopeTable, TensileTestsStandBesideWhatTheEnvelopesImply) {
-    std::ostringstream out;
     Recipe disc;
     disc.test = "brazilian";
     disc.plane = PlaneCondition::stress;  // stiffnesses follow the plane condition: the same rock
     disc.peak = 8.8e6;
     test::write_run(folder_.file("disc"), disc);
-    const std::vector<std::string> runs{run("0", 0), run("4", 4e6), run("8", 8e6), folder_.file("disc"),
-                                        run("t", 0, "tension", 6e6)};
-    write_envelope_table(out, runs, TableFormat::tsv, {StrainLimitRuns::refuse, StrengthKind::largest}, notes_);
-    EXPECT_EQ(field(out.str(), "runs"), "3");
-    EXPECT_NEAR(std::stod(field(out.str(), "cohesion_MPa")), 21, 1e-4);
-    EXPECT_EQ(field(out.str(), "brazilian_tensile_strength_MPa"), "8.8");
-    EXPECT_EQ(field(out.str(), "direct_tensile_strength_MPa"), "6");
-    EXPECT_EQ(field(out.str(), "tension_from"), "tension");
-    EXPECT_NE(field(out.str(), "hoek_brown_with_tension_mi"), "");
-    EXPECT_EQ(field(out.str(), "whole_seeds"), "0");
+    std::vector<std::string> runs = three_runs();
+    runs.insert(runs.end(), {folder_.file("disc"), run("t", 0, "tension", 6e6)});
+    const std::string row = table(runs, of_largest_);
+    EXPECT_EQ(field(row, "runs"), "3");
+    EXPECT_EQ(field(row, "runs_at_strain_limit"), "0");
+    EXPECT_NEAR(std::stod(field(row, "cohesion_MPa")), 21, 1e-4);
+    EXPECT_NEAR(std::stod(field(row, "friction_angle_deg")), 53, 1e-4);
+    EXPECT_NE(field(row, "hoek_brown_mi"), "");
+    EXPECT_EQ(field(row, "brazilian_tensile_strength_MPa"), "8.8");
+    EXPECT_EQ(field(row, "direct_tensile_strength_MPa"), "6");
+    EXPECT_EQ(field(row, "tension_from"), "tension");
+    EXPECT_NE(field(row, "hoek_brown_with_tension_mi"), "");
+    EXPECT_EQ(field(row, "whole_seeds"), "0");
 }
 
-TEST_F(EnvelopeTable, OtherTestsAndOneConfiningPressureAreRefused) {
-    std::ostringstream out;
-    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("b", 0, "brazilian", 8e6)}, TableFormat::tsv,
-                                      {StrainLimitRuns::refuse, StrengthKind::largest}, notes_),
-                 InputError);
-    EXPECT_THROW(write_envelope_table(out, {run("0", 0), run("1", 0)}, TableFormat::tsv,
-                                      {StrainLimitRuns::refuse, StrengthKind::largest}, notes_),
-                 InputError);
-    EXPECT_EQ(out.str(), "");
-}
-
-TEST_F(EnvelopeTable, AnotherPlaneConditionIsRefused) {
+TEST_F(EnvelopeTable, OtherTestsOnePressureAndAnotherPlaneConditionAreRefused) {
+    EXPECT_THROW(table({run("0", 0), run("b", 0, "brazilian", 8e6)}, of_largest_), InputError);
+    EXPECT_THROW(table({run("0", 0), run("1", 0)}, of_largest_), InputError);
     Recipe recipe;
     recipe.test = "triaxial";
     recipe.confining_pressure = 4e6;
     recipe.plane = PlaneCondition::stress;
     test::write_run(folder_.file("stress"), recipe);
-    std::ostringstream out;
-    try {
-        write_envelope_table(out, {run("0", 0), folder_.file("stress")}, TableFormat::tsv,
-                             {StrainLimitRuns::refuse, StrengthKind::largest}, notes_);
-        FAIL() << "was accepted";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("plane condition"), std::string::npos) << error.what();
-    }
+    test::expect_one_line<InputError>([&] { table({run("0", 0), folder_.file("stress")}, of_largest_); }, {"plane condition"});
 }
 
 }  // namespace
