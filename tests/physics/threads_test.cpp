@@ -7,15 +7,15 @@
 #include "share/file/h5_file.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/augig_granite.hpp"
+#include "tests/support/crushed_run.hpp"
 #include "tests/support/crystals.hpp"
-#include "tests/support/phases.hpp"
-#include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
 namespace {
 
+using test::Crush;
 using test::SmallRun;
 
 SimulationRequest request(TestKind test, int threads) {
@@ -110,21 +110,6 @@ TEST(Threads, TheirNumberAndTheVectorUnitLeaveTheDigestOfPhasesAsItIs) {
     EXPECT_NE(digest_of(r, summary, s), first);
 }
 
-/// A specimen crushed until grains come into contact that were not neighbours.
-SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target, int threads, bool has_phases = false) {
-    SmallRun run = has_phases ? test::varied_phases(specimen()).run(law) : SmallRun(specimen(), test::augig_law(law));
-    LoadingRequest loading;
-    loading.platen_friction = 0.1;
-    loading.max_strain = 0.05;
-    run.assemblage.vector_target = target;
-    run.parameters.damping = 0.8;
-    run.parameters.mass_scaling = make_mass_scaling(run.assemblage, mass_scaling_factor);
-    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.7);
-    run.begin();
-    constexpr double speed = 2;  // m/s
-    run.steps(mass_scaling_factor > 0 ? 1200 : 12000, {{speed, -speed}, {speed, -speed}, nullptr}, threads);
-    return run;
-}
 /// The events of a run, none of which has been collected.
 auto events_of(const SmallRun& run) {
     std::vector<std::tuple<std::int64_t, std::int32_t, std::uint8_t, ContactEventKind, double, double>> events;
@@ -136,36 +121,33 @@ auto events_of(const SmallRun& run) {
     return events;
 }
 bool same(const SmallRun& l, const SmallRun& r) {
-    const auto bytes = [](const std::vector<Vector2>& v) {
-        return std::string(reinterpret_cast<const char*>(v.data()), v.size() * sizeof(Vector2));
-    };
-    return bytes(l.state.displacement) == bytes(r.state.displacement) && bytes(l.state.velocity) == bytes(r.state.velocity) &&
+    using test::same_bytes;
+    return same_bytes(l.state.displacement, r.state.displacement) && same_bytes(l.state.velocity, r.state.velocity) &&
            l.state.opening == r.state.opening && l.state.integrity == r.state.integrity && l.state.slip == r.state.slip &&
            l.state.next_mark == r.state.next_mark && events_of(l) == events_of(r);
 }
 
 // Real masses, scaled ones, and six classes of contacts, which also node–edge contacts take their values from.
 TEST(Threads, OneTwoAndThreeGiveTheSameBytesWhileGrainsTouch) {
-    for (const auto& [factor, has_phases] : {std::pair{0.0, false}, std::pair{60.0, false}, std::pair{60.0, true}}) {
-        const SmallRun one = crushed(LawVariant::consistent, factor, widest_vector_target(), 1, has_phases);
-        const auto& contacts = one.state.contact_pairs.contacts;
-        EXPECT_GT(std::count_if(contacts.begin(), contacts.end(), [](const NodeEdgeContact& c) { return c.active; }), 5);
-        for (const int threads : {2, 3}) {
-            EXPECT_TRUE(same(one, crushed(LawVariant::consistent, factor, widest_vector_target(), threads, has_phases)))
-                << threads;
-        }
+    for (const Crush& crush : {Crush{.mass_scaling_factor = 0, .n_steps = 4000}, Crush{}, Crush{.has_phases = true}}) {
+        const SmallRun one = test::crushed_run(crush);
+        EXPECT_GT(test::n_active_contacts(one.state.contact_pairs), 5);
+        for (const int threads : {2, 3}) EXPECT_TRUE(same(one, test::crushed_run(crush, Ranks::alone(), threads))) << threads;
     }
 }
 
 // Stronger than what the design asks for (1e-9): no target contracts or reorders anything.
 TEST(Threads, EveryVectorUnitGivesTheSameBytesForEveryLaw) {
     for (const LawDescription& law : all_contact_laws()) {
-        const SmallRun plain = crushed(law.variant, 60, VectorTarget::plain, 1);
-        EXPECT_GT(plain.failed_points(), 20U) << law.name;
-        const SmallRun plain_phases = crushed(law.variant, 60, VectorTarget::plain, 1, true);
-        for (const VectorTarget target : test::available_vector_targets()) {
-            EXPECT_TRUE(same(plain, crushed(law.variant, 60, target, 1))) << law.name << " on " << name_of(target);
-            EXPECT_TRUE(same(plain_phases, crushed(law.variant, 60, target, 1, true))) << law.name << " on " << name_of(target);
+        for (const bool has_phases : {false, true}) {
+            const auto crushed_on = [&](VectorTarget target) {
+                return test::crushed_run({.law = law.variant, .has_phases = has_phases, .vector_target = target});
+            };
+            const SmallRun plain = crushed_on(VectorTarget::plain);
+            EXPECT_GT(plain.failed_points(), 20U) << law.name;
+            for (const VectorTarget target : test::available_vector_targets()) {
+                EXPECT_TRUE(same(plain, crushed_on(target))) << law.name << " on " << name_of(target);
+            }
         }
     }
 }

@@ -14,6 +14,7 @@ struct Crush {
     double confining_pressure = 0;    ///< Pa, amplitude 0 of the lateral boundary
     double speed = 6;                 ///< of each platen, m/s
     std::int64_t n_steps = 400;
+    VectorTarget vector_target = widest_vector_target();
 };
 
 inline Specimen crushed_specimen() { return jittered_grid(9, 18, 0.04, 0.08, 0.25); }
@@ -22,6 +23,7 @@ inline Specimen crushed_specimen() { return jittered_grid(9, 18, 0.04, 0.08, 0.2
 inline SmallRun run_to_crush(const Crush& crush, const Ranks& ranks) {
     SmallRun run =
         crush.has_phases ? varied_phases(crushed_specimen()).run(crush.law) : SmallRun(crushed_specimen(), augig_law(crush.law));
+    run.assemblage.vector_target = crush.vector_target;
     LoadingRequest loading;
     loading.platen_friction = 0.1;
     loading.max_strain = 0.05;

@@ -37,18 +37,19 @@ Shares shares_of_rigid_joint(double ratio) {
     return {transmitted, reflected, 1 - transmitted - reflected};
 }
 
-// A column of 2.5 wavelengths with a joint in its middle. The second period of the wave passes the joint before reflections from
-// the ends do.
-void expect_miller(double ratio) {
-    constexpr double frequency = 10e3;
-    constexpr double amplitude = 0.1e6;
-    constexpr double stress = 10e6;  // normal to the joint
-    constexpr double length = 0.5;
+/// A column of 2.5 wavelengths with a joint in its middle. The second period of the wave passes the joint before reflections from
+/// the ends do.
+struct WaveColumn {
+    static constexpr double frequency = 10e3;
+    static constexpr double amplitude = 0.1e6;
+    static constexpr double stress = 10e6;  ///< normal to the joint, Pa
+    static constexpr double length = 0.5;
+    double arrival = 0;  ///< of the wave at the joint, s
+    ContactLaw law;
+};
+ProgramRun run_of_column(const WaveColumn& c) {
     constexpr int cells = 200;
-    const Rock granite = test::augig_granite().rock;
-    const double impedance = std::sqrt(granite.density * granite.young_modulus / (2 * (1 + granite.poisson_ratio)));
-    const double speed = impedance / granite.density;
-    const ContactLaw law = joint_law(7e13, 7e13, ratio * amplitude / stress);
+    const double length = WaveColumn::length;
     Specimen specimen = test::crossed_blocks(1, cells, length / cells, length, [](int, int j) { return j < cells / 2 ? 0 : 1; });
     test::break_contacts(specimen, [](double, double) { return true; });
     ProgramRun column(std::move(specimen),
@@ -61,13 +62,24 @@ void expect_miller(double ratio) {
         probe.above.point = [0, 1e-9]
         stage.wave.until.time = {}
     )",
-                                  amplitude, frequency, length / 2 / speed + 2 / frequency),
-                      law);
+                                  WaveColumn::amplitude, WaveColumn::frequency, c.arrival + 2 / WaveColumn::frequency),
+                      c.law);
     for (std::size_t i = 0; i < column.run.state.displacement.size(); ++i) {  // closed by the normal stress
         const auto& grain = column.run.assemblage.surface.grain_of_node;
-        if (grain[i] == 1) column.run.state.displacement[i].y = -stress / law.kt;
+        if (grain[i] == 1) column.run.state.displacement[i].y = -WaveColumn::stress / c.law.kt;
     }
     column.go(2);
+    return column;
+}
+
+void expect_miller(double ratio) {
+    constexpr double frequency = WaveColumn::frequency;
+    constexpr double amplitude = WaveColumn::amplitude;
+    const Rock granite = test::augig_granite().rock;
+    const double impedance = std::sqrt(granite.density * granite.young_modulus / (2 * (1 + granite.poisson_ratio)));
+    const double arrival = WaveColumn::length / 2 * granite.density / impedance;
+    const ContactLaw law = joint_law(7e13, 7e13, ratio * amplitude / WaveColumn::stress);
+    const ProgramRun column = run_of_column({arrival, law});
     const std::vector<double>& time = column[HistoryColumn::time];
     const std::vector<double>& below = column.column("below", "velocity_x");
     const std::vector<double>& above = column.column("above", "velocity_x");
@@ -75,7 +87,6 @@ void expect_miller(double ratio) {
     for (std::size_t i = 0; i < slip.size(); ++i) {  // less what is elastic
         slip[i] -= column.column("above", "displacement_x")[i] + impedance * above[i] / law.ks;
     }
-    const double arrival = length / 2 / speed;
     double incident = 0;
     double transmitted = 0;
     double reflected = 0;
