@@ -168,18 +168,6 @@ void Chart::points(std::span<const double> x, std::span<const double> y, const M
     }
 }
 
-void Chart::band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour) {
-    const auto within = [&](double value) { return std::clamp(y_(value), y_.to, y_.from); };
-    const auto across = [&](double value) { return std::clamp(x_(value), x_.from, x_.to); };
-    for (std::size_t i = 1; i < x.size(); ++i) {
-        drawing_.polygon({{across(x[i - 1]), within(low[i - 1])},
-                          {across(x[i]), within(low[i])},
-                          {across(x[i]), within(high[i])},
-                          {across(x[i - 1]), within(high[i - 1])}},
-                         colour);
-    }
-}
-
 void Chart::box(double x_low, double x_high, double y_low, double y_high, Colour colour) {
     const auto across = [&](double value) { return std::clamp(x_(value), x_.from, x_.to); };
     const auto up = [&](double value) { return std::clamp(y_(value), y_.to, y_.from); };

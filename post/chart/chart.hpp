@@ -1,4 +1,4 @@
-// A chart on a page: frame, scales, ticks, curves, markers, bands, legend. Sized to be read at the width of a column.
+// A chart on a page: frame, scales, ticks, curves, markers, legend. Sized to be read at the width of a column.
 #pragma once
 
 #include <array>
@@ -34,8 +34,6 @@ public:
     /// A line through points; what lies outside the frame is cut off, a NaN interrupts it.
     void line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, Side side = Side::left);
     void points(std::span<const double> x, std::span<const double> y, const Marker& marker);
-    /// The area between two curves over x, in the frame; drawn under what follows.
-    void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
     /// A filled box between two corners in values.
     void box(double x_low, double x_high, double y_low, double y_high, Colour colour);
     /// No note comes within `reach` of a point, in pixels of the drawing: that of a marker that is drawn later.

@@ -193,24 +193,6 @@ std::vector<unsigned char> png_image(const Drawing& drawing, ImageSize size) {
     return to_png(painted_image(drawing, size, scale_to(drawing, size)));
 }
 
-std::vector<unsigned char> rgb_image(const Drawing& drawing, ImageSize size) {
-    const Surface surface = painted_image(drawing, size, scale_to(drawing, size));
-    cairo_surface_flush(surface.get());
-    const unsigned char* data = cairo_image_surface_get_data(surface.get());
-    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
-    const auto width = static_cast<std::size_t>(size.width);
-    std::vector<unsigned char> bytes;
-    bytes.reserve(3 * width * static_cast<std::size_t>(size.height));
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y) {
-        for (std::size_t x = 0; x < width; ++x) {
-            std::uint32_t pixel = 0;  // in the byte order of the machine
-            std::memcpy(&pixel, data + y * stride + sizeof pixel * x, sizeof pixel);
-            for (const unsigned shift : {16U, 8U, 0U}) bytes.push_back(static_cast<unsigned char>(pixel >> shift));
-        }
-    }
-    return bytes;
-}
-
 std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size) {
     const double resolution = size.resolution.value_or(default_resolution);
     const double scale = size.width ? *size.width / metres_per_inch * resolution / drawing.width() : 1;

@@ -38,8 +38,6 @@ struct ImageSize {
 };
 /// A drawing as the bytes of a PNG file. \throws OutputError if it cannot be drawn
 std::vector<unsigned char> png_image(const Drawing& drawing, ImageSize size);
-/// Its pixels row by row from the top, red, green and blue of each. \throws OutputError if it cannot be drawn
-std::vector<unsigned char> rgb_image(const Drawing& drawing, ImageSize size);
 
 /// A drawing as an SVG document. Its letters are outlines; its texts are in the document's description too, for search and for
 /// those who do not see. \throws OutputError if it cannot be drawn

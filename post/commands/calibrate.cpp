@@ -7,7 +7,7 @@
 
 #include "post/calibrate/folder.hpp"
 #include "post/chart/picture.hpp"
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "post/plot/heat_map.hpp"
 #include "share/base/error.hpp"
 #include "share/options/option_set.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "post/fit/fit_options.hpp"
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "post/table/column.hpp"
 
 namespace graincrack {

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "post/export/mesh_file.hpp"
-#include "post/export/mesh_vtk.hpp"
 #include "post/export/shared_mesh.hpp"
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "share/base/printable.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/output_file.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "post/fit/paper_rock.hpp"
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "share/base/units.hpp"
 #include "share/options/option_set.hpp"
 #include "share/rock/incomplete_material.hpp"

@@ -1,7 +1,7 @@
 #include "post/commands/commands.hpp"
 
 #include "post/measure/history.hpp"
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/probe_file.hpp"

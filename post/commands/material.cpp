@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
 #include "share/file/output_file.hpp"

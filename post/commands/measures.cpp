@@ -10,7 +10,7 @@
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "post/report/properties.hpp"
 #include "share/options/option_set.hpp"
 

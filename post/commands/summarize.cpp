@@ -1,7 +1,7 @@
 #include "post/commands/commands.hpp"
 
 #include "post/fit/fit_options.hpp"
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "post/summary/summarize.hpp"
 #include "share/options/option_set.hpp"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {

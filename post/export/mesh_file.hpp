@@ -33,4 +33,8 @@ std::string mesh_name(std::string_view name, MeshFormat format);
 /// What a format does not carry of a mesh, or carries by another name: "leaves out strength factors of contacts", …
 std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format);
 
+/// The content of a .vtu file: triangles with points (m, z = 0) that grains share. Cell data: grain (from 0), phase, grain_area
+/// (m²). Field data: phase_names. zlib and base64, which most readers know. \throws OutputError
+std::string vtu_text(const SharedMesh& mesh);
+
 }  // namespace graincrack

@@ -12,6 +12,7 @@
 #include "post/film/picture_folder.hpp"
 #include "share/base/error.hpp"
 #include "share/base/progress.hpp"
+#include "share/file/output_file.hpp"
 #include "share/file/run_file.hpp"
 
 namespace graincrack {
@@ -30,19 +31,18 @@ int whole_number(std::string_view text) {
 
 bool is_side(int pixels) { return pixels >= smallest_side && pixels <= largest_side && pixels % 2 == 0; }
 
-void write_pictures(const RunReader& run, const FilmContents& contents, std::size_t count, FilmOutput& output,
+void write_pictures(const RunReader& run, const FilmContents& contents, std::size_t count, PictureFolder& pictures,
                     Verbosity verbosity) {
     FilmPage page(run, contents);
     const std::vector<double> moments = page.moments(count);
     Progress progress("film", verbosity);
     for (std::size_t i = 0; i < moments.size(); ++i) {
         throw_if_interrupted();
-        output.add(page.at(moments[i]));
+        pictures.add(page.at(moments[i]));
         progress.update(static_cast<double>(i + 1) / static_cast<double>(moments.size()),
                         fmt::format("picture {} of {}", i + 1, moments.size()));
     }
     throw_if_interrupted();
-    output.commit();
 }
 
 }  // namespace
@@ -86,26 +86,34 @@ std::size_t n_pictures(double duration, int frames_per_second) {
 void make_film(const FilmOptions& options, const Call& call) {
     const bool is_video = is_video_name(options.output);
     const std::size_t count = n_pictures(options.duration, options.frames_per_second);
-    const std::vector<std::string> encoders = is_video ? ffmpeg_encoders() : std::vector<std::string>{};
-    const FilmForm form{options.contents.size, options.frames_per_second};
     const RunReader run(call.file());
-    if (!encoders.empty()) {
-        VideoFile video(options.output, form, encoders);
-        return write_pictures(run, options.contents, count, video, call.verbosity);
+    const auto draw = [&](PictureFolder& pictures) { write_pictures(run, options.contents, count, pictures, call.verbosity); };
+    const auto command = [&](const PictureFolder& pictures, const std::string& folder, const std::string& video) {
+        const std::string kind = options.output.ends_with(".webm") ? "webm" : "mp4";
+        return joining_command(folder, pictures.pattern(), options.frames_per_second, kind, video);
+    };
+    if (is_video && has_ffmpeg()) {
+        OutputFile video(options.output);
+        if (video.is_stream()) throw UsageError(options.output + ": is no file; a film is written into a file or a folder");
+        require_no_hdf5(video);
+        PictureFolder pictures(options.output + ".pictures", options.contents.size, count);
+        draw(pictures);
+        join_pictures(command(pictures, pictures.part(), "file:" + video.begin()), options.output);
+        return video.commit();
     }
     const std::filesystem::path name(options.output);
     const std::string folder = is_video ? (name.parent_path() / name.stem()).string() : options.output;
-    PictureFolder pictures(folder, form.size, count);
-    write_pictures(run, options.contents, count, pictures, call.verbosity);
+    PictureFolder pictures(folder, options.contents.size, count);
+    draw(pictures);
+    pictures.commit();
     std::string without_ending = folder;
     while (without_ending.ends_with('/')) without_ending.pop_back();
-    const std::string command =
-        pictures.joining_command(is_video ? options.output : without_ending + ".mp4", form.frames_per_second);
+    const std::string joined = command(pictures, folder, is_video ? options.output : without_ending + ".mp4");
     // A folder in place of the wanted file is said even with --quiet.
     if (is_video) {
-        std::cerr << "film: there is no ffmpeg; its pictures are in " << folder << "; with ffmpeg joined by: " << command << "\n";
+        std::cerr << "film: there is no ffmpeg; its pictures are in " << folder << "; with ffmpeg joined by: " << joined << "\n";
     } else {
-        call.diagnostics() << "film: pictures joined by: " << command << "\n";
+        call.diagnostics() << "film: pictures joined by: " << joined << "\n";
     }
 }
 

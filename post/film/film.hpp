@@ -4,7 +4,6 @@
 #include <string>
 
 #include "post/film/film_page.hpp"
-#include "post/film/video_file.hpp"
 #include "post/options/command.hpp"
 
 namespace graincrack {

@@ -9,7 +9,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/caveats.hpp"
-#include "post/plot/abscissa.hpp"
+#include "post/plot/make_plot.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/mode_counts.hpp"
@@ -24,9 +24,8 @@ namespace {
 // In pixels of the drawing.
 constexpr double page_height = 1000;
 constexpr double above_page = 14;
-constexpr double beside_map = 66;     ///< of a map's height: what stands above and below it on its own page
-constexpr double scale_bar = 46;      ///< below the map
-constexpr double widest_value = 330;  ///< "2F/(πtD) 100.0 MPa", "tensile cracks: 10000"
+constexpr double beside_map = 66;  ///< of a map's height: what stands above and below it on its own page
+constexpr double scale_bar = 46;   ///< below the map
 constexpr double left_of_charts = 140;
 constexpr double lowest_chart = 80;
 constexpr double largest_map = 0.5;  ///< of the width of the page
@@ -135,38 +134,6 @@ Drawing FilmPage::map_at(double time, const std::vector<Crack>& present) {
     return part;
 }
 
-/// The numbers of a moment, each in a place of its own, so that none moves when another grows. \return where they end
-double FilmPage::draw_values(Drawing& page, double top, double time, const std::vector<Crack>& present) const {
-    const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
-    const std::string stress = stress_name(data_);
-    const std::vector<std::string> words{
-        fmt::format("strain {} %", fixed(100 * now.of(curve_.axial_strain), 3)),
-        fmt::format("{} {} MPa", stress == "axial stress" ? "stress" : stress, fixed(1e-6 * now.of(curve_.stress), 1)),
-        fmt::format("time {} ms", fixed(1e3 * time, 2))};
-    const std::vector<LegendEntry> counts{
-        {Stroke{palette::tensile, 6}, "tensile cracks: " + cracked_contacts(present, CrackMode::tensile)},
-        {Stroke{palette::shear, 6}, "shear cracks: " + cracked_contacts(present, CrackMode::shear)}};
-    const double width = column().right - column().left;
-    const auto in_a_row = std::clamp<std::size_t>(static_cast<std::size_t>(width / widest_value), 1, words.size());
-    double bottom = top;
-    const auto place = [&](std::size_t i, double first) {
-        const std::size_t row = i / in_a_row;
-        const double left = column().left + width * static_cast<double>(i % in_a_row) / static_cast<double>(in_a_row);
-        return Pixel{left, first + legend_line * static_cast<double>(row)};
-    };
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const Pixel at = place(i, top);
-        page.text({{at.x, at.y + 0.78 * legend_line}, words[i], letters::text});
-        bottom = at.y + legend_line;
-    }
-    const double next = bottom;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const Pixel at = place(i, next);
-        bottom = draw_legend(page, {counts[i]}, {at.x, page_width_}, at.y).bottom;
-    }
-    return bottom;
-}
-
 /// What colours and lines mean, and the caveats of the test. \return where it ends
 double FilmPage::draw_foot(Drawing& page, double top) const {
     std::vector<LegendEntry> legend;
@@ -227,13 +194,22 @@ Drawing FilmPage::at(double time) {
     std::vector<std::string> facts{
         fmt::format("seed {}, {}, plane {}", specimen_.seed, grains_label(specimen_), name_of(data_.header.plane))};
     if (contents_.magnification != 1) facts.back() += fmt::format("; displacements × {:.3g}", contents_.magnification);
+    const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
+    const std::string stress = stress_name(data_);
+    facts.push_back(fmt::format("strain {} %, {} {} MPa, time {} ms", fixed(100 * now.of(curve_.axial_strain), 3),
+                                stress == "axial stress" ? "stress" : stress, fixed(1e-6 * now.of(curve_.stress), 1),
+                                fixed(1e3 * time, 2)));
     const std::string title = contents_.title.empty() ? test_title(data_.header) : contents_.title;
-    const double below_heading = draw_heading(page, {title, facts}, column(), above_page);
-    const double below_values = draw_values(page, below_heading + 8, time, present);
+    double below = draw_heading(page, {title, facts}, column(), above_page) + 8;
+    for (const LegendEntry& count :
+         {LegendEntry{Stroke{palette::tensile, 6}, "tensile cracks: " + cracked_contacts(present, CrackMode::tensile)},
+          LegendEntry{Stroke{palette::shear, 6}, "shear cracks: " + cracked_contacts(present, CrackMode::shear)}}) {
+        below = draw_legend(page, {count}, column(), below).bottom;
+    }
     Drawing scratch(static_cast<int>(page_width_), 0);
     const double foot = page_height - above_page - draw_foot(scratch, 0);
     draw_foot(page, foot);
-    draw_charts(page, below_values, foot, time);
+    draw_charts(page, below, foot, time);
     return page;
 }
 

@@ -10,7 +10,6 @@
 #include "post/chart/picture.hpp"
 #include "post/chart/picture_style.hpp"
 #include "post/film/moments.hpp"
-#include "post/film/motion.hpp"
 #include "post/plot/crack_state.hpp"
 #include "post/run/crack_label.hpp"
 
@@ -44,7 +43,6 @@ public:
 
 private:
     Drawing map_at(double time, const std::vector<Crack>& present);
-    [[nodiscard]] double draw_values(Drawing& page, double top, double time, const std::vector<Crack>& present) const;
     double draw_foot(Drawing& page, double top) const;
     [[nodiscard]] Drawing stress_chart(double time, double height) const;
     [[nodiscard]] Drawing count_chart(double time, double height) const;

@@ -1,9 +1,12 @@
-// Which moments of a test a film shows, and where each lies between the rows of a history and between the frames of a run.
+// Which moments of a test a film shows, where each lies between the rows of a history and between the frames of a run, and where
+// the nodes are then.
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
+#include "post/chart/map_view.hpp"
 #include "post/run/load_curve.hpp"
 
 namespace graincrack {
@@ -31,5 +34,24 @@ std::vector<double> film_moments(const Passage& passage, double first, double la
 
 /// The frame before a time, and the share of the passage from it to the next that is over then. \pre there are frames
 CurvePoint place_between_frames(const std::vector<double>& frame_times, const Passage& passage, double time);
+
+/// Places a share of the way from some to others. \pre as many of both
+Positions between(const Positions& from, const Positions& to, double share);
+
+/// Reads frames as they are needed, and keeps the two about the last place.
+class Motion {
+public:
+    Motion(const RunReader& run, const Specimen& specimen, double magnification)
+        : run_(run), specimen_(specimen), magnification_(magnification) {}
+    /// \param place of the frame before, and the share of the way to the next \throws InputError as `read_frame`
+    Positions at(const CurvePoint& place);
+    [[nodiscard]] Positions in_frame(std::size_t index) const;
+
+private:
+    const RunReader& run_;
+    const Specimen& specimen_;
+    double magnification_;
+    std::map<std::size_t, Positions> known_;
+};
 
 }  // namespace graincrack

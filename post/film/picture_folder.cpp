@@ -1,13 +1,19 @@
 #include "post/film/picture_folder.hpp"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
 #include "share/base/error.hpp"
+#include "share/base/progress.hpp"
 #include "share/file/output_file.hpp"
 
 namespace graincrack {
@@ -108,13 +114,36 @@ void PictureFolder::commit() {
     if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", name_, cause.message()));
 }
 
-std::string PictureFolder::joining_command(const std::string& video, int frames_per_second) const {
-    std::string pattern;
-    for (const char c : name_) pattern += c == '%' ? std::string("%%") : std::string(1, c);
-    if (!pattern.ends_with('/')) pattern += '/';
-    pattern += fmt::format("{}%0{}d{}", stem, digits_, ending);
-    return fmt::format("ffmpeg -framerate {} -i {} -c:v libx264 -pix_fmt yuv420p -movflags +faststart {}", frames_per_second,
-                       shell_word(pattern), shell_word(video));
+std::string PictureFolder::pattern() const { return fmt::format("{}%0{}d{}", stem, digits_, ending); }
+
+std::string joining_command(const std::string& folder, const std::string& pattern, int frames_per_second, const std::string& kind,
+                            const std::string& video) {
+    std::string pictures;
+    for (const char c : folder) pictures += c == '%' ? std::string("%%") : std::string(1, c);
+    if (!pictures.ends_with('/')) pictures += '/';
+    // The colours are those of HDTV, which players take for granted in videos of this size.
+    return fmt::format(
+        "ffmpeg -nostdin -hide_banner -loglevel error -y -framerate {} -i {} -vf scale=out_color_matrix=bt709 -colorspace bt709 "
+        "-color_primaries bt709 -color_trc bt709 -color_range tv -pix_fmt yuv420p {} -f {} {}",
+        frames_per_second, shell_word(pictures + pattern), kind == "webm" ? "-crf 32 -b:v 0 -cpu-used 4" : "-movflags +faststart",
+        kind, shell_word(video));
+}
+
+bool has_ffmpeg() { return std::system("command -v ffmpeg >/dev/null 2>&1") == 0; }
+
+void join_pictures(const std::string& command, const std::string& video) {
+    FILE* const ffmpeg = ::popen((command + " 2>&1").c_str(), "r");
+    if (ffmpeg == nullptr) throw OutputError(video + ": ffmpeg cannot be started");
+    std::string last;
+    std::array<char, 1000> line{};
+    while (std::fgets(line.data(), line.size(), ffmpeg) != nullptr) {
+        if (line[0] != '\n') last = std::string(": ") + line.data();
+    }
+    const int status = ::pclose(ffmpeg);
+    throw_if_interrupted();
+    if (status == 0) return;
+    while (last.ends_with('\n')) last.pop_back();
+    throw OutputError(fmt::format("{}: ffmpeg ended with exit code {}{}", video, WEXITSTATUS(status), last));
 }
 
 }  // namespace graincrack

@@ -1,6 +1,6 @@
 #include "post/fit/fit_options.hpp"
 
-#include "post/options/common_options.hpp"
+#include "post/options/command.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
 #include <iostream>
 
 #include "share/base/error.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -16,6 +18,44 @@ const std::string& Call::file() const {
 std::ostream& Call::diagnostics() const {
     static std::ostream nowhere(nullptr);
     return verbosity == Verbosity::quiet ? nowhere : std::cerr;
+}
+
+void add_format(OptionSet set, TableFormat& format) {
+    add_choice<TableFormat>(set, "--format", format,
+                            {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
+                            "form of the table: aligned columns, tab-separated values with one header line, or JSON lines");
+}
+
+void add_format(OptionSet set, std::optional<TableFormat>& format) {
+    add_choice<std::optional<TableFormat>>(
+        set, "--format", format, {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
+        "form of the table: terminal table (few columns, with units), tab-separated values with one header line, or JSON lines; "
+        "default: table on a terminal, tsv elsewhere");
+}
+
+TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out) {
+    const bool is_terminal = out.rdbuf() == std::cout.rdbuf() && ::isatty(STDOUT_FILENO) == 1;
+    return format.value_or(is_terminal ? TableFormat::aligned : TableFormat::tsv);
+}
+
+void add_output(OptionSet set, std::string& output, const std::string& help) {
+    add_text(set, "-o,--output", output, help).required();
+}
+
+Option add_laboratory_material(OptionSet set, std::string& material) {
+    return add_text(set, "--material", material, "material with the laboratory values to compare with");
+}
+
+Material read_material_of(const Call& call, const std::string& name_or_file) {
+    Material material = read_material(name_or_file);
+    write_notes(call.diagnostics(), call.command, material);
+    return material;
+}
+
+IncompleteMaterial read_incomplete_material_of(const Call& call, const std::string& name_or_file) {
+    IncompleteMaterial read = read_incomplete_material(name_or_file);
+    write_notes(call.diagnostics(), call.command, read.material);
+    return read;
 }
 
 }  // namespace graincrack

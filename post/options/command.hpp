@@ -1,4 +1,4 @@
-// What graincrack-post knows of each of its commands: name, help, examples, files, options, and what the command does.
+// A command of graincrack-post: name, help, examples, files, options, and what it does; and the options that many commands share.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "post/table/table.hpp"
 #include "share/base/progress.hpp"
 #include "share/options/option_set.hpp"
+#include "share/rock/incomplete_material.hpp"
 
 namespace graincrack {
 
@@ -66,5 +68,19 @@ Command make_command(std::string name, std::string help, std::vector<std::string
 inline Command make_group(std::string name, std::string help, std::vector<Command> subcommands) {
     return {std::move(name), std::move(help), {}, std::nullopt, nullptr, std::move(subcommands)};
 }
+
+/// --format table|tsv|jsonl
+void add_format(OptionSet set, TableFormat& format);
+/// The same, left empty unless it is given: aligned on a terminal, TSV elsewhere (`format_for`).
+void add_format(OptionSet set, std::optional<TableFormat>& format);
+TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out);
+/// -o, --output, which is required. \param help what is written
+void add_output(OptionSet set, std::string& output, const std::string& help);
+/// --material of a command that shows laboratory values of a rock beside results.
+Option add_laboratory_material(OptionSet set, std::string& material);
+/// The material of an option; notes on its values go to the diagnostics of the call. \throws InputError as `read_material`
+Material read_material_of(const Call& call, const std::string& name_or_file);
+/// The same of a material that may lack keys.
+IncompleteMaterial read_incomplete_material_of(const Call& call, const std::string& name_or_file);
 
 }  // namespace graincrack

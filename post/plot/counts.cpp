@@ -1,4 +1,4 @@
-#include "post/plot/counts.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include "post/chart/labels.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/cracks/crack_options.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"

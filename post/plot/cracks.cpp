@@ -1,4 +1,4 @@
-#include "post/plot/cracks.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 

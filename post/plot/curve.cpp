@@ -1,4 +1,4 @@
-#include "post/plot/curve.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,7 @@
 #include "post/cracks/crack_options.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/first_peak.hpp"
-#include "post/options/common_options.hpp"
-#include "post/plot/make_plot.hpp"
+#include "post/options/command.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/table_file.hpp"
 #include "share/base/error.hpp"

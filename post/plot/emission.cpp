@@ -1,4 +1,4 @@
-#include "post/plot/emission.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include "post/chart/chart.hpp"
 #include "post/cracks/crack_options.hpp"
 #include "post/cracks/export.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"

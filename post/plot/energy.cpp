@@ -1,4 +1,4 @@
-#include "post/plot/energy.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/test_label.hpp"
 
 namespace graincrack {

@@ -1,4 +1,4 @@
-#include "post/plot/envelope.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/fit/fit_options.hpp"
-#include "post/options/common_options.hpp"
-#include "post/plot/make_plot.hpp"
+#include "post/options/command.hpp"
 #include "post/table/column.hpp"
 #include "post/table/table_file.hpp"
 

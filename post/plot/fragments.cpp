@@ -1,4 +1,4 @@
-#include "post/plot/fragments.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 
 #include "post/chart/map_view.hpp"
 #include "post/cracks/fragments.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 

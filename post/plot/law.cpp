@@ -1,4 +1,4 @@
-#include "post/plot/law.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,8 +10,7 @@
 
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
-#include "post/options/common_options.hpp"
-#include "post/plot/make_plot.hpp"
+#include "post/options/command.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/file/run_file.hpp"

@@ -1,6 +1,9 @@
 #include "post/plot/make_plot.hpp"
 
-#include "post/options/common_options.hpp"
+#include <algorithm>
+
+#include "post/chart/numbers.hpp"
+#include "post/options/command.hpp"
 #include "share/base/quantities.hpp"
 #include "share/options/option_set.hpp"
 
@@ -45,6 +48,20 @@ PictureStyle style_of(const PlotOptions& options, const std::vector<std::string>
     for (const std::string& label : options.labels) style.labels.push_back(parse_run_label(label));
     style.require_labels_of(files);
     return style;
+}
+
+void add_abscissa(OptionSet set, Abscissa& abscissa) {
+    add_choice<Abscissa>(set, "--x", abscissa, {{"time", Abscissa::time}, {"strain", Abscissa::strain}},
+                         "level axis: time, which spreads what happens at the peak, or axial strain");
+}
+
+Course course_of(const RunData& run, Abscissa abscissa) {
+    const double sense = run.header.test == "tension" ? 100 : -100;
+    const std::vector<double> strain = times(run.history[HistoryColumn::axial_strain], sense);
+    const bool by_strain = abscissa == Abscissa::strain && largest(strain) > 0;
+    std::vector<double> values = by_strain ? strain : times(run.history[HistoryColumn::time], 1e3);
+    const Axis axis{by_strain ? "axial strain, %" : "time, ms", std::min(0.0, smallest(values)), 1.03 * largest(values)};
+    return {axis, std::move(values)};
 }
 
 }  // namespace graincrack

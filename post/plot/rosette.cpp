@@ -1,4 +1,4 @@
-#include "post/plot/rosette.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
 #include "post/cracks/crack_options.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"

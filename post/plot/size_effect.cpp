@@ -1,4 +1,4 @@
-#include "post/plot/size_effect.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/fit/fit_options.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/test_label.hpp"
 
 namespace graincrack {

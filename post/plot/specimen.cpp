@@ -1,4 +1,4 @@
-#include "post/plot/specimen.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "post/chart/map_view.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/crystals.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"

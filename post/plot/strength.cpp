@@ -1,4 +1,4 @@
-#include "post/plot/strength.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,7 @@
 #include "post/measure/grain_size.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
-#include "post/options/common_options.hpp"
-#include "post/plot/make_plot.hpp"
+#include "post/options/command.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
 

@@ -1,4 +1,4 @@
-#include "post/plot/surface.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/contour.hpp"
 #include "post/chart/labels.hpp"
-#include "post/plot/make_plot.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
 

@@ -1,12 +1,11 @@
-#include "post/plot/table.hpp"
+#include "post/plot/plots.hpp"
 
 #include <filesystem>
 #include <optional>
 
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
-#include "post/options/common_options.hpp"
-#include "post/plot/make_plot.hpp"
+#include "post/options/command.hpp"
 #include "post/table/table_file.hpp"
 #include "share/options/option_set.hpp"
 

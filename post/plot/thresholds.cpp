@@ -1,4 +1,4 @@
-#include "post/plot/thresholds.hpp"
+#include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,6 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/thresholds.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
 

@@ -4,6 +4,7 @@
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include <gsl/gsl_sort.h>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -46,6 +47,17 @@ std::optional<Line> fit_line(std::span<const double> x, std::span<const double> 
 
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y) {
     return fit_line(x, y, std::vector<double>(x.size(), 1.0));
+}
+
+double rank_correlation(std::span<const double> x, std::span<const double> y) {
+    std::vector<double> work(2 * x.size());
+    return gsl_stats_spearman(x.data(), 1, y.data(), 1, x.size(), work.data());
+}
+
+double median(std::span<const double> values) {
+    std::vector<double> sorted(values.begin(), values.end());
+    gsl_sort(sorted.data(), 1, sorted.size());
+    return gsl_stats_median_from_sorted_data(sorted.data(), 1, sorted.size());
 }
 
 }  // namespace graincrack

@@ -44,4 +44,10 @@ std::optional<Line> fit_line(std::span<const double> x, std::span<const double> 
 /// The same with a weight 1/variance for each point; variances come from the weights' ratios and the scatter.
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y, std::span<const double> weights);
 
+/// Spearman's rank correlation; ties by mean ranks. NaN if all values of one are equal. \pre equally many, two or more
+double rank_correlation(std::span<const double> x, std::span<const double> y);
+
+/// \pre values is not empty
+double median(std::span<const double> values);
+
 }  // namespace graincrack

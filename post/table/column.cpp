@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "post/table/aligned.hpp"
+#include "post/table/table.hpp"
 
 namespace graincrack {
 

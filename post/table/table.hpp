@@ -61,4 +61,10 @@ private:
     std::vector<std::vector<std::string>> aligned_;  ///< names and rows so far
 };
 
+/// A line of texts, one a column; a line with a single text where there are more columns is a title above the lines that follow.
+using AlignedLine = std::vector<std::string>;
+
+/// Columns as wide as their widest text, the first aligned left, the others right; an empty text shows as a dash.
+void write_aligned(std::ostream& out, const std::vector<AlignedLine>& lines);
+
 }  // namespace graincrack

@@ -1,11 +1,8 @@
 #include "post/command_line.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <numbers>
@@ -223,72 +220,6 @@ TEST_F(Commands, WrongUseIsRefused) {
             (void)output_of({"plot", "energy", run, run, "-o", folder_.file("a.svg")});
         },
         {"plot energy: takes one file, not 2"});
-}
-
-/// Runs the built tool; stdout and stderr end up in one text.
-class Tool : public Commands {
-protected:
-    void SetUp() override {
-        Commands::SetUp();
-        if (!std::filesystem::exists(tool)) GTEST_SKIP() << tool << " is not built";
-    }
-    std::pair<int, std::string> shell(const std::string& command) {
-        const std::string text = folder_.file("text");
-        const int status =
-            std::system(("cd " + folder_.file("") + " && export DISPLAY= && (" + command + ") > " + text + " 2>&1").c_str());
-        return {WEXITSTATUS(status), test::read_text(text)};
-    }
-    void expect_one_line(const std::string& command, int code, const std::string& words) {
-        const auto [status, text] = shell(command);
-        EXPECT_EQ(status, code) << command << "\n" << text;
-        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << command << "\n" << text;
-        EXPECT_EQ(text.find("graincrack-post: "), 0U) << text;
-        EXPECT_NE(text.find(words), std::string::npos) << text;
-    }
-    const std::string tool = std::string(GRAINCRACK_BIN) + "/graincrack-post";
-};
-
-TEST_F(Tool, ErrorsAreOneLineWithTheirExitCode) {
-    expect_one_line(tool + " strength missing.h5", 3, "missing.h5");
-    expect_one_line(tool + " strength specimen.h5", 3, "specimen");
-    expect_one_line("head -c 3000 run.h5 > short.h5; " + tool + " strength short.h5", 3, "short.h5");
-    expect_one_line("echo no > text.h5; " + tool + " info text.h5", 3, "text.h5");
-    expect_one_line(tool + " strength", 2, "run");
-    expect_one_line(tool + " smash run.h5", 2, "smash");
-    expect_one_line(tool + " strength run.h5 --format csv", 2, "csv");
-    expect_one_line(tool + " plot cracks run.h5 --frame 99 -o a.png", 2, "--frame");
-    expect_one_line(tool + " plot cracks run.h5 -o a.bmp", 2, ".png");
-    expect_one_line(tool + " plot cracks run.h5 -o missing/a.png", 5, "missing/a.png");
-    expect_one_line(tool + " history run.h5 > /dev/full", 5, "stdout");
-    expect_one_line(tool + " strength - < /dev/null", 3, "stdin");
-}
-
-TEST_F(Tool, PipesIn) {
-    const auto [status, text] = shell("cat run.h5 | " + tool + " strength -");
-    EXPECT_EQ(status, 0) << text;
-    EXPECT_EQ(test::field(text, "peak_compressive_stress_MPa"), "125");
-}
-
-TEST_F(Tool, AReaderThatHasEnoughEndsItQuietly) {
-    const auto [status, text] = shell(tool + " history run.h5 | head -n 1 | cut -f 1");
-    EXPECT_EQ(status, 0);
-    EXPECT_EQ(text, "time_s\n");
-}
-
-TEST_F(Tool, PicturesSayNothing) {
-    const auto [status, text] = shell(tool + " plot cracks run.h5 --frame peak --magnify 10 -o cracks.png");
-    EXPECT_EQ(status, 0);
-    EXPECT_EQ(text, "");
-    EXPECT_TRUE(std::filesystem::exists(folder_.file("cracks.png")));
-}
-
-TEST_F(Tool, ExamplesOfTheHelpRun) {
-    const auto [status, text] =
-        shell("cp run.h5 uniaxial.h5; cp run.h5 brazilian.h5; PATH=" + std::string(GRAINCRACK_BIN) + ":$PATH; " + tool +
-              " --help | sed -n '/^Examples/,$p' | grep graincrack-post > examples; sh -e ./examples");
-    EXPECT_EQ(status, 0) << text;
-    EXPECT_EQ(test::parse_tsv(text).size(), 3U) << text;
-    EXPECT_TRUE(std::filesystem::exists(folder_.file("cracks.png")));
 }
 
 }  // namespace

@@ -9,19 +9,13 @@
 #include "post/chart/labels.hpp"
 #include "post/chart/marks.hpp"
 #include "post/chart/page.hpp"
+#include "tests/support/drawing_shapes.hpp"
 
 namespace graincrack {
 namespace {
 
-/// Lines of one colour in a drawing.
-std::vector<Polyline> lines_of(const Drawing& drawing, Colour colour) {
-    std::vector<Polyline> lines;
-    for (const Drawing::Shape& shape : drawing.shapes()) {
-        const auto* line = std::get_if<Polyline>(&shape);
-        if (line != nullptr && line->colour == colour) lines.push_back(*line);
-    }
-    return lines;
-}
+using test::lines_of;
+using test::texts_of;
 
 constexpr Colour pen{1, 2, 3};
 
@@ -119,9 +113,8 @@ TEST(Chart, AHollowMarkerIsAClosedOutlineAboutItsPlace) {
 TEST(Chart, ALabelStandsOnItsLineWhereNothingElseIs) {
     using Places = std::vector<std::array<double, 2>>;
     const auto place_of = [](const Drawing& page, const std::string& label) {
-        for (const Drawing::Shape& shape : page.shapes()) {
-            const auto* text = std::get_if<Text>(&shape);
-            if (text != nullptr && text->label == label) return text->at.x;
+        for (const Text& text : texts_of(page)) {
+            if (text.label == label) return text.at.x;
         }
         return std::nan("");
     };
@@ -190,18 +183,11 @@ TEST(Chart, ALongLegendEntryIsBrokenWithinThePage) {
     chart.legend(Stroke{pen, 2}, "after");
     const Drawing page = chart.finish();
     double lowest = 0;
-    for (const Drawing::Shape& shape : page.shapes()) {
-        const auto* text = std::get_if<Text>(&shape);
-        if (text == nullptr || text->label.find("several") == std::string::npos) continue;
-        EXPECT_LE(text->at.x + text_width(text->label, text->size, text->bold), page.width());
-        lowest = std::max(lowest, text->at.y);
+    for (const Text& text : texts_of(page)) {
+        EXPECT_LE(text.at.x + text_width(text.label, text.size, text.bold), page.width());
+        if (text.label.find("several") != std::string::npos) lowest = std::max(lowest, text.at.y);
     }
-    for (const Drawing::Shape& shape : page.shapes()) {
-        const auto* text = std::get_if<Text>(&shape);
-        if (text != nullptr && text->label == "after") {
-            EXPECT_GT(text->at.y, lowest);
-        }
-    }
+    EXPECT_GT(texts_of(page).back().at.y, lowest);
 }
 
 TEST(Chart, ALongNameInTheLegendLosesItsMiddle) {
@@ -211,14 +197,13 @@ TEST(Chart, ALongNameInTheLegendLosesItsMiddle) {
     chart.legend(Stroke{pen, 2}, name + "_last.h5: peak");
     int found = 0;
     const Drawing page = chart.finish();
-    for (const Drawing::Shape& shape : page.shapes()) {
-        const auto* text = std::get_if<Text>(&shape);
-        if (text == nullptr || text->label.find("several") == std::string::npos) continue;
+    for (const Text& text : texts_of(page)) {
+        if (text.label.find("several") == std::string::npos) continue;
         ++found;
-        EXPECT_LE(text->at.x + text_width(text->label, text->size, text->bold), page.width());
-        EXPECT_EQ(text->label.find("φ-first_"), 0U) << text->label;
-        EXPECT_NE(text->label.find("…"), std::string::npos) << text->label;
-        EXPECT_NE(text->label.find("_last.h5:"), std::string::npos) << text->label;
+        EXPECT_LE(text.at.x + text_width(text.label, text.size, text.bold), page.width());
+        EXPECT_EQ(text.label.find("φ-first_"), 0U) << text.label;
+        EXPECT_NE(text.label.find("…"), std::string::npos) << text.label;
+        EXPECT_NE(text.label.find("_last.h5:"), std::string::npos) << text.label;
     }
     EXPECT_EQ(found, 1);
 }
@@ -230,12 +215,7 @@ TEST(Chart, LegendWrapsAndThePageGrows) {
     for (int i = 0; i < 12; ++i) many.legend(Stroke{pen, 2}, "an entry of some length");
     const Drawing page = many.finish();
     EXPECT_GT(page.height(), few.finish().height() + 100);
-    for (const Drawing::Shape& shape : page.shapes()) {
-        const auto* text = std::get_if<Text>(&shape);
-        if (text != nullptr) {
-            EXPECT_LT(text->at.y, page.height());
-        }
-    }
+    for (const Text& text : texts_of(page)) EXPECT_LT(text.at.y, page.height());
 }
 
 TEST(Chart, RangesLeaveNaNOut) {

@@ -5,35 +5,13 @@
 
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
-#include "post/plot/counts.hpp"
-#include "post/plot/cracks.hpp"
-#include "post/plot/curve.hpp"
-#include "post/plot/emission.hpp"
-#include "post/plot/energy.hpp"
-#include "post/plot/envelope.hpp"
-#include "post/plot/fragments.hpp"
-#include "post/plot/law.hpp"
-#include "post/plot/rosette.hpp"
-#include "post/plot/size_effect.hpp"
-#include "post/plot/specimen.hpp"
-#include "post/plot/strength.hpp"
-#include "post/plot/surface.hpp"
-#include "post/plot/table.hpp"
-#include "post/plot/thresholds.hpp"
+#include "post/plot/plots.hpp"
 #include "post/run/run_state.hpp"
+#include "tests/support/drawing_shapes.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
 namespace {
-
-std::vector<Text> texts_of(const Drawing& drawing) {
-    std::vector<Text> texts;
-    for (const Drawing::Shape& shape : drawing.shapes()) {
-        const auto* text = std::get_if<Text>(&shape);
-        if (text != nullptr && !text->label.empty()) texts.push_back(*text);
-    }
-    return texts;
-}
 
 class Layout : public ::testing::TestWithParam<double> {
 protected:
@@ -52,7 +30,7 @@ protected:
         return read_run_data(path(name));
     }
     void expect_fit_to_print(const Drawing& drawing, const std::string& what) const {
-        const std::vector<Text> texts = texts_of(drawing);
+        const std::vector<Text> texts = test::texts_of(drawing);
         const double points = GetParam() / 0.0254 * 72 / drawing.width();
         EXPECT_EQ(drawing.width(), static_cast<int>(style_.page_width)) << what;
         for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "post/plot/specimen.hpp"
+#include "post/plot/plots.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {

@@ -26,6 +26,18 @@
 namespace graincrack {
 namespace {
 
+vtkSmartPointer<vtkPolyData> read_lines(const std::string& path) {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    return reader->GetOutput();
+}
+
+/// An entry of a cell.
+double data_of(vtkPolyData* lines, const char* name, std::size_t cell) {
+    return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(cell), 0);
+}
+
 class CrackMap : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -86,10 +98,7 @@ TEST_F(CrackMap, GrainsReadBackWithStressAndDisplacement) {
 TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
     const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
     for (const auto& [file, time] : {std::pair{"cracks_0000.vtp", 0.0}, {"cracks_0001.vtp", 1.0}, {"cracks_0002.vtp", 1.25}}) {
-        vtkNew<vtkXMLPolyDataReader> reader;
-        reader->SetFileName(map(file).c_str());
-        reader->Update();
-        vtkPolyData* lines = reader->GetOutput();
+        const auto lines = read_lines(map(file));
         const std::vector<Crack> present = cracks_until(all, time);
         ASSERT_EQ(lines->GetNumberOfLines(), static_cast<vtkIdType>(present.size())) << file;
         for (std::size_t i = 0; i < present.size(); ++i) {
@@ -99,9 +108,7 @@ TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
             lines->GetPoint(static_cast<vtkIdType>(2 * i + 1), b);
             EXPECT_NEAR((a[0] + b[0]) / 2, present[i].position[0], 1e-12);
             EXPECT_NEAR(std::hypot(b[0] - a[0], b[1] - a[1]), present[i].length, 1e-12);
-            const auto data = [&](const char* name) {
-                return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(i), 0);
-            };
+            const auto data = [&](const char* name) { return data_of(lines, name, i); };
             EXPECT_EQ(data("mode"), static_cast<double>(present[i].mode));
             EXPECT_EQ(data("time_of_failure"), present[i].time);
             EXPECT_EQ(data("opening_at_failure"), present[i].opening);
@@ -115,13 +122,6 @@ TEST_F(CrackMap, CracksReadBackUpToTheirFrame) {
     }
     ASSERT_TRUE(cracks_until(all, 0).empty());
     ASSERT_LT(cracks_until(all, 1).size(), all.size());
-}
-
-vtkSmartPointer<vtkPolyData> read_lines(const std::string& path) {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    return reader->GetOutput();
 }
 
 TEST_F(CrackMap, CracksHaveTheClassAndStrengthFactorOfTheirContact) {
@@ -138,9 +138,7 @@ TEST_F(CrackMap, CracksHaveTheClassAndStrengthFactorOfTheirContact) {
     std::set<double> seen;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto c = static_cast<std::size_t>(all[i].contact);
-        const auto data = [&](const char* name) {
-            return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(i), 0);
-        };
+        const auto data = [&](const char* name) { return data_of(lines, name, i); };
         EXPECT_EQ(data("class"), classes[c]);
         EXPECT_EQ(data("strength_factor"), s.contact_strength_factor[c]);
         seen.insert(data("class"));
@@ -172,9 +170,7 @@ TEST_F(CrackMap, EachFrameHasItsPresentMotionAndTraction) {
         const auto lines = read_lines(folder_.file(file));
         ASSERT_EQ(lines->GetNumberOfLines(), static_cast<vtkIdType>(cracks.size()));
         for (std::size_t i = 0; i < cracks.size(); ++i) {
-            const auto data = [&](const char* name) {
-                return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(i), 0);
-            };
+            const auto data = [&](const char* name) { return data_of(lines, name, i); };
             const bool first = cracks[i].point == 0;
             EXPECT_DOUBLE_EQ(data("opening"), (first ? 4e-6 : -1e-6) * time);
             EXPECT_DOUBLE_EQ(data("sliding"), (first ? 3e-6 : 5e-6) * time);
@@ -220,10 +216,7 @@ TEST_F(CrackMap, FilesHaveUnitsNamesOfModesAndWhereTheTestStands) {
 }
 
 TEST_F(CrackMap, WarpedCracksLieOnWarpedFacets) {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(map("cracks_0002.vtp").c_str());
-    reader->Update();
-    vtkPolyData* lines = reader->GetOutput();
+    const auto lines = read_lines(map("cracks_0002.vtp"));
     const Frame frame = test::synthetic_frame(recipe_.specimen, 1.25, 0.006, 0.001);
     const std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
     for (std::size_t i = 0; i < cracks.size(); ++i) {

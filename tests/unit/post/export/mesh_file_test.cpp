@@ -1,6 +1,14 @@
 #include "post/export/mesh_file.hpp"
 
 #include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <charconv>
 #include <cmath>
@@ -114,22 +122,6 @@ TEST(MeshFile, ElementsKeepTheirOrderCornersGrainsAndPhases) {
     EXPECT_EQ(mica[1].back(), "48");
 }
 
-TEST(MeshFile, LinesOfAbaqusHaveNumbersInTheOrderOfSides) {
-    const SharedMesh mesh = share_nodes(test::one_diagonal_grid(3, 3, 0.1, 0.1));
-    const std::string text = abaqus_text(mesh, "");
-    std::size_t n = 0;
-    for (const std::string& name : mesh.side_names) {
-        for (const auto& row : rows_behind(text, "*Element, type=T2D2, elset=" + name)) {
-            const NamedSide& side = mesh.sides.at(std::stoul(row[0]) - mesh.triangles.size() - 1);
-            EXPECT_EQ(mesh.side_names[side.name], name);
-            EXPECT_EQ(row[1], std::to_string(side.from + 1));
-            EXPECT_EQ(row[2], std::to_string(side.to + 1));
-            ++n;
-        }
-    }
-    EXPECT_EQ(n, mesh.sides.size());
-}
-
 TEST(MeshFile, NamesFitTheFormat) {
     EXPECT_EQ(mesh_name("K-feldspar_2", MeshFormat::abaqus), "K-feldspar_2");
     EXPECT_EQ(mesh_name("a, b=\"c\"\n", MeshFormat::abaqus), "a__b__c__");
@@ -177,6 +169,46 @@ TEST(MeshFile, FormatIsThatOfTheEnding) {
     EXPECT_NO_THROW(require_mesh_format("a.vtu", MeshFormat::vtu));
     EXPECT_NO_THROW(require_mesh_format("a.txt", MeshFormat::vtu));
     EXPECT_NO_THROW(require_mesh_format("-", MeshFormat::abaqus));
+}
+
+TEST(MeshVtk, TrianglesReadBackWithGrainsAndPhases) {
+    Specimen s = test::crossed_blocks(4, 4, 0.1, 0.1, [](int i, int j) { return j / 2 * 2 + i / 2; });
+    s.phase_names = {"quartz", "mica"};
+    s.grain_phase = {0, 1, 1, 0};
+    const SharedMesh mesh = share_nodes(s);
+    const std::string text = vtu_text(mesh);
+    EXPECT_EQ(text, vtu_text(mesh));
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(text);
+    reader->Update();
+    vtkUnstructuredGrid* grid = reader->GetOutput();
+    ASSERT_EQ(grid->GetNumberOfPoints(), static_cast<vtkIdType>(mesh.points.size()));
+    ASSERT_EQ(grid->GetNumberOfCells(), static_cast<vtkIdType>(mesh.triangles.size()));
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        const double* point = grid->GetPoint(static_cast<vtkIdType>(i));
+        EXPECT_EQ(point[0], mesh.points[i][0]);
+        EXPECT_EQ(point[1], mesh.points[i][1]);
+        EXPECT_EQ(point[2], 0);
+    }
+    const auto data = [&](const char* name, vtkIdType cell) {
+        return grid->GetCellData()->GetArray(name)->GetComponent(cell, 0);
+    };
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto cell = static_cast<vtkIdType>(t);
+        vtkNew<vtkIdList> corners;
+        grid->GetCellPoints(cell, corners);
+        ASSERT_EQ(corners->GetNumberOfIds(), 3);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(corners->GetId(static_cast<vtkIdType>(k)), mesh.triangles[t][k]);
+        const auto grain = static_cast<std::size_t>(s.element_grain[t]);
+        EXPECT_EQ(data("grain", cell), s.element_grain[t]);
+        EXPECT_EQ(data("phase", cell), s.grain_phase[grain]);
+        EXPECT_EQ(data("grain_area", cell), s.grain_area[grain]);
+    }
+    auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("phase_names"));
+    ASSERT_NE(names, nullptr);
+    ASSERT_EQ(names->GetNumberOfValues(), 2);
+    EXPECT_EQ(names->GetValue(1), "mica");
 }
 
 }  // namespace

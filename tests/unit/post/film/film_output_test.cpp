@@ -1,14 +1,12 @@
-// Where a film goes: names and sizes, the program that encodes it, a folder of pictures.
+// Where a film goes: names and sizes, a folder of pictures, the command that joins them.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <set>
 
-#include "post/film/child_process.hpp"
 #include "post/film/film.hpp"
 #include "post/film/picture_folder.hpp"
-#include "post/film/video_file.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -40,37 +38,6 @@ TEST(FilmLength, IsOfTwoPicturesAtLeast) {
     test::expect_one_line<UsageError>([] { n_pictures(0.05, 25); }, {"two pictures from 0.08s on"});
 }
 
-TEST(Encoding, TakesWhatThereIs) {
-    const auto codec = [](const std::string& path, const std::vector<std::string>& encoders) {
-        return encoding_of(path, encoders).at(1);
-    };
-    EXPECT_EQ(codec("film.mp4", {"mpeg4", "libx264"}), "libx264");
-    EXPECT_EQ(codec("film.mp4", {"mpeg4"}), "mpeg4");
-    EXPECT_EQ(codec("film.webm", {"libvpx-vp9", "libx264"}), "libvpx-vp9");
-    test::expect_one_line<OutputError>([] { encoding_of("film.webm", {"libx264"}); }, {"no encoder for VP9"});
-    test::expect_one_line<OutputError>([] { encoding_of("film.mp4", {"flv"}); }, {"no encoder for H.264"});
-}
-
-TEST(ChildProcess, KeepsWhatAProgramPrintsAndItsExitCode) {
-    EXPECT_EQ(ChildProcess::start({"graincrack-no-such-program"}), nullptr);
-    const auto child = ChildProcess::start({"sh", "-c", "cat; echo wrong >&2; exit 3"});
-    ASSERT_NE(child, nullptr);
-    const std::vector<unsigned char> bytes(300000, 'x');
-    EXPECT_TRUE(child->write(bytes));
-    EXPECT_EQ(child->wait(), 3);
-    EXPECT_EQ(child->output(), std::string(300000, 'x'));
-    EXPECT_EQ(child->errors(), "wrong\n");
-}
-
-TEST(ChildProcess, TakesNoMoreOnceItHasEnded) {
-    const auto child = ChildProcess::start({"sh", "-c", "exec <&-; exit 7"});
-    ASSERT_NE(child, nullptr);
-    const std::vector<unsigned char> bytes(300000, 'x');
-    EXPECT_FALSE(child->write(bytes));
-    EXPECT_EQ(child->wait(), 7);
-    const auto sleeping = ChildProcess::start({"sleep", "1000"});  // is ended with its handle
-}
-
 TEST(PictureFolder, AppearsWholeOrNotAtAll) {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("film");
@@ -100,15 +67,13 @@ TEST(PictureFolder, AppearsWholeOrNotAtAll) {
     test::expect_one_line<OutputError>([&] { PictureFolder(folder.file("none/film"), {640, 480}, 1); }, {"does not exist"});
 }
 
-TEST(PictureFolder, NamesTheCommandThatJoinsIt) {
-    const test::TemporaryFolder folder;
-    const std::string path = folder.file("film/");
-    EXPECT_EQ(PictureFolder(path, {640, 480}, 250).joining_command("film.mp4", 25),
-              "ffmpeg -framerate 25 -i " + path + "frame_%04d.png -c:v libx264 -pix_fmt yuv420p -movflags +faststart film.mp4");
-    const std::string odd = folder.file("it's 5 %");
-    const std::string command = PictureFolder(odd, {640, 480}, 20000).joining_command("a b.mp4", 2);
-    EXPECT_NE(command.find("it'\\''s 5 %%/frame_%05d.png' "), std::string::npos) << command;
-    EXPECT_TRUE(command.ends_with(" 'a b.mp4'")) << command;
+TEST(JoiningCommand, IsThatOfAShell) {
+    const std::string plain = joining_command("film", "frame_%04d.png", 25, "mp4", "film.mp4");
+    EXPECT_NE(plain.find(" -framerate 25 -i film/frame_%04d.png "), std::string::npos) << plain;
+    EXPECT_TRUE(plain.ends_with(" -movflags +faststart -f mp4 film.mp4")) << plain;
+    const std::string odd = joining_command("it's 5 %/", "frame_%05d.png", 2, "webm", "a b.webm");
+    EXPECT_NE(odd.find(" 'it'\\''s 5 %%/frame_%05d.png' "), std::string::npos) << odd;
+    EXPECT_TRUE(odd.ends_with(" -f webm 'a b.webm'")) << odd;
 }
 
 }  // namespace

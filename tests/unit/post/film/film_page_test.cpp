@@ -5,10 +5,11 @@
 
 #include "post/chart/font.hpp"
 #include "post/film/film.hpp"
-#include "post/film/motion.hpp"
+#include "post/film/moments.hpp"
 #include "post/plot/crack_state.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/drawing_shapes.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -38,14 +39,7 @@ std::size_t strokes_of(const Drawing& drawing, Colour colour) {
 }
 
 /// Where the point on the stress–strain curve is.
-Pixel point_on_curve(const Drawing& drawing) {
-    for (const Drawing::Shape& shape : drawing.shapes()) {
-        const auto* line = std::get_if<Polyline>(&shape);
-        if (line != nullptr && line->width == 22) return line->points.front();
-    }
-    ADD_FAILURE() << "no point";
-    return {};
-}
+Pixel point_on_curve(const Drawing& drawing) { return test::lines_of(drawing, palette::series(0), 22).at(0).points.front(); }
 
 TEST_F(Film, MovesNodesBetweenTheFrames) {
     const RunReader run(path("run.h5"));
@@ -87,20 +81,13 @@ TEST_F(Film, ThePointMovesAlongTheCurveAndAllElseStays) {
     EXPECT_EQ(first.width(), last.width());
     EXPECT_EQ(first.height(), last.height());
     // Texts that stand where they stood: only their numbers differ.
-    std::vector<Text> texts;
-    for (const Drawing::Shape& shape : first.shapes()) {
-        if (const auto* text = std::get_if<Text>(&shape)) texts.push_back(*text);
+    const std::vector<Text> before = test::texts_of(first);
+    const std::vector<Text> after = test::texts_of(last);
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_EQ(after[i].at.x, before[i].at.x) << after[i].label;
+        EXPECT_EQ(after[i].at.y, before[i].at.y) << after[i].label;
     }
-    std::size_t i = 0;
-    for (const Drawing::Shape& shape : last.shapes()) {
-        const auto* text = std::get_if<Text>(&shape);
-        if (text == nullptr) continue;
-        ASSERT_LT(i, texts.size());
-        EXPECT_EQ(text->at.x, texts[i].at.x) << text->label;
-        EXPECT_EQ(text->at.y, texts[i].at.y) << text->label;
-        ++i;
-    }
-    EXPECT_EQ(i, texts.size());
 }
 
 TEST_F(Film, WordsLieOnThePageInEverySize) {
@@ -110,14 +97,12 @@ TEST_F(Film, WordsLieOnThePageInEverySize) {
         contents.size = parse_film_size(size);
         FilmPage page(run, contents);
         const Drawing drawing = page.at(1);
-        for (const Drawing::Shape& shape : drawing.shapes()) {
-            const auto* text = std::get_if<Text>(&shape);
-            if (text == nullptr) continue;
-            const TextBox box = box_of(*text);
-            EXPECT_GE(box.left, 0) << text->label;
-            EXPECT_GE(box.top, 0) << text->label;
-            EXPECT_LE(box.right, drawing.width()) << size << text->label;
-            EXPECT_LE(box.bottom, drawing.height()) << size << text->label;
+        for (const Text& text : test::texts_of(drawing)) {
+            const TextBox box = box_of(text);
+            EXPECT_GE(box.left, 0) << text.label;
+            EXPECT_GE(box.top, 0) << text.label;
+            EXPECT_LE(box.right, drawing.width()) << size << text.label;
+            EXPECT_LE(box.bottom, drawing.height()) << size << text.label;
         }
     }
 }

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "post/chart/picture.hpp"
-#include "post/plot/size_effect.hpp"
+#include "post/plot/plots.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/synthetic_run.hpp"

@@ -8,25 +8,14 @@
 #include <sstream>
 
 #include "post/measure/thresholds.hpp"
-#include "post/plot/counts.hpp"
-#include "post/plot/cracks.hpp"
-#include "post/plot/energy.hpp"
-#include "post/plot/law.hpp"
-#include "post/plot/strength.hpp"
-#include "post/plot/thresholds.hpp"
+#include "post/plot/plots.hpp"
+#include "tests/support/drawing_shapes.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
 namespace {
 
-std::vector<Polyline> lines_of(const Drawing& drawing, Colour colour, double width) {
-    std::vector<Polyline> lines;
-    for (const Drawing::Shape& shape : drawing.shapes()) {
-        const auto* line = std::get_if<Polyline>(&shape);
-        if (line != nullptr && line->colour == colour && line->width == width) lines.push_back(*line);
-    }
-    return lines;
-}
+using test::lines_of;
 
 bool says(const Drawing& drawing, const std::string& words) { return drawing.words().find(words) != std::string::npos; }
 

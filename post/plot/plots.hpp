@@ -1,0 +1,227 @@
+// The pictures of `plot`: each a function that draws it, and its command, in the order of --help.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/ccd/tables.hpp"
+#include "post/chart/drawing.hpp"
+#include "post/chart/picture_style.hpp"
+#include "post/cracks/crack_counts.hpp"
+#include "post/cracks/emission.hpp"
+#include "post/cracks/rosette.hpp"
+#include "post/fit/envelope.hpp"
+#include "post/fit/size_effect.hpp"
+#include "post/options/command.hpp"
+#include "post/plot/make_plot.hpp"
+#include "post/run/crack_label.hpp"
+#include "post/run/load_curve.hpp"
+#include "share/file/run_file.hpp"
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
+#include "solver/law/table.hpp"
+
+namespace graincrack {
+
+// --- specimen ---
+
+/// What the colours of a specimen show.
+enum class SpecimenColour {
+    phase,    ///< grains by phase
+    strength  ///< contacts by their strength factor
+};
+/// \throws InputError for colours of strength factors that the specimen does not have; its file has the name `file`
+Drawing draw_specimen(const Specimen& specimen, const std::string& file, SpecimenColour colour = SpecimenColour::phase,
+                      const PictureStyle& style = {});
+
+Command specimen_plot();
+
+// --- curve ---
+
+/// A measured curve: strains as they are drawn (positive in the sense of the test, widening negative), stress in Pa.
+struct LaboratoryCurve {
+    std::string name;
+    std::vector<double> axial_strain;
+    std::vector<double> lateral_strain;  ///< empty if not measured
+    std::vector<double> stress;
+};
+
+/// Reads a table with the columns axial_strain or axial_strain_percent, stress_MPa, and perhaps lateral_strain or
+/// lateral_strain_percent (widening negative, as laboratories plot it). \throws InputError
+LaboratoryCurve read_laboratory_curve(const std::string& path);
+
+/// Axial stress (positive in the sense of the test; brazilian: 2F/(πtD)) against axial strain to the right and lateral
+/// strain to the left, both from platens and rim. A first peak below the largest stress has a triangle, the residual strength a
+/// short line. One run: the counts of its micro-cracks on a second scale.
+/// \throws InputError if brazilian, tension and compression runs are mixed: their stresses do not mean the same
+/// \param definition of the cracks that the histories count, in words \param caveats caveats of the strength, a
+/// line each
+Drawing draw_curves(const std::vector<RunData>& runs, const std::vector<LaboratoryCurve>& laboratory,
+                    const std::string& definition, const std::vector<std::string>& caveats = {}, const PictureStyle& style = {});
+
+Command curve_plot();
+
+// --- strength ---
+
+/// Every run as a point (a cross if it reached no peak), the mean of each test, confining pressure and grain size with its
+/// 95 % interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the
+/// axis. \throws InputError if the runs are not of one material \param caveats caveats of the strength, a line each
+Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
+                       const std::vector<std::string>& caveats = {}, const PictureStyle& style = {});
+
+Command strength_plot();
+
+// --- cracks ---
+
+/// Which state is drawn, and how.
+struct CrackMapOptions {
+    std::string frame = "last";  ///< as `choose_frames` reads it: several are drawn side by side
+    std::optional<double> time;  ///< s
+    double magnification = 1;    ///< of the displacements
+    CrackLabelChoice label = {};
+    std::vector<std::string> classes = {};  ///< of the contacts whose cracks are drawn, as `contacts_of_classes` reads them
+    double largest_height = 1400;           ///< of a single map without its texts, pixels of the page
+};
+
+/// \throws InputError, UsageError as `choose_frames`, `read_labelled_cracks` and `contacts_of_classes`
+Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
+
+/// Options of a map of one or several frames.
+struct MapPlotOptions : PlotOptions {
+    CrackMapOptions map;
+};
+void add_map_options(OptionSet set, MapPlotOptions& options);
+
+Command cracks_plot();
+
+// --- fragments ---
+
+/// The largest fragment pale, the others coloured, where they moved to. \throws InputError, UsageError as `choose_frame`
+Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
+
+Command fragments_plot();
+
+// --- rosette ---
+
+/// Two roses, tensile and shear: petals are shares of the length of cracks in bins of 10°, the line behind them the
+/// shares of the specimen's own facets. Petals are as long as the share; an orientation has no sense, so both halves are equal.
+/// \throws InputError without cracks
+/// \param definition of its cracks in words
+Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition,
+                     const PictureStyle& style = {});
+
+Command rosette_plot();
+
+// --- counts ---
+
+/// Counts over a test, stress behind them on a scale of its own. With one pair: tensile red, shear black; with several: a colour
+/// a pair, shear dashed; pairs without cracks of a mode have no curve, and beyond six those with the fewest share one.
+/// \param counts at every row of the run's history \param definition of its cracks in words
+Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition,
+                    Abscissa abscissa = Abscissa::time, const PictureStyle& style = {});
+
+Command counts_plot();
+
+// --- emission ---
+
+/// log10 of the number of events at or above a magnitude, with the slope b from the completeness on, if
+/// the magnitudes lie on one.
+/// \throws InputError without events
+Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run,
+                      const PictureStyle& style = {});
+
+Command emission_plot();
+
+// --- energy ---
+
+/// The terms of the energy balance over a test, per metre of thickness, and where its largest stress is; the largest residual in
+/// the subtitle. Terms below a thousandth of the largest are named, not drawn.
+Drawing draw_energy(const RunData& run, Abscissa abscissa = Abscissa::time, const PictureStyle& style = {});
+
+Command energy_plot();
+
+// --- thresholds ---
+
+/// Which definitions of crack initiation and damage have a mark: the default ones (`AllThresholds`), or the others too.
+enum class ThresholdMarks { usual, all };
+
+/// As laboratories draw it (Martin & Chandler 1994): above, the stress over axial (to the right), lateral (to the left) and
+/// volumetric strain, ε1 + 2 ε3, with level lines at CI and CD; below, over the axial strain, the volumetric strain, at whose
+/// largest value CD is read, and the crack volumetric strain, at whose onset CI is. Strains are those of the gauges since the
+/// start of axial loading. Limits of the style are those of the upper chart.
+/// \param cracks the log of the run, for the definitions by damage \throws InputError for a test that is no compression test
+Drawing draw_thresholds(const RunData& run, ThresholdMarks marks = ThresholdMarks::usual, const PictureStyle& style = {},
+                        const std::vector<Crack>& cracks = {});
+
+Command thresholds_plot();
+
+// --- envelope ---
+
+/// Measured strengths, Pa.
+struct LaboratoryStrengths {
+    std::string name;
+    std::vector<double> confining;
+    std::vector<double> strength;  ///< peak σ1
+};
+/// Columns confining_pressure_MPa and strength_MPa. \throws InputError
+LaboratoryStrengths read_laboratory_strengths(const std::string& path);
+
+/// Half circles of all tests, a colour a confining pressure; tension by its circle from −σt to 0, brazilian by that of the
+/// disc's centre, from −σt to 3σt. Mohr–Coulomb as a line, Hoek–Brown (compression only) as a dashed curve; measured
+/// strengths as dashed circles.
+Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title,
+                      const std::vector<LaboratoryStrengths>& laboratory = {}, const PictureStyle& style = {});
+
+Command envelope_plot();
+
+// --- size effect ---
+
+/// Every run as a point, each series with its power law (log–log) and, for tensile strengths, the slope of the theory.
+Drawing draw_size_effect(const std::vector<SizeSeries>& series, const PictureStyle& style = {});
+
+Command size_effect_plot();
+
+// --- surface ---
+
+/// The first two factors; further ones are held at the optimum. \throws InputError with one factor
+Drawing draw_surface(const ccd::Problem& problem, const PictureStyle& style = {});
+
+Command surface_plot();
+
+// --- law ---
+
+/// Which curves of the laws are drawn.
+struct LawPlotOptions {
+    std::vector<std::string> laws;  ///< names; empty: all
+    std::string coupling = "full";
+    double normal_stress = 20e6;                          ///< compression under which a contact is sheared, Pa
+    std::string own = std::string(name_of(default_law));  ///< of the material, whose curve is black
+};
+
+/// Below one another, on a wide page side by side: traction against opening, with an unloading half-way down; the same near the
+/// peak; shear traction against
+/// sliding of an open contact (δn = 0) and of one under compression, solid and dashed. \throws UsageError for an unknown law
+Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options,
+                  const PictureStyle& style = {});
+
+/// P(z)/X = a [(ζ/z)^n − (ζ/z)^m] (Eqs 20–22) and its slope for the pairs (m, n) of Table 9's corners and middle, with b.
+Drawing draw_lennard_jones(const PictureStyle& style = {});
+
+Command law_plot();
+Command lennard_jones_plot();
+
+// --- table ---
+
+struct TablePlotOptions {
+    std::string x;
+    std::vector<std::string> y;
+    bool points = false;  ///< instead of lines
+};
+
+/// One curve for each column y of each table. \throws InputError for a missing column or one without numbers
+Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options, const PictureStyle& style = {});
+
+Command table_plot();
+
+}  // namespace graincrack
