@@ -52,9 +52,6 @@ tr.outside td:nth-child(5) { color: #a83c00; font-weight: bold; }
 tr.untested td { color: #666; }
 details { margin: 8px 0; }
 summary { cursor: pointer; font-weight: bold; }
-.study table { display: block; overflow-x: auto; }
-.study pre { overflow-x: auto; }
-.study td { white-space: normal; min-width: 5ch; }
 @media (max-width: 860px) { .columns, .first.of2, .first.of3 { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
 @media (max-width: 500px) { body { padding: 12px; } table { font-size: 12px; } th, td { padding-right: 5px; } }
 @page { size: A4; margin: 14mm; }

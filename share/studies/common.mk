@@ -114,9 +114,11 @@ $(HERE)/material.toml: $$(if $$(call same,$$(file <$$@),$$(file <$$(MATERIAL_FIL
 query = $(POST) summarize $(filter %.tsv,$^) --sql $(filter %.sql,$^)
 lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
 # Verdicts on the claims of a study: its criteria.tsv, judged by the numbers of measured.tsv, which its measured.sql makes of its tables.
+ifneq ($(wildcard criteria.tsv),)
 judged := $(STUDIES)/lib/judged.sql $(STUDIES)/lib/measured.tsv
 $(HERE)/claims.tsv: criteria.tsv $(HERE)/measured.tsv $(judged)
 	$(call table,$(POST) summarize $< $(patsubst %,measured=%,$(filter %/measured.tsv,$^)) --sql $(firstword $(judged)) --set STUDY=$(STUDY))
+endif
 
 # --- the page --------------------------------------------------------------------------------------------------------
 

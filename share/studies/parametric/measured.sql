@@ -16,6 +16,6 @@ UNION ALL SELECT 'slope: ' || "group", slope, slope_low, slope_high, NULL, NULL 
 UNION ALL SELECT 'lack_of_fit_p: ' || "group", lack_of_fit_p, NULL, NULL, NULL, NULL FROM trends
 UNION ALL SELECT 'tc for σt = BTS', (:BTS - intercept) / slope * :BTS, NULL, NULL, NULL, NULL FROM trends WHERE "group" = 'brazilian, tc_over_BTS'
 UNION ALL SELECT 'σt at the material''s tc', mean(strength_MPa), low(strength_MPa), high(strength_MPa), NULL, NULL
-    FROM series WHERE test = 'brazilian' AND series = 'tc_over_BTS' AND level = :TC_LEVEL HAVING count(*) > 0
+    FROM series WHERE test = 'brazilian' AND series = 'tc_over_BTS' AND abs(level - :TC_FIXED / :BTS) < 1e-6 HAVING count(*) > 0
 UNION ALL SELECT name, change, low, high, ifnull(text('at most {:.4g} ({:.4g} to {:.4g}) %', change, low, high), text('at most {:.4g} %', change)), NULL
     FROM changes
