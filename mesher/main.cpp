@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "mesher/import/import_specimen.hpp"
+#include "mesher/mesh.hpp"
 #include "mesher/mesh_options.hpp"
 #include "mesher/mesh_report.hpp"
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/size_check.hpp"
-#include "mesher/specimen_maker.hpp"
 #include "share/base/error.hpp"
 #include "share/base/progress.hpp"
 #include "share/base/units.hpp"
@@ -32,19 +32,6 @@ using namespace graincrack::mesher;
 
 void print(std::ostream& stream, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) stream << line << '\n';
-}
-
-/// Phases, if wanted, and scatter of strengths of a material, unless options give others.
-void take_fabric(const MaterialFabric& fabric, bool with_phases, SpecimenRequest& request) {
-    if (with_phases && request.phases.fractions.empty()) {
-        for (const auto& [name, phase] : fabric.phases) request.phases.fractions.push_back({name, phase.fraction});
-    }
-    if (!request.strength.modulus && fabric.strength_modulus) {
-        request.strength.modulus = fabric.strength_modulus;
-        if (!request.strength.correlation && fabric.strength_correlation > 0) {
-            request.strength.correlation = fabric.strength_correlation;
-        }
-    }
 }
 
 /// Writes the specimen with what made it.
@@ -73,22 +60,21 @@ int run(int argc, char** argv) {
     const auto start = std::chrono::steady_clock::now();
     catch_stop_signals();
 
-    // Options and rock
+    // Options and material
     auto options = read_options(argc, argv);
     if (!options) return 0;
     const std::optional<Material>& material = options->material;
+    const Request& request = options->request;
     const bool is_quiet = options->verbosity == Verbosity::quiet;
 
     // A mesh from elsewhere
+    if (options->imported && !options->imported->new_key.empty()) {
+        const std::vector<std::string> labels = write_new_key(*options->imported);
+        if (options->dry_run || !is_quiet) print(options->dry_run ? std::cout : std::cerr, labels);
+        return 0;
+    }
     if (options->imported) {
-        if (!options->imported->new_key.empty()) {
-            const std::vector<std::string> labels = write_new_key(*options->imported);
-            if (options->dry_run || !is_quiet) print(options->dry_run ? std::cout : std::cerr, labels);
-            return 0;
-        }
-        Import mesh = import_specimen(*options->imported);
-        if (material) take_fabric(material->fabric, !mesh.has_phases(), options->request);
-        give_fabric(mesh, options->request.phases, options->request.strength, options->request.open, options->request.seed);
+        const Import mesh = import_specimen(*options->imported, request.fabric, request.seed);
         if (options->dry_run) {
             print(std::cout, describe(mesh));
             return 0;
@@ -102,26 +88,25 @@ int run(int argc, char** argv) {
         return 0;
     }
 
-    if (material) take_fabric(material->fabric, true, options->request);
     if (options->dry_run) {
-        print(std::cout, describe_plan(options->request));
-        if (material) print(std::cout, describe_size_check(*material, plan_mesh(options->request).edge));
+        print(std::cout, describe_plan(request));
+        if (material) print(std::cout, describe_size_check(*material, plan_mesh(request).edge));
         return 0;
     }
-    plan_mesh(options->request);  // errors in the request are reported before a file is opened
+    plan_mesh(request);  // errors in the request are reported before a file is opened
 
     // Mesh
     H5Output file(options->output, "specimen");
     Progress progress("mesh", options->verbosity);
     MeshReport report;
-    const Specimen specimen = make_specimen(
-        options->request, [&](double share) { progress.update(share, ""); }, &report);
+    const Specimen specimen = mesh(
+        request, [&](double fraction) { progress.update(fraction, ""); }, &report);
     progress.finish();
     write(file, specimen, "", *options, argc, argv, start);
 
     // Report
     if (!is_quiet) {
-        print(std::cerr, describe_mesh(specimen, options->request, report));
+        print(std::cerr, describe_mesh(specimen, request, report));
         if (length(options->moved) > 0) {
             print(std::cerr, {fmt::format("  note: moved by ({}, {}), so that the middle of its extent is the origin",
                                           format_length(options->moved.x), format_length(options->moved.y))});

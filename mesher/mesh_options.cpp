@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/plane/fields.hpp"
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/region/region_files.hpp"
 #include "share/base/error.hpp"
@@ -21,6 +22,8 @@ namespace graincrack::mesher {
 
 namespace {
 
+constexpr int max_diameters = 36;  ///< along which a disc can be loaded
+
 constexpr const char* examples =
     "  graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5\n"
     "  graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5\n"
@@ -29,6 +32,33 @@ constexpr const char* examples =
     "  graincrack-mesh import section.msh --scale 1mm -o section.h5\n"
     "  graincrack-mesh import thin-section.png --write-key labels.tsv\n"
     "  graincrack-mesh import thin-section.png --pixel-size 0.1mm --phase-key minerals.tsv --crystals break -o section.h5";
+
+/// Adds an option that takes one of several words and is unset unless given.
+template <class T, class Target>
+void add_optional_choice(OptionSet set, const char* option, Target& target, std::vector<std::pair<std::string, T>> choices,
+                         const std::string& help) {
+    std::string words;
+    std::string type;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        words += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i].first;
+        type += (i == 0 ? "" : "|") + choices[i].first;
+    }
+    const auto choose = [=, &target](const std::string& text) {
+        for (const auto& [word, value] : choices) {
+            if (word != text) continue;
+            target = value;
+            return;
+        }
+        throw UsageError(fmt::format("{}: \"{}\" is not known; {} fits", option, printable(text.substr(0, 40)), words));
+    };
+    add_value(set, option, choose, help, type, "");
+}
+
+/// Adds an option whose text is kept.
+void add_string(OptionSet set, const char* option, std::string& target, const std::string& help, const char* type) {
+    add_value(
+        set, option, [&target](const std::string& text) { target = text; }, help, type, "");
+}
 
 /// What the options of a kind of specimens set; kinds share them.
 struct KindOptions {
@@ -51,7 +81,7 @@ struct Kind {
     const char* name;
     const char* help;
     void (*add_options)(OptionSet, KindOptions&);
-    void (*make)(const KindOptions&, SpecimenRequest&);
+    void (*make)(const KindOptions&, Request&);
 };
 
 void add_width(OptionSet set, KindOptions& options, const char* name) {
@@ -76,9 +106,9 @@ const Kind kinds[] = {
          add_quantity(
              set, "--notch-angle", options.angle, quantity::direction,
              "direction of the notch from x: a straight notch, which grain boundaries follow; default: across the load, of "
-             "triangles along whole grain boundaries as they lie, of polygons straight");
+             "triangles along whole grain boundaries as they lie, of crystals straight");
      },
-     [](const KindOptions& options, SpecimenRequest& request) {
+     [](const KindOptions& options, Request& request) {
          request.region = rectangle(options.width, options.height);
          if (options.angle && !options.notch) throw UsageError("--notch-angle: there is no notch; add --notch 20mm");
          if (options.angle) {
@@ -106,7 +136,7 @@ const Kind kinds[] = {
          add_quantity(set, "--slit-angle", options.angle, quantity::direction,
                       "direction of the crack from x; 90deg along the load; default: 90deg");
      },
-     [](const KindOptions& options, SpecimenRequest& request) {
+     [](const KindOptions& options, Request& request) {
          request.region = options.flats ? disc_with_flats(options.diameter, *options.flats)
                                         : disc(options.diameter, options.pole, options.diameters, options.loaded_diameter);
          if (options.angle && !options.notch) throw UsageError("--slit-angle: there is no slit; add --slit 20mm");
@@ -120,7 +150,7 @@ const Kind kinds[] = {
          add_diameter(set, options);
          add_quantity(set, "--inner-diameter", options.inner_diameter, quantity::diameter, "diameter of the hole").required();
      },
-     [](const KindOptions& options, SpecimenRequest& request) {
+     [](const KindOptions& options, Request& request) {
          if (!(options.inner_diameter < options.diameter)) throw UsageError("--inner-diameter: must be less than --diameter");
          request.region = ring(options.diameter, options.inner_diameter);
      }},
@@ -130,7 +160,7 @@ const Kind kinds[] = {
          add_height(set, options);
          add_quantity(set, "--notch", options.notch, quantity::slit, "length of a straight crack from below at mid-length");
      },
-     [](const KindOptions& options, SpecimenRequest& request) {
+     [](const KindOptions& options, Request& request) {
          request.region = rectangle(options.width, options.height);
          request.region.name = "beam";
          if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--notch")};
@@ -141,7 +171,7 @@ const Kind kinds[] = {
          add_quantity(set, "--slit", options.notch, quantity::slit,
                       "length of a straight crack from the middle of the flat side");
      },
-     [](const KindOptions& options, SpecimenRequest& request) {
+     [](const KindOptions& options, Request& request) {
          request.region = half_disc(options.diameter);
          if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--slit")};
      }},
@@ -153,7 +183,7 @@ const Kind kinds[] = {
              .type_name("FILE")
              .required();
      },
-     [](const KindOptions& options, SpecimenRequest& request) { request.region = read_polygon(options.file); }},
+     [](const KindOptions& options, Request& request) { request.region = read_polygon(options.file); }},
 };
 
 /// What is cut into a specimen of any kind.
@@ -167,33 +197,24 @@ struct CutOptions {
 void add_cuts(OptionSet set, CutOptions& options) {
     add_texts(set, "--hole", options.holes, "X,Y,RADIUS",
               "round hole, as 10mm,-5mm,4mm; may be given again; its part is hole_1, hole_2 …");
-    add_value(
-        set, "--flaws", [&options](const std::string& text) { options.flaws = text; },
-        "straight flaws that grain boundaries follow: TSV with columns x1_mm, y1_mm, x2_mm, y2_mm and, if wanted, class: broken "
+    add_string(
+        set, "--flaws", options.flaws,
+        "straight flaws that grain boundaries follow: TSV with columns x1_mm, y1_mm, x2_mm, y2_mm and, if needed, class: broken "
         "(from the start; the default), intact or a NAME, whose contacts have the parameters [flaws.NAME] of the material, and "
         "state: broken or intact",
-        "FILE", "");
-    add_value(
-        set, "--holes", [&options](const std::string& text) { options.hole_file = text; },
-        "round holes: TSV with columns x_mm, y_mm, radius_mm", "FILE", "");
+        "FILE");
+    add_string(set, "--holes", options.hole_file, "round holes: TSV with columns x_mm, y_mm, radius_mm", "FILE");
     add_texts(
         set, "--joint-set", options.joint_sets, "KEY=VALUE,...",
-        "parallel joints at random: spacing=20mm,dip=45deg and, if wanted, persistence=0.7 (share of a line that is jointed), "
+        "parallel joints at random: spacing=20mm,dip=45deg and, if needed, persistence=0.7 (fraction of a line that is jointed), "
         "length=30mm (mean; default: the spacing), class=broken|intact|NAME, state=broken|intact; may be given again");
 }
 
-/// Texts between commas. \throws UsageError naming `where` unless there are as many as wanted
-std::vector<std::string_view> parts_of(std::string_view text, std::size_t n, const std::string& where, const char* wanted) {
-    std::vector<std::string_view> parts;
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t end = std::min(text.find(',', from), text.size());
-        parts.push_back(text.substr(from, end - from));
-        from = end + 1;
-    }
-    if (parts.size() != n) {
-        throw UsageError(where + ": \"" + std::string(text.substr(0, 60)) + "\" is not understood; give " + wanted);
-    }
-    return parts;
+/// The fields of a text. \throws UsageError naming `where` unless there are as many as requested
+std::vector<std::string_view> parts_of(std::string_view text, std::size_t n, const std::string& where, const char* requested) {
+    std::vector<std::string_view> parts = fields_of(text);
+    if (parts.size() == n) return parts;
+    throw UsageError(where + ": \"" + std::string(text.substr(0, 60)) + "\" is not understood; give " + requested);
 }
 
 Point parse_point(const std::string& text, const std::string& where) {
@@ -211,7 +232,7 @@ void cut_hole(const std::string& text, const std::string& where, Region& region)
 
 /// Cuts holes and flaws; their coordinates are those of the kind, before the region is centred.
 /// \return the translation
-Point make_cuts(const CutOptions& options, SpecimenRequest& request) {
+Point make_cuts(const CutOptions& options, Request& request) {
     const auto numbered = [](const char* option, std::size_t i, std::size_t n) {
         return std::string(option) + (n > 1 ? " " + std::to_string(i + 1) : "");
     };
@@ -232,116 +253,90 @@ Point make_cuts(const CutOptions& options, SpecimenRequest& request) {
     return centre_region(request.region);
 }
 
-/// The choice that a word names. \throws UsageError naming the option
-template <class T>
-T chosen(const std::vector<std::pair<std::string, T>>& choices, const std::string& word, const char* option, const char* words) {
-    for (const auto& [name, choice] : choices) {
-        if (name == word) return choice;
-    }
-    throw UsageError(fmt::format("{}: \"{}\" is not known; {} fits", option, printable(word.substr(0, 40)), words));
-}
-
-/// Of edges of triangles at most 0.35, of diameters of polygons more.
+/// Of edges of triangles at most 0.35, of diameters of crystals more.
 constexpr Quantity spread_of_grains = [] {
     Quantity spread = quantity::edge_spread;
-    spread.upper = max_spread_of_polygons;
+    spread.upper = quantity::size_variation.upper;
     return spread;
 }();
 
-/// How grains are made.
-void add_tessellation(OptionSet shape, SpecimenRequest& request) {
+/// Options of the grains that are made.
+void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
     add_choice<Tessellation>(
-        shape, "--tessellation", request.tessellation,
+        set, "--tessellation", fabric.tessellation,
         {{"delaunay", Tessellation::delaunay}, {"voronoi", Tessellation::voronoi}, {"trigon", Tessellation::trigon}},
-        "grains: triangles (delaunay), polygons of elements that do not break (voronoi), or polygons whose triangles are grains, "
+        "grains: triangles (delaunay), crystals of elements that do not break (voronoi), or crystals whose triangles are grains, "
         "so that they break (trigon)");
     add_quantity(
-        shape, "--element-size", request.element_size, quantity::element_size,
-        "side of the triangles of polygons, the same everywhere; default: 0.36 of --edge, which makes seven to eight of them a "
-        "polygon, and graded as polygons are with --grade")
-        .excludes(add_quantity(shape, "--elements-per-crystal", request.elements_per_crystal, quantity::elements_per_crystal,
-                               "mean number of elements of a polygon instead of --element-size; the corners of polygons ask for "
+        set, "--element-size", fabric.element_size, quantity::element_size,
+        "side of the triangles of crystals, the same everywhere; default: 0.36 of --edge, which makes seven to eight of them a "
+        "crystal, and graded as crystals are with --grade")
+        .excludes(add_quantity(set, "--elements-per-crystal", fabric.elements_per_crystal, quantity::elements_per_crystal,
+                               "mean number of elements of a crystal instead of --element-size; the corners of crystals ask for "
                                "three to four at least"));
-    add_value(
-        shape, "--size-distribution",
-        [&request](const std::string& text) {
-            static const std::vector<std::pair<std::string, SizeDistribution>> distributions{
-                {"normal", SizeDistribution::normal}, {"lognormal", SizeDistribution::lognormal}};
-            request.size_distribution = chosen(distributions, text, "--size-distribution", "normal or lognormal");
-        },
-        "distribution of the equal-area diameters of polygons; default: normal", "normal|lognormal", "");
-}
-
-/// The grains that are made.
-void add_grain_options(OptionSet shape, KindOptions& kind, SpecimenRequest& request) {
+    add_optional_choice<SizeDistribution>(set, "--size-distribution", fabric.size_distribution,
+                                          {{"normal", SizeDistribution::normal}, {"lognormal", SizeDistribution::lognormal}},
+                                          "distribution of the equal-area diameters of crystals; default: normal");
     Option edge = add_quantity(
-        shape, "--edge", request.edge, quantity::mean_edge,
-        "requested mean edge over all grain edges, rim included; of polygons the edge of the equilateral triangle of their "
+        set, "--edge", fabric.edge, quantity::mean_edge,
+        "requested mean edge over all grain edges, rim included; of crystals the edge of the equilateral triangle of their "
         "mean area");
-    Option grains = add_integer<std::int64_t>(shape, "--grains", request.grains,
-                                              "exact number of grains, or of polygons, instead of --edge", 1);
-    Option grain_size = add_quantity(shape, "--grain-size", kind.grain_size, quantity::grain_size,
-                                     "mean equal-area diameter of grains or polygons, instead of --edge; with --grade as many as "
-                                     "without it");
+    Option grains = add_integer<std::int64_t>(set, "--grains", fabric.grains,
+                                              "exact number of triangles, or of crystals, instead of --edge", 1);
+    Option grain_size = add_quantity(set, "--grain-size", kind.grain_size, quantity::grain_size,
+                                     "mean equal-area diameter of triangles or crystals, instead of --edge; with --grade as many "
+                                     "as without it");
     edge.excludes(grains).excludes(grain_size);
     grains.excludes(grain_size);
-    add_quantity(shape, "--spread", request.spread, spread_of_grains,
+    add_quantity(set, "--spread", fabric.spread, spread_of_grains,
                  "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
-                 "about 0.1 are reached only as far as a mesh without a preferred direction allows; of polygons that of their "
+                 "about 0.1 are reached only as far as a mesh without a preferred direction allows; of crystals that of their "
                  "equal-area diameters over their graded size, at most 0.6",
                  "0.1");
     add_value(
-        shape, "--grade", [&request](const std::string& text) { request.grading = parse_grading(text, "--grade"); },
-        "sizes that are graded, around the same mean edge (of polygons mean area) or number of grains: along=y,from=0.5,to=2 "
+        set, "--grade", [&fabric](const std::string& text) { fabric.grading = parse_grading(text, "--grade"); },
+        "sizes that are graded, around the same mean edge (of crystals mean area) or number of grains: along=y,from=0.5,to=2 "
         "(relative edges at the lower and the upper end; along=x too) or towards=flaws,from=0.4,distance=10mm (relative edge at "
-        "slits, straight notches, "
-        "flaws "
-        "and joints, growing to 1 at the distance; towards=boundary and towards=holes too)",
+        "slits, straight notches, flaws and joints, growing to 1 at the distance; towards=boundary and towards=holes too)",
         "KEY=VALUE,...", "");
-    add_quantity(shape, "--elongation", request.elongation.ratio, quantity::elongation,
+    add_quantity(set, "--elongation", fabric.elongation.ratio, quantity::elongation,
                  "ratio of the long to the short axis of grains, 1 to 4: foliated rock", "1");
     add_quantity(
-        shape, "--elongation-angle", request.elongation.angle, quantity::direction,
+        set, "--elongation-angle", fabric.elongation.angle, quantity::direction,
         "direction of the long axis of elongated grains from x; on a disc turned to another of its diameters it turns too",
         "0deg");
-    add_integer<int>(shape, "--elements-per-edge", request.elements_per_edge,
-                     "each grain becomes N x N constant-strain triangles", 1, max_elements_per_edge);
+    add_integer<int>(set, "--elements-per-edge", fabric.elements_per_edge,
+                     "each triangle becomes N x N constant-strain triangles", 1, max_elements_per_edge);
 }
 
-/// What the grains are, and where the specimen goes: options of all kinds.
-void add_fabric_options(OptionSet shape, MeshOptions& options) {
-    SpecimenRequest& request = options.request;
-    add_integer<std::uint64_t>(shape, "--seed", request.seed, "seed of the random numbers", 0);
+/// Options of all kinds: phases, strengths, and where the specimen goes.
+void add_fabric_options(OptionSet set, MeshOptions& options) {
+    Fabric& fabric = options.request.fabric;
+    add_integer<std::uint64_t>(set, "--seed", options.request.seed, "seed of the random numbers", 0);
     add_value(
-        shape, "--phases", [&request](const std::string& text) { request.phases.fractions = parse_phases(text); },
+        set, "--phases", [&fabric](const std::string& text) { fabric.phases.fractions = parse_phases(text); },
         "phases of the grains with their fractions of the area, whose sum is 1: quartz=0.32,feldspar=0.62,mica=0.06; reached to "
         "one grain",
         "NAME=FRACTION,...", "");
-    add_integer<std::uint64_t>(shape, "--phase-seed", request.phases.seed, "seed of the phases; default: that of --seed", 0);
-    add_quantity(shape, "--phase-cluster", request.phases.cluster, quantity::phase_cluster,
+    add_integer<std::uint64_t>(set, "--phase-seed", fabric.phases.seed, "seed of the phases; default: that of --seed", 0);
+    add_quantity(set, "--phase-cluster", fabric.phases.cluster, quantity::phase_cluster,
                  "mean number of neighbouring grains that are drawn together to be of one phase", "1");
-    add_quantity(shape, "--strength-modulus", request.strength.modulus, quantity::strength_modulus,
+    add_quantity(set, "--strength-modulus", fabric.strength.modulus, quantity::strength_modulus,
                  "Weibull modulus of the strength of grain boundaries: each has a factor of mean 1; default: no scatter");
-    add_quantity(shape, "--strength-correlation", request.strength.correlation, quantity::strength_correlation,
+    add_quantity(set, "--strength-correlation", fabric.strength.correlation, quantity::strength_correlation,
                  "distance at which the autocorrelation of the strength of grain boundaries is 1/e; default: uncorrelated");
-    add_integer<std::uint64_t>(shape, "--strength-seed", request.strength.seed,
+    add_integer<std::uint64_t>(set, "--strength-seed", fabric.strength.seed,
                                "seed of the strength of grain boundaries; default: that of --seed", 0);
-    add_quantity(
-        shape, "--open-boundaries", request.open.share, quantity::open_boundaries,
-        "share of the length of grain boundaries, 0 to below 1, that is open from the start: whole boundaries at random, "
-        "without tension or cohesion, with friction; default: none");
-    add_integer<std::uint64_t>(shape, "--open-seed", request.open.seed, "seed of the open boundaries; default: that of --seed",
-                               0);
+    add_quantity(set, "--open-boundaries", fabric.open.fraction, quantity::open_boundaries,
+                 "fraction of the length of grain boundaries, 0 to below 1, that is open from the start: whole boundaries at "
+                 "random, without tension or cohesion, with friction; default: none");
+    add_integer<std::uint64_t>(set, "--open-seed", fabric.open.seed, "seed of the open boundaries; default: that of --seed", 0);
     add_value(
-        shape, "--material", [&options](const std::string& text) { options.material = read_material(text); },
+        set, "--material", [&options](const std::string& text) { options.material = read_material(text); },
         "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose bounds "
-        "of the "
-        "grain "
-        "size are printed",
+        "of the grain size are printed",
         "NAME|FILE", "");
-    add_value(
-        shape, "-o,--output", [&options](const std::string& text) { options.output = text; },
-        "specimen file to write; - for stdout", "FILE|-", "");
+    add_string(set, "-o,--output", options.output, "specimen file to write; - for stdout", "FILE|-");
 }
 
 /// A mesh or a picture from elsewhere.
@@ -351,47 +346,30 @@ void add_import(OptionSet set, ImportRequest& request) {
              "text); - for stdin")
         .type_name("FILE|-")
         .required();
-    add_value(
-        set, "--format",
-        [&request](const std::string& text) {
-            static const std::vector<std::pair<std::string, MeshFormat>> formats{{"gmsh", MeshFormat::gmsh},
-                                                                                 {"neper", MeshFormat::neper},
-                                                                                 {"abaqus", MeshFormat::abaqus},
-                                                                                 {"labels", MeshFormat::labels}};
-            request.format = chosen(formats, text, "--format", "gmsh, neper, abaqus or labels");
-        },
-        "format of the file; default: told by its content", "gmsh|neper|abaqus|labels", "");
-    add_value(
-        set, "--grain",
-        [&request](const std::string& text) {
-            static const std::vector<std::pair<std::string, GrainChoice>> choices{
-                {"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}};
-            request.grains = chosen(choices, text, "--grain", "element, entity or physical");
-        },
+    add_optional_choice<MeshFormat>(set, "--format", request.format,
+                                    {{"gmsh", MeshFormat::gmsh},
+                                     {"neper", MeshFormat::neper},
+                                     {"abaqus", MeshFormat::abaqus},
+                                     {"labels", MeshFormat::labels}},
+                                    "format of the file; default: told by its content");
+    add_optional_choice<GrainChoice>(
+        set, "--grain", request.grains,
+        {{"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}},
         "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus, cell of a tessellation, piece of a "
-        "picture), or what is connected of a physical group; "
-        "default: entity, or element where there is one entity only",
-        "element|entity|physical", "");
-    add_value(
-        set, "--crystals",
-        [&request](const std::string& text) {
-            static const std::vector<std::pair<std::string, CrystalChoice>> choices{{"elastic", CrystalChoice::elastic},
-                                                                                    {"break", CrystalChoice::breaking}};
-            request.crystals = chosen(choices, text, "--crystals", "elastic or break");
-        },
-        "crystals of several elements: elastic (the elements deform together, as those of voronoi polygons), or break (the "
-        "elements are grains within their crystal, as those of trigon polygons); default: elastic",
-        "elastic|break", "");
-    add_value(
-        set, "--phase-key", [&request](const std::string& text) { request.phase_key = text; },
-        "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset; number or colour as "
-        "#c03020 of a label) and phase; default: names of physical groups and elsets",
-        "FILE", "");
-    add_value(
-        set, "--write-key", [&request](const std::string& text) { request.new_key = text; },
-        "write a key with all labels of a picture, their colours, areas and pieces, whose phases are to be named, and make no "
-        "specimen; - for stdout",
-        "FILE|-", "");
+        "picture), or what is connected of a physical group; default: entity, or element where there is one entity only");
+    add_optional_choice<CrystalChoice>(
+        set, "--crystals", request.crystals, {{"elastic", CrystalChoice::elastic}, {"break", CrystalChoice::breaking}},
+        "crystals of several elements: elastic (the elements deform together, as those of voronoi crystals), or break (the "
+        "elements are grains within their crystal, as those of trigon crystals); default: elastic");
+    add_string(set, "--phase-key", request.phase_key,
+               "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset; number or "
+               "colour as #c03020 of a label) and phase; default: names of physical groups and elsets",
+               "FILE");
+    add_string(
+        set, "--write-key", request.new_key,
+        "write a key with all labels of a picture, their colours, areas and pieces, whose phases are to be named, and make "
+        "no specimen; - for stdout",
+        "FILE|-");
     add_value(
         set, "--pixel-size",
         [&request](const std::string& text) {
@@ -409,41 +387,69 @@ void add_import(OptionSet set, ImportRequest& request) {
     add_value(
         set, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
         "point of the file that becomes the origin, as 40mm,80mm; default: the middle of the extent", "X,Y", "");
-    add_value(
-        set, "--shape",
-        [&request](const std::string& text) {
-            static const std::vector<std::pair<std::string, std::string>> shapes{
-                {"rectangle", "rectangle"}, {"disc", "disc"},           {"ring", "ring"},
-                {"beam", "beam"},           {"half-disc", "half-disc"}, {"polygon", "polygon"}};
-            request.placement.shape = chosen(shapes, text, "--shape", "rectangle, disc, ring, beam, half-disc or polygon");
-        },
-        "shape of the specimen, which says how it can be tested; default: told by its outline, which takes a beam for a "
-        "rectangle",
-        "NAME", "");
+    std::vector<std::pair<std::string, std::string>> shapes;
+    for (const char* shape : {"rectangle", "disc", "ring", "beam", "half-disc", "polygon"}) shapes.emplace_back(shape, shape);
+    add_optional_choice<std::string>(
+        set, "--shape", request.placement.shape, shapes,
+        "shape of the specimen, which says how it can be tested; default: told by its outline, which "
+        "takes a beam for a rectangle");
 }
 
-/// What a material says of its grains becomes the default of options. The variation of sizes is that of edges of triangles or
-/// of diameters of polygons, and so holds only where the kind of grains is the material's.
-void take_grains(CommandLine& line, const GrainFabric& grains, const SpecimenRequest& request) {
-    const auto set = [&line](const char* option, const std::optional<double>& value, Dimension dimension) {
-        constexpr int digits = 15;  // that every number of a file keeps
-        if (value) line.set_default(option, format_quantity(*value, dimension, digits));
-    };
-    const bool is_chosen = line.is_given("--tessellation");
+/// A value of [fabric], and the option that stands for it.
+struct FabricRow {
+    const char* option;
+    std::optional<double> GrainFabric::*value;
+    Dimension dimension;
+    void (*take)(MeshOptions&, KindOptions&, double);
+    bool of_kind = false;  ///< whether it holds only for triangles, or only for crystals, as those of the material
+};
+constexpr FabricRow fabric_rows[] = {
+    {"--grain-size", &GrainFabric::grain_size, Dimension::length,
+     [](MeshOptions&, KindOptions& kind, double value) { kind.grain_size = value; }},
+    {"--elongation", &GrainFabric::elongation, Dimension::one,
+     [](MeshOptions& options, KindOptions&, double value) { options.request.fabric.elongation.ratio = value; }},
+    {"--elongation-angle", &GrainFabric::elongation_angle, Dimension::angle,
+     [](MeshOptions& options, KindOptions&, double value) { options.request.fabric.elongation.angle = value; }},
+    {"--spread", &GrainFabric::size_variation, Dimension::one,
+     [](MeshOptions& options, KindOptions&, double value) { options.request.fabric.spread = value; }, true},
+    {"--elements-per-crystal", &GrainFabric::elements_per_crystal, Dimension::one,
+     [](MeshOptions& options, KindOptions&, double value) { options.request.fabric.elements_per_crystal = value; }, true},
+};
+
+/// Gives the request what a material says of its grains and no option says.
+void take_grains(CommandLine& line, const GrainFabric& grains, MeshOptions& options, KindOptions& kind) {
+    constexpr int digits = 15;  // that every number of a file keeps
+    Fabric& fabric = options.request.fabric;
     const bool are_triangles = grains.tessellation.empty() || grains.tessellation == "delaunay";
-    if (!grains.tessellation.empty()) line.set_default("--tessellation", grains.tessellation);
-    set("--grain-size", grains.grain_size, Dimension::length);
-    set("--elongation", grains.elongation, Dimension::one);
-    set("--elongation-angle", grains.elongation_angle, Dimension::angle);
-    if (is_chosen && are_triangles != (request.tessellation == Tessellation::delaunay)) return;
-    set("--spread", grains.size_variation, Dimension::one);
-    set("--elements-per-crystal", grains.elements_per_crystal, Dimension::one);
+    if (!grains.tessellation.empty() && line.replace_default("--tessellation", grains.tessellation)) {
+        fabric.tessellation = are_triangles                      ? Tessellation::delaunay
+                              : grains.tessellation == "voronoi" ? Tessellation::voronoi
+                                                                 : Tessellation::trigon;
+    }
+    for (const FabricRow& row : fabric_rows) {
+        const std::optional<double>& value = grains.*row.value;
+        if (!value || (row.of_kind && are_triangles == fabric.has_crystals())) continue;
+        if (line.replace_default(row.option, format_quantity(*value, row.dimension, digits))) row.take(options, kind, *value);
+    }
 }
 
-/// As many grains as have this mean diameter. The mean area of polygons whose diameters vary by s is that of the mean diameter
+/// Gives the request the phases of a material and its scatter of strengths, unless options give others.
+void take_fabric(const MaterialFabric& material, Fabric& fabric) {
+    if (fabric.phases.fractions.empty()) {
+        fabric.phases.yield = true;
+        for (const auto& [name, phase] : material.phases) fabric.phases.fractions.push_back({name, phase.fraction});
+    }
+    if (fabric.strength.modulus || !material.strength_modulus) return;
+    fabric.strength.modulus = material.strength_modulus;
+    if (!fabric.strength.correlation && material.strength_correlation > 0) {
+        fabric.strength.correlation = material.strength_correlation;
+    }
+}
+
+/// As many grains as have this mean diameter. The mean area of crystals whose diameters vary by s is that of the mean diameter
 /// times 1 + s²; diameters of triangles hardly vary. \throws UsageError if no specimen has so few or so many
-std::int64_t grains_of_size(const SpecimenRequest& request, double diameter) {
-    const double spread = request.tessellation == Tessellation::delaunay ? 0 : request.spread;
+std::int64_t grains_of_size(const Request& request, double diameter) {
+    const double spread = request.fabric.has_crystals() ? request.fabric.spread : 0;
     const double n = std::round(area(request.region) / (std::numbers::pi / 4 * diameter * diameter * (1 + spread * spread)));
     if (n >= 2 && n <= 7e8) return static_cast<std::int64_t>(n);
     throw UsageError(fmt::format("--grain-size: {} would make {} grains; give a size of which the specimen has 2 to 7e8",
@@ -455,9 +461,10 @@ std::int64_t grains_of_size(const SpecimenRequest& request, double diameter) {
 std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     MeshOptions options;
     CommonOptions common;
-    CommandLine line("graincrack-mesh",
-                     "Makes specimens of triangular grains of near-equal size without a preferred direction, or of polygons",
-                     common, examples, {triangulation_library()});
+    CommandLine line(
+        "graincrack-mesh",
+        "Makes specimens of triangular grains of near-equal size without a preferred direction, or of polygonal crystals", common,
+        examples, {triangulation_library()});
     add_dry_run(line.options(), common, "print the expected counts and file size without making a specimen");
     KindOptions kind_options;
     CutOptions cuts;
@@ -466,8 +473,7 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         OptionSet set = sets.emplace_back(line.options().add_subcommand(kind.name, kind.help));
         kind.add_options(set, kind_options);
         add_cuts(set, cuts);
-        add_tessellation(set, options.request);
-        add_grain_options(set, kind_options, options.request);
+        add_grains(set, kind_options, options.request.fabric);
         add_fabric_options(set, options);
     }
     ImportRequest imported;
@@ -475,23 +481,25 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     add_import(import_set, imported);
     add_fabric_options(import_set, options);
     const auto complete = [&] {
-        if (options.material) take_grains(line, options.material->grains, options.request);
+        if (options.material) take_grains(line, options.material->grains, options, kind_options);
     };
     if (!line.parse(argc, argv, complete)) return std::nullopt;
     for (std::size_t i = 0; i < sets.size(); ++i) {
         if (sets[i].is_called()) kinds[i].make(kind_options, options.request);
     }
+    Fabric& fabric = options.request.fabric;
+    if (options.material) take_fabric(options.material->fabric, fabric);
     if (import_set.is_called()) {
-        check(options.request.phases);
-        check(options.request.strength);
-        check(options.request.open);
+        check(fabric.phases);
+        check(fabric.strength);
+        check(fabric.open);
         if (!imported.new_key.empty() && !options.output.empty()) {
             throw UsageError("--write-key: makes no specimen; leave -o out, and name the phases in the key first");
         }
         options.imported = imported;
     } else {
         options.moved = make_cuts(cuts, options.request);
-        if (kind_options.grain_size) options.request.grains = grains_of_size(options.request, *kind_options.grain_size);
+        if (kind_options.grain_size) fabric.grains = grains_of_size(options.request, *kind_options.grain_size);
     }
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;

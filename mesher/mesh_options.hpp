@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mesher/import/mesh_file.hpp"
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "share/base/progress.hpp"
 #include "share/rock/material.hpp"
 
@@ -13,9 +13,9 @@ namespace graincrack::mesher {
 
 /// The options of a call.
 struct MeshOptions {
-    SpecimenRequest request;
+    Request request;
     std::optional<ImportRequest> imported;  ///< a mesh from elsewhere, of which the request has the fabric and the seed
-    std::optional<Material> material;       ///< whose fabric is taken unless options say otherwise
+    std::optional<Material> material;       ///< whose fabric the request has where no option says otherwise
     std::string output;                     ///< file or "-"
     Point moved;                            ///< translation of a polygon to the origin, m
     Verbosity verbosity = Verbosity::normal;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mesher/assemblage/counts.hpp"
+#include "mesher/cells/triangles.hpp"
 #include "mesher/fabric/crystals.hpp"
 #include "share/base/units.hpp"
 #include "share/file/notch.hpp"
@@ -17,7 +18,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double compressed_share = 0.42;  ///< size of a file's arrays after shuffle and deflate 1 over that before, measured
+constexpr double compressed_fraction = 0.42;  ///< size of a file's arrays after shuffle and deflate 1 over that before, measured
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
@@ -58,15 +59,15 @@ std::string open_line(const Specimen& specimen) {
 }
 
 /// Mean edges or diameters at both ends of a grading; of elongated grains before they are elongated.
-std::string grading_line(const Grading& grading, const char* what, const std::array<double, 2>& reached,
-                         const std::array<double, 2>& wanted) {
+std::string grading_line(const Fabric& fabric, const MeshReport& report) {
     const auto mean = [&](std::size_t end) {
-        if (reached[end] == 0) return std::string("none");
-        return fmt::format("{} ({} wanted)", format_quantity(reached[end], Dimension::length, 3),
-                           format_quantity(wanted[end], Dimension::length, 3));
+        if (report.graded_size[end] == 0) return std::string("none");
+        return fmt::format("{} ({} requested)", format_quantity(report.graded_size[end], Dimension::length, 3),
+                           format_quantity(report.requested_size[end], Dimension::length, 3));
     };
-    return fmt::format("  graded {}: mean {} in the {} eighth, {} {}", what, mean(0), grading.is_along() ? "lowest" : "nearest",
-                       mean(1), grading.is_along() ? "in the uppermost" : "beyond 7/8 of the distance");
+    const bool is_along = fabric.grading->is_along();
+    return fmt::format("  graded {}: mean {} in the {} eighth, {} {}", fabric.has_crystals() ? "diameters" : "edges", mean(0),
+                       is_along ? "lowest" : "nearest", mean(1), is_along ? "in the uppermost" : "beyond 7/8 of the distance");
 }
 
 /// Flaws as they came out, and the length of all contacts that are broken from the start.
@@ -83,75 +84,45 @@ std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
                        format_length(report.flaw_length), format_length(broken));
 }
 
-/// A mesh of polygons, which is made once and has no preferred direction to speak of.
-std::vector<std::string> describe_polygons(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report) {
+/// Sizes and angles of crystals, which are made once and have no preferred direction to speak of.
+void describe_crystals(const Specimen& specimen, const Fabric& fabric, const MeshReport& r, std::vector<std::string>& lines) {
     const MeshStatistics& s = specimen.statistics;
-    const PolygonStatistics& p = report.polygons;
-    std::vector<std::string> lines{
-        fmt::format("{} of {} polygons ({}): {} grains, {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape,
-                    p.n_crystals, specimen.tessellation, specimen.n_grains(), specimen.n_nodes(), specimen.n_elements(),
-                    specimen.n_contacts(), specimen.n_boundary_edges()),
-        fmt::format("  polygons: equal-area diameter mean {}, CV {:.4f}{} ({} wanted); areas met to {:.0e}; {} short edges were "
-                    "removed{}",
-                    format_quantity(p.mean_diameter, Dimension::length, 4), p.diameter_variation,
-                    request.grading ? " over the graded size" : "", format_number(request.spread), p.largest_area_error,
-                    p.n_short_edges, p.n_edges_left > 0 ? fmt::format(" ({} could not be)", p.n_edges_left) : ""),
-        size_line(request.tessellation == Tessellation::trigon ? "edge" : "edge of equal-area triangle", s.mean_edge,
-                  s.edge_variation, s.min_edge, s.max_edge),
-        fmt::format("  smallest angle of elements {:.1f} deg, psi6 {:.3f}, area error {:.1e}", degrees(s.min_angle), s.psi6,
-                    s.area_error),
-    };
-    if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
-    if (!request.phases.fractions.empty()) lines.push_back(phase_line(specimen, request.phases));
-    if (request.strength.modulus) lines.push_back(strength_line(specimen, request.strength));
-    if (request.open.share) lines.push_back(open_line(specimen));
-    if (s.elongation > 0) {
-        lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
-    }
-    if (request.grading) lines.push_back(grading_line(*request.grading, "diameters", p.graded_diameter, p.wanted_diameter));
-    if (report.n_flaws > 0) lines.push_back(flaw_line(specimen, report));
-    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("  note: " + note);
-    return lines;
+    lines.push_back(fmt::format(
+        "  crystals: equal-area diameter mean {}, CV {:.4f}{} ({} requested); areas met to {:.0e}; {} short edges were removed{}",
+        format_quantity(r.mean_diameter, Dimension::length, 4), r.spread, fabric.grading ? " over the graded size" : "",
+        format_number(fabric.spread), r.largest_area_error, r.n_short_edges,
+        r.n_edges_left > 0 ? fmt::format(" ({} could not be)", r.n_edges_left) : ""));
+    const bool can_break = fabric.tessellation == Tessellation::trigon;
+    lines.push_back(
+        size_line(can_break ? "edge" : "edge of equal-area triangle", s.mean_edge, s.edge_variation, s.min_edge, s.max_edge));
+    lines.push_back(fmt::format("  smallest angle of elements {:.1f} deg, psi6 {:.3f}, area error {:.1e}", degrees(s.min_angle),
+                                s.psi6, s.area_error));
 }
 
-}  // namespace
-
-std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report) {
-    if (request.tessellation != Tessellation::delaunay) return describe_polygons(specimen, request, report);
-    const MeshStatistics& s = specimen.statistics;
-    std::vector<std::string> lines{
-        fmt::format("{} of {} grains: {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape, specimen.n_grains(),
-                    specimen.n_nodes(), specimen.n_elements(), specimen.n_contacts(), specimen.n_boundary_edges()),
-        size_line("edge", s.mean_edge, s.edge_variation, s.min_edge, s.max_edge),
-        size_line("equal-area diameter", s.mean_diameter, s.diameter_variation, s.min_diameter, s.max_diameter),
+void describe_triangles(const MeshStatistics& s, const MeshReport& report, std::vector<std::string>& lines) {
+    lines.push_back(size_line("edge", s.mean_edge, s.edge_variation, s.min_edge, s.max_edge));
+    lines.push_back(size_line("equal-area diameter", s.mean_diameter, s.diameter_variation, s.min_diameter, s.max_diameter));
+    lines.push_back(
         fmt::format("  smallest angle {:.1f} deg, psi6 {:.3f} (at most {:.3f} in eight equal parts), area error {:.1e}",
-                    degrees(s.min_angle), s.psi6, report.psi6_of_parts, s.area_error),
-    };
-    if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
-    if (!request.phases.fractions.empty()) lines.push_back(phase_line(specimen, request.phases));
-    if (request.strength.modulus) lines.push_back(strength_line(specimen, request.strength));
-    if (request.open.share) lines.push_back(open_line(specimen));
-    if (s.elongation > 0) {
-        lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg; smallest angle before it {:.1f} deg", s.elongation,
-                                    degrees(s.elongation_angle), degrees(report.sizes.min_angle)));
+                    degrees(s.min_angle), s.psi6, report.psi6_of_parts, s.area_error));
+}
+
+/// Triangles that are not as they should be.
+void add_notes_on_triangles(const Specimen& specimen, const Request& request, const MeshReport& report,
+                            std::vector<std::string>& lines) {
+    const MeshStatistics& s = specimen.statistics;
+    const double spread = request.fabric.spread;
+    if (request.fabric.grading || s.elongation > 0) {
+        lines.push_back(fmt::format("  spread {:.3f} over the graded size, before elongation", report.spread));
     }
-    if (request.grading) {
-        lines.push_back(grading_line(*request.grading, "edges", report.sizes.graded_edge, report.sizes.wanted_edge));
-    }
-    if (request.grading || s.elongation > 0) {
-        lines.push_back(fmt::format("  spread {:.3f} over the graded size, before elongation", report.sizes.spread));
-    }
-    if (std::abs(report.sizes.spread - request.spread) > 0.1 * request.spread) {
-        lines.push_back(
-            fmt::format("  note: spread {:.3f} was requested, {:.3f} was reached", request.spread, report.sizes.spread));
+    if (std::abs(report.spread - spread) > 0.1 * spread) {
+        lines.push_back(fmt::format("  note: spread {:.3f} was requested, {:.3f} was reached", spread, report.spread));
     }
     if (const auto ends = notch_ends(specimen); ends && request.notch) {
         lines.push_back(fmt::format("  notch of {} requested, {} between the ends of its grain boundaries",
                                     format_length(*request.notch), format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
     }
-    if (!request.region.edges.empty() || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
-    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("  note: " + note);
-    if (report.n_flaws + request.region.loops.size() > 1 && report.sizes.min_angle < smallest_angle) {
+    if (report.n_flaws + request.region.loops.size() > 1 && report.min_angle < smallest_angle) {
         lines.push_back(
             "  note: holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short");
     }
@@ -161,25 +132,52 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenR
                         "avoidable with so few grains",
                         report.attempts));
     }
+}
+
+}  // namespace
+
+std::vector<std::string> describe_mesh(const Specimen& specimen, const Request& request, const MeshReport& report) {
+    const Fabric& fabric = request.fabric;
+    const MeshStatistics& s = specimen.statistics;
+    std::vector<std::string> lines{fmt::format("{} of {}{}: {} nodes, {} contacts, {} boundary edges", specimen.shape,
+                                               grains_text(specimen),
+                                               fabric.has_crystals() ? " (" + specimen.tessellation + ")" : "",
+                                               specimen.n_nodes(), specimen.n_contacts(), specimen.n_boundary_edges())};
+    if (fabric.has_crystals()) {
+        describe_crystals(specimen, fabric, report, lines);
+    } else {
+        describe_triangles(s, report, lines);
+    }
+    if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
+    if (!fabric.phases.fractions.empty()) lines.push_back(phase_line(specimen, fabric.phases));
+    if (fabric.strength.modulus) lines.push_back(strength_line(specimen, fabric.strength));
+    if (fabric.open.fraction) lines.push_back(open_line(specimen));
+    if (s.elongation > 0) {
+        lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
+    }
+    if (fabric.grading) lines.push_back(grading_line(fabric, report));
+    if (report.n_flaws > 0 || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
+    if (!fabric.has_crystals()) add_notes_on_triangles(specimen, request, report, lines);
+    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("  note: " + note);
     return lines;
 }
 
-std::vector<std::string> describe_plan(const SpecimenRequest& request) {
+std::vector<std::string> describe_plan(const Request& request) {
     const MeshPlan plan = plan_mesh(request);
-    if (request.tessellation != Tessellation::delaunay) {
+    if (request.fabric.has_crystals()) {
         const auto n = static_cast<double>(plan.n_grains);
-        // Polygons have five or so elements at least.
+        // Crystals have five or so elements at least.
         const double elements = n * std::max(5.0, 1.8 * plan.edge * plan.edge / (plan.element_size * plan.element_size));
-        return {fmt::format("{} of {} polygons, edge of the equilateral triangle of their mean area {}", request.region.name,
+        return {fmt::format("{} of {} crystals, edge of the equilateral triangle of their mean area {}", request.region.name,
                             plan.n_grains, format_quantity(plan.edge, Dimension::length, 3)),
                 fmt::format("  elements of {}, about {:.2g} in all; time about {:.2g} s",
                             format_quantity(plan.element_size, Dimension::length, 3), elements, 1e-4 * n + 1e-5 * elements)};
     }
-    const auto counts = assemblage_counts(plan.n_grains, plan.n_boundary, request.elements_per_edge);
-    const double megabytes = compressed_share * static_cast<double>(uncompressed_size(counts)) / 1e6;
+    const auto counts = assemblage_counts(plan.n_grains, plan.n_boundary, request.fabric.elements_per_edge);
+    const double megabytes = compressed_fraction * static_cast<double>(uncompressed_size(counts)) / 1e6;
     return {
-        fmt::format("{} of {}{} grains, mean edge about {}", request.region.name, request.grains ? "" : "about ", counts.grains,
-                    format_quantity(plan.edge, Dimension::length, 3)),
+        fmt::format("{} of {}{} grains, mean edge about {}", request.region.name, request.fabric.grains ? "" : "about ",
+                    counts.grains, format_quantity(plan.edge, Dimension::length, 3)),
         fmt::format("  {} nodes, {} elements, {} contacts, {} boundary edges", counts.nodes, counts.elements, counts.contacts,
                     counts.boundary_edges),
         fmt::format("  file about {:.2g} MB, time about {:.2g} s", megabytes, 1.2e-5 * static_cast<double>(counts.grains)),

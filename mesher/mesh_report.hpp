@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 
 /// Statistics of a specimen, a line each. Lengths in mm, angles in degrees.
-std::vector<std::string> describe_mesh(const Specimen& specimen, const SpecimenRequest& request, const MeshReport& report);
+std::vector<std::string> describe_mesh(const Specimen& specimen, const Request& request, const MeshReport& report);
 
 /// Expected counts and file size of a request, a line each. \throws UsageError as `plan_mesh`
-std::vector<std::string> describe_plan(const SpecimenRequest& request);
+std::vector<std::string> describe_plan(const Request& request);
 
 }  // namespace graincrack::mesher

@@ -175,7 +175,7 @@ private:
     [[nodiscard]] FlawKind kind_of(int p, int q) const {
         const Edge edge{std::min(p, q), std::max(p, q)};
         const auto found = std::lower_bound(kinds_.begin(), kinds_.end(), edge,
-                                            [](const auto& each, const Edge& wanted) { return each.first < wanted; });
+                                            [](const auto& each, const Edge& requested) { return each.first < requested; });
         return found != kinds_.end() && found->first == edge ? found->second : FlawKind{};
     }
 

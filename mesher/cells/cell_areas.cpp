@@ -70,8 +70,8 @@ std::vector<double> diameters_at(const std::vector<double>& quantiles, double sc
 
 }  // namespace
 
-std::vector<double> wanted_areas(std::size_t n, double total, double spread, SizeDistribution distribution,
-                                 RandomNumbers& random) {
+std::vector<double> requested_areas(std::size_t n, double total, double spread, SizeDistribution distribution,
+                                    RandomNumbers& random) {
     std::vector<double> diameters(n, 1.0);
     if (spread > 0 && n > 1) {
         // One quantile in each n-th of the distribution, in random order.

@@ -26,15 +26,15 @@ bool has_arcs(const Loop& loop) {
 
 double outline_count(const Region& region, double edge, const SizeField& size) {
     const Loop& loop = region.loops.front();
-    double wanted = (size.varies() ? relative_perimeter(region, size) : perimeter(region)) / edge;
-    if (loop.circle) wanted = std::max({wanted, 1.0 * fewest_on_circle, 4.0 * loop.circle->diameters});
-    if (has_arcs(loop)) wanted = std::max(wanted, 1.0 * fewest_on_circle);
+    double requested = (size.varies() ? relative_perimeter(region, size) : perimeter(region)) / edge;
+    if (loop.circle) requested = std::max({requested, 1.0 * fewest_on_circle, 4.0 * loop.circle->diameters});
+    if (has_arcs(loop)) requested = std::max(requested, 1.0 * fewest_on_circle);
     if (size.varies() && (loop.circle || has_arcs(loop))) {
         const double around = perimeter({region.name, {loop}, {}, region.part_names, region.flats});
-        wanted = std::max(wanted, fewest_graded_on_circle * size.largest() * std::sqrt(size.stretch().ratio()) *
+        requested = std::max(requested, fewest_graded_on_circle * size.largest() * std::sqrt(size.stretch().ratio()) *
                                       relative_perimeter(region, size) / around);
     }
-    return wanted;
+    return requested;
 }
 
 ConvexOutline convex_outline(const Region& region, double edge, const SizeField& size) {

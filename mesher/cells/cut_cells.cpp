@@ -16,7 +16,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-using Loop = std::vector<int>;
+using PieceLoop = std::vector<int>;
 
 /// A part of a cell between lines, of some triangles.
 struct Piece {
@@ -72,7 +72,7 @@ public:
         const double scale = present / std::accumulate(areas.begin(), areas.end(), 0.0);
         for (std::size_t i = 0; i < left.size(); ++i) {
             no_room = middle_of(left[i]);
-            std::optional<Loop> loop = outline(pieces_[left[i]].triangles);
+            std::optional<PieceLoop> loop = outline(pieces_[left[i]].triangles);
             if (!loop) return false;
             kept_.push_back({std::move(*loop), scale * areas[i]});
         }
@@ -173,7 +173,7 @@ private:
     }
 
     /// The loop around triangles, unless it meets itself. Walls and extensions belong to it where they end within.
-    [[nodiscard]] std::optional<Loop> outline(const std::vector<std::size_t>& triangles) const {
+    [[nodiscard]] std::optional<PieceLoop> outline(const std::vector<std::size_t>& triangles) const {
         std::map<int, int> next;
         std::size_t n = 0;
         for (const std::size_t t : triangles) {
@@ -187,12 +187,12 @@ private:
                 ++n;
             }
         }
-        Loop loop;
+        PieceLoop loop;
         for (int p = next.begin()->first; loop.empty() || p != loop.front(); p = next.at(p)) loop.push_back(p);
         return loop.size() == n ? std::optional(loop) : std::nullopt;
     }
 
-    [[nodiscard]] std::vector<Point> corners(const Loop& loop) const {
+    [[nodiscard]] std::vector<Point> corners(const PieceLoop& loop) const {
         std::vector<Point> corners;
         for (const int p : loop) corners.push_back(at(p));
         return corners;
@@ -217,7 +217,7 @@ private:
             for (const auto& [size, other] : order) {
                 std::vector<std::size_t> united = pieces_[other].triangles;
                 united.insert(united.end(), pieces_[piece].triangles.begin(), pieces_[piece].triangles.end());
-                const std::optional<Loop> loop = outline(united);
+                const std::optional<PieceLoop> loop = outline(united);
                 if (!loop || (must_be_sound && !is_sound(corners(*loop)))) continue;
                 Piece& whole = pieces_[other];
                 for (const std::size_t t : pieces_[piece].triangles) piece_of_[t] = other;
@@ -240,10 +240,10 @@ private:
         for (const auto& [p, around] : cells_at) {
             if (lines_.is_fixed[index(p)] != 0) continue;
             std::vector<Edge> ends;
-            std::vector<Loop> loops;
+            std::vector<PieceLoop> loops;
             bool fits = true;
             for (const std::size_t cell : around) {
-                Loop loop = kept_[cell].first;
+                PieceLoop loop = kept_[cell].first;
                 std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), p), loop.end());
                 ends.push_back(edge_between(loop[1], loop.back()));
                 loop.erase(loop.begin());
@@ -266,7 +266,7 @@ private:
     std::vector<Piece> pieces_;
     std::vector<std::size_t> piece_of_;          ///< [triangles]
     std::vector<std::size_t> zone_of_;           ///< [pieces]
-    std::vector<std::pair<Loop, double>> kept_;  ///< cells with their requested areas
+    std::vector<std::pair<PieceLoop, double>> kept_;  ///< cells with their requested areas
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Wanted areas of cells whose sizes are graded over the plane.
+// Requested areas of cells whose sizes are graded over the plane.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr int growing_rounds = 12;              ///< of Lloyd in which weights grow to those of circles of the wanted areas
+constexpr int growing_rounds = 12;              ///< of Lloyd in which weights grow to those of circles of the requested areas
 constexpr int grown_rounds = 4;                 ///< in which they have these weights
 constexpr double coarse_error = 0.5;            ///< of areas, from which seeds may move
 constexpr double coarse_error_in_zones = 0.05;  ///< where cells are cut later
@@ -183,7 +183,7 @@ std::vector<double> weights_of(const std::vector<double>& areas, double share) {
 }
 
 /// Cells of seeds that are spread. \param error of areas that is enough
-LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seeds, const GradedAreas& wanted, double error,
+LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seeds, const GradedAreas& requested, double error,
                            const Zones* zones, const std::function<void(double)>& progress) {
     constexpr int rounds = growing_rounds + grown_rounds;
     int n_done = 0;
@@ -192,10 +192,10 @@ LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seed
         if (progress) progress(std::min(0.95, static_cast<double>(n_done++) / (2 * rounds + 20)));
     };
     Solver solver(outline, std::move(seeds));
-    std::vector<double> areas = wanted.at(solver.seeds());
+    std::vector<double> areas = requested.at(solver.seeds());
     const auto move_seeds = [&] {
         solver.spread(areas, zones);
-        areas = wanted.at(solver.seeds());
+        areas = requested.at(solver.seeds());
     };
     const auto spread = [&](double share) {
         report();
@@ -225,7 +225,7 @@ LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seed
 LaguerreCells laguerre_cells(const ConvexOutline& outline, const GradedAreas& areas, RandomNumbers& random,
                              const std::function<void(double)>& progress) {
     LaguerreCells result =
-        solved_cells(outline, random_seeds(outline, areas, random), areas, wanted_area_error, nullptr, progress);
+        solved_cells(outline, random_seeds(outline, areas, random), areas, allowed_area_error, nullptr, progress);
     if (!(result.largest_error <= allowed_error)) throw Error(ExitCode::internal, "polygons did not reach their areas");
     return result;
 }

@@ -28,7 +28,7 @@ public:
     AreaRestorer(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas)
         : cells_(cells),
           n_fixed_(n_fixed),
-          wanted_(areas),
+          requested_(areas),
           reach_(cells.points.size(), INFINITY),
           tangent_(cells.points.size()),
           is_outer_(cells.points.size(), 0) {
@@ -70,7 +70,7 @@ private:
 
     [[nodiscard]] double largest_error(const std::vector<double>& areas) const {
         double largest = 0;
-        for (std::size_t i = 0; i < areas.size(); ++i) largest = std::max(largest, std::abs(areas[i] / wanted_[i] - 1));
+        for (std::size_t i = 0; i < areas.size(); ++i) largest = std::max(largest, std::abs(areas[i] / requested_[i] - 1));
         return largest;
     }
 
@@ -103,7 +103,7 @@ private:
         return all;
     }
 
-    /// The moves of points that change areas as wanted, were these linear; the squares of moves over reach have the least sum.
+    /// The moves of points that change areas as requested, were these linear; the squares of moves over reach have the least sum.
     /// The area of the last cell is what the others leave of the whole.
     [[nodiscard]] std::vector<Point> least_step() const {
         const std::vector<Gradient> all = gradients();
@@ -123,7 +123,7 @@ private:
         Eigen::SparseMatrix<double> matrix(size, size);
         matrix.setFromTriplets(entries.begin(), entries.end());
         Eigen::VectorXd difference(size);
-        for (std::size_t i = 0; i < n; ++i) difference[static_cast<Eigen::Index>(i)] = wanted_[i] - present_[i];
+        for (std::size_t i = 0; i < n; ++i) difference[static_cast<Eigen::Index>(i)] = requested_[i] - present_[i];
         Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky;
         cholesky.setShift(smallest_pivot * matrix.diagonal().maxCoeff());  // for areas that depend on one another
         cholesky.compute(matrix);
@@ -137,7 +137,7 @@ private:
 
     PlaneCells& cells_;
     std::size_t n_fixed_;
-    const std::vector<double>& wanted_;
+    const std::vector<double>& requested_;
     std::vector<double> present_;
     std::vector<double> reach_;   ///< the shortest edge at a point
     std::vector<Point> tangent_;  ///< of the boundary
@@ -148,7 +148,7 @@ private:
 
 double restore_areas(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas) {
     AreaRestorer restorer(cells, n_fixed, areas);
-    for (int i = 0; i < most_moves && restorer.largest_error() > wanted_area_error; ++i) {
+    for (int i = 0; i < most_moves && restorer.largest_error() > allowed_area_error; ++i) {
         if (!restorer.improve()) break;
     }
     return restorer.largest_error();

@@ -15,8 +15,8 @@ namespace graincrack::mesher {
 ///
 /// \param cells changed
 /// \param n_fixed as of `remove_short_edges`
-/// \param areas wanted, m², with the sum of those that are
-/// \return largest difference of an area that is left, over the wanted one
+/// \param areas requested, m², with the sum of those that are
+/// \return largest difference of an area that is left, over the requested one
 double restore_areas(PlaneCells& cells, std::size_t n_fixed, const std::vector<double>& areas);
 
 }  // namespace graincrack::mesher

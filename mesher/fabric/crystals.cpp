@@ -41,6 +41,15 @@ void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain) {
     }
 }
 
+std::string grains_text(const Specimen& specimen) {
+    const bool is_divided = specimen.n_elements() != specimen.n_grains();
+    if (!specimen.grain_crystal.empty() || (is_divided && specimen.tessellation != "delaunay")) {
+        return fmt::format("{} crystals of {} elements", number_of_crystals(specimen), specimen.n_elements());
+    }
+    return is_divided ? fmt::format("{} grains of {} elements", specimen.n_grains(), specimen.n_elements())
+                      : fmt::format("{} grains", specimen.n_grains());
+}
+
 std::size_t number_of_crystals(const Specimen& specimen) {
     const std::vector<std::int32_t>& crystals = specimen.grain_crystal;
     if (crystals.empty()) return specimen.n_grains();

@@ -14,6 +14,9 @@ namespace graincrack::mesher {
 /// their class and kind. The specimen has its phases.
 void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain);
 
+/// "300 crystals of 2898 elements"; of triangles "1122 grains" or, if they are divided, "1122 grains of 4488 elements".
+std::string grains_text(const Specimen& specimen);
+
 /// The number of crystals: of grains where each is one.
 std::size_t number_of_crystals(const Specimen& specimen);
 

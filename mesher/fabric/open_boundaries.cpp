@@ -52,24 +52,24 @@ std::vector<Boundary> drawn_boundaries(const Specimen& specimen, std::span<const
 }  // namespace
 
 void check(const OpenBoundaryRequest& request) {
-    if (request.share && !(*request.share >= 0 && *request.share < 1)) {
-        throw UsageError("--open-boundaries: " + format_number(*request.share) +
-                         " is out of range; give a share of the length of grain boundaries from 0 to below 1");
+    if (request.fraction && !(*request.fraction >= 0 && *request.fraction < 1)) {
+        throw UsageError("--open-boundaries: " + format_number(*request.fraction) +
+                         " is out of range; give a fraction of the length of grain boundaries from 0 to below 1");
     }
-    if (request.seed && !request.share) throw UsageError("--open-seed: no boundaries are open; add --open-boundaries 0.2");
+    if (request.seed && !request.fraction) throw UsageError("--open-seed: no boundaries are open; add --open-boundaries 0.2");
 }
 
 void open_boundaries(Specimen& specimen, std::span<const int> crystal_of_grain, const OpenBoundaryRequest& request) {
-    if (!request.share) return;
+    if (!request.fraction) return;
     const std::vector<Boundary> boundaries = drawn_boundaries(specimen, crystal_of_grain, request.seed.value_or(specimen.seed));
-    double wanted = 0;  // length that is yet to be opened
-    for (const Boundary& boundary : boundaries) wanted += *request.share * boundary.length;
+    double requested = 0;  // length that is yet to be opened
+    for (const Boundary& boundary : boundaries) requested += *request.fraction * boundary.length;
     for (const Boundary& boundary : boundaries) {
-        if (0.5 * boundary.length > wanted) break;
+        if (0.5 * boundary.length > requested) break;
         for (const std::size_t c : boundary.contacts) {
             specimen.contact_kind[c] = static_cast<std::uint8_t>(ContactKind::open_boundary);
         }
-        wanted -= boundary.length;
+        requested -= boundary.length;
     }
 }
 

@@ -11,16 +11,16 @@ namespace graincrack::mesher {
 
 /// Requested open boundaries.
 struct OpenBoundaryRequest {
-    std::optional<double> share;        ///< of the length of all boundaries, 0 to below 1; none: 0
+    std::optional<double> fraction;     ///< of the length of all boundaries, 0 to below 1; none: 0
     std::optional<std::uint64_t> seed;  ///< none: that of the specimen
 };
 
-/// \throws UsageError naming the option if the share is out of bounds, or there is a seed but no share
+/// \throws UsageError naming the option if the fraction is out of bounds, or there is a seed but no fraction
 void check(const OpenBoundaryRequest& request);
 
 /// Gives contacts the kind `open_boundary`. Whole boundaries, which are all contacts between two crystals but those on flaws, are
-/// drawn in an order of the seed and the crystals until they have the share of the length, to half of one boundary. A larger
-/// share opens more, and all that a smaller one opens. \param crystal_of_grain the crystal of every grain
+/// drawn in an order of the seed and the crystals until they have the fraction of the length, to half of one boundary. A larger
+/// fraction opens more, and all that a smaller one opens. \param crystal_of_grain the crystal of every grain
 void open_boundaries(Specimen& specimen, std::span<const int> crystal_of_grain, const OpenBoundaryRequest& request);
 
 }  // namespace graincrack::mesher

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mesher/plane/fields.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
@@ -82,18 +83,16 @@ std::vector<std::size_t> grown_clusters(const std::vector<int>& order, std::size
 
 std::vector<PhaseFraction> parse_phases(std::string_view text) {
     std::vector<PhaseFraction> fractions;
-    while (true) {
-        const std::string_view item = text.substr(0, text.find(','));
-        const std::size_t equals = item.find('=');
-        if (equals == std::string_view::npos) {
-            refuse("--phases", fmt::format("\"{}\" is not a phase with its fraction", item),
+    for (const std::string_view field : fields_of(text)) {
+        const KeyValue phase(field);
+        if (phase.key.size() == field.size()) {
+            refuse("--phases", fmt::format("\"{}\" is not a phase with its fraction", field),
                    "quartz=0.32,feldspar=0.62,mica=0.06");
         }
-        const std::string name(item.substr(0, equals));
-        fractions.push_back({name, parse_quantity(item.substr(equals + 1), quantity::phase_fraction, "--phases: " + name)});
-        if (item.size() == text.size()) return fractions;
-        text.remove_prefix(item.size() + 1);
+        const std::string name(phase.key);
+        fractions.push_back({name, parse_quantity(phase.value, quantity::phase_fraction, "--phases: " + name)});
     }
+    return fractions;
 }
 
 void check(const PhaseRequest& request) {

@@ -23,6 +23,7 @@ struct PhaseRequest {
     std::vector<PhaseFraction> fractions;  ///< empty: one phase, "rock"
     std::optional<std::uint64_t> seed;     ///< none: that of the specimen
     double cluster = 1;                    ///< mean number of crystals in a cluster; clusters of one phase may meet
+    bool yield = false;                    ///< whether phases that an imported mesh has are kept instead
 };
 
 /// Reads "quartz=0.32,feldspar=0.62,mica=6%". \throws UsageError naming --phases

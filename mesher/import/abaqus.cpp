@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "mesher/plane/fields.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 
@@ -51,14 +52,11 @@ std::string upper(std::string_view text) {
     return result;
 }
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-    std::vector<std::string_view> fields;
-    for (std::size_t from = 0; from <= line.size();) {
-        const std::size_t end = std::min(line.find(',', from), line.size());
-        fields.push_back(trimmed(line.substr(from, end - from)));
-        from = end + 1;
-    }
-    while (!fields.empty() && fields.back().empty()) fields.pop_back();  // behind a comma at the end
+/// The fields of a line, without those behind a comma at its end.
+std::vector<std::string_view> fields_of_line(std::string_view line) {
+    std::vector<std::string_view> fields = fields_of(line);
+    for (std::string_view& field : fields) field = trimmed(field);
+    while (!fields.empty() && fields.back().empty()) fields.pop_back();
     return fields;
 }
 
@@ -76,11 +74,11 @@ public:
             if (line.front() == '*') {
                 begin_keyword(line);
             } else if (keyword_ == "*NODE") {
-                add_node(fields_of(line));
+                add_node(fields_of_line(line));
             } else if (keyword_ == "*ELEMENT") {
                 add_element(line);
             } else if (keyword_ == "*ELSET") {
-                add_to_set(fields_of(line));
+                add_to_set(fields_of_line(line));
             }
         }
         if (!element_fields_.empty()) fail("the file ends within an element");
@@ -117,7 +115,7 @@ private:
     /// A keyword with its parameters: *Elset, elset=face1, generate.
     void begin_keyword(std::string_view line) {
         if (!element_fields_.empty()) fail("a keyword stands within an element");
-        const auto parts = fields_of(line);
+        const auto parts = fields_of_line(line);
         keyword_ = upper(parts.empty() ? "" : parts.front());
         is_generated_ = false;
         set_.clear();
@@ -170,7 +168,7 @@ private:
 
     /// An element may go on in the next line, after a comma.
     void add_element(std::string_view line) {
-        for (const std::string_view field : fields_of(line)) element_fields_.push_back(field);
+        for (const std::string_view field : fields_of_line(line)) element_fields_.push_back(field);
         const std::size_t n_nodes = static_cast<std::size_t>(nodes_of_type());
         if (element_fields_.size() < n_nodes + 1 && line.back() == ',') return;
         if (element_fields_.size() != n_nodes + 1) {

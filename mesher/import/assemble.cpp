@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "mesher/assemblage/separate_bodies.hpp"
-#include "mesher/assemblage/statistics.hpp"
+#include "mesher/cells/statistics.hpp"
 #include "mesher/import/clean_mesh.hpp"
 #include "mesher/import/outline.hpp"
 #include "share/base/error.hpp"

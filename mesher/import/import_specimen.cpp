@@ -44,7 +44,7 @@ std::string parts_line(const Specimen& specimen) {
 
 }  // namespace
 
-Import import_specimen(const ImportRequest& request) {
+Import import_specimen(const ImportRequest& request, Fabric fabric, std::uint64_t seed) {
     const std::string bytes = read_bytes(request.file);
     Import import;
     import.digest = sha256_of(bytes);
@@ -53,6 +53,19 @@ Import import_specimen(const ImportRequest& request) {
     import.labels = std::move(mesh.labels);
     import.specimen = assemble(std::move(mesh), request.placement, request.crystals, request.file == "-" ? "stdin" : request.file,
                                import.notes);
+    if (import.has_phases()) {
+        if (!fabric.phases.fractions.empty() && !fabric.phases.yield) {
+            throw UsageError("--phases: the file says of what phases its grains are; leave the option out, or give --phase-key");
+        }
+        fabric.phases.fractions.clear();
+    }
+    std::vector<int> crystals = import.specimen.grain_crystal;
+    const bool can_break = !crystals.empty();
+    if (!can_break) {
+        crystals.resize(import.specimen.n_grains());
+        std::iota(crystals.begin(), crystals.end(), 0);
+    }
+    give_fabric(import.specimen, crystals, fabric, seed, 0, can_break);
     return import;
 }
 
@@ -69,32 +82,12 @@ std::vector<std::string> write_new_key(const ImportRequest& request) {
     return describe_labels(rows);
 }
 
-void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, const OpenBoundaryRequest& open,
-                 std::uint64_t seed) {
-    import.specimen.seed = seed;
-    if (!phases.fractions.empty() && import.has_phases()) {
-        throw UsageError("--phases: the file says of what phases its grains are; leave the option out, or give --phase-key");
-    }
-    const bool can_break = !import.specimen.grain_crystal.empty();
-    std::vector<int> crystals = import.specimen.grain_crystal;
-    if (!can_break) {
-        crystals.resize(import.specimen.n_grains());
-        std::iota(crystals.begin(), crystals.end(), 0);
-    }
-    assign_phases(import.specimen, crystals, phases);
-    assign_strength_factors(import.specimen, crystals, 0, strength);
-    open_boundaries(import.specimen, crystals, open);
-    if (can_break) name_crystals(import.specimen, crystals);
-}
-
 std::vector<std::string> describe(const Import& import) {
     const Specimen& specimen = import.specimen;
     const MeshStatistics& s = specimen.statistics;
     std::vector<std::string> lines{
-        fmt::format("{} of {}{} grains from {}: {} nodes, {} elements, {} contacts, {} boundary edges", specimen.shape,
-                    specimen.grain_crystal.empty() ? "" : fmt::format("{} crystals of ", number_of_crystals(specimen)),
-                    specimen.n_grains(), import.format, specimen.n_nodes(), specimen.n_elements(), specimen.n_contacts(),
-                    specimen.n_boundary_edges()),
+        fmt::format("{} of {} from {}: {} nodes, {} contacts, {} boundary edges", specimen.shape, grains_text(specimen),
+                    import.format, specimen.n_nodes(), specimen.n_contacts(), specimen.n_boundary_edges()),
         fmt::format("  {} wide, {} high; edge mean {}, CV {:.4f}, min {}, max {}; smallest angle {:.1f} deg, psi6 {:.3f}",
                     mm(specimen.width), mm(specimen.height), mm(s.mean_edge), s.edge_variation, mm(s.min_edge), mm(s.max_edge),
                     s.min_angle * 180 / std::numbers::pi, s.psi6),

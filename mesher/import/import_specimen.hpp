@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/fabric/open_boundaries.hpp"
-#include "mesher/fabric/phases.hpp"
-#include "mesher/fabric/strength_field.hpp"
+#include "mesher/fabric/fabric.hpp"
 #include "mesher/import/mesh_file.hpp"
 #include "share/file/specimen.hpp"
 
@@ -24,17 +22,15 @@ struct Import {
     [[nodiscard]] bool has_phases() const { return specimen.phase_names != Specimen{}.phase_names; }
 };
 
-/// Reads a file and makes it a specimen. \throws InputError naming the file, what was found and what would be right
-Import import_specimen(const ImportRequest& request);
+/// Reads a file and makes it a specimen, whose crystals get phases, if the file has none, scattered strengths and open
+/// boundaries. \throws InputError naming the file, what was found and what would be right; UsageError if the file has phases and
+/// options give
+///         others
+Import import_specimen(const ImportRequest& request, Fabric fabric, std::uint64_t seed);
 
 /// Writes a key of the labels of a picture, whose phases are to be named, to a file. \return the labels, a line each
 /// \throws UsageError if there is such a file, which is not the key of the request
 std::vector<std::string> write_new_key(const ImportRequest& request);
-
-/// Gives the crystals phases, if the file has none, scattered strengths and open boundaries, and names the contacts within them.
-/// \throws UsageError if the file has phases and others are requested
-void give_fabric(Import& import, const PhaseRequest& phases, const StrengthRequest& strength, const OpenBoundaryRequest& open,
-                 std::uint64_t seed);
 
 /// What came out, a line each. Lengths in mm, angles in degrees.
 std::vector<std::string> describe(const Import& import);

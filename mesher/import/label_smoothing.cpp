@@ -65,7 +65,7 @@ SmoothChain::SmoothChain(const BoundaryChain& chain, Point from, Point to, const
         return;
     }
     take(spacing_);
-    wanted_area_ = doubled_area(along_pixels.size(), [&](std::size_t i) { return along_pixels[i]; });
+    requested_area_ = doubled_area(along_pixels.size(), [&](std::size_t i) { return along_pixels[i]; });
     keep_area();
 }
 
@@ -101,9 +101,9 @@ void SmoothChain::take(double spacing) {
     for (std::size_t i = 1; i < n; ++i) along[i] = along[i - 1] + length(smooth_[i] - smooth_[i - 1]);
     const double whole = along.back() + (closed_ ? length(smooth_.front() - smooth_.back()) : 0);
     const std::size_t most = closed_ ? n : n - 1;
-    const double wanted = std::min(std::round(whole / spacing), static_cast<double>(most));
+    const double requested = std::min(std::round(whole / spacing), static_cast<double>(most));
     const std::size_t least = closed_ ? least_points() : least_points() - 1;
-    const std::size_t segments = std::max({least, static_cast<std::size_t>(wanted), std::size_t{1}});
+    const std::size_t segments = std::max({least, static_cast<std::size_t>(requested), std::size_t{1}});
     taken_.assign(1, 0);
     for (std::size_t k = 1; k < segments; ++k) {
         const double target = whole * static_cast<double>(k) / static_cast<double>(segments);
@@ -143,7 +143,7 @@ void SmoothChain::move_along_normals() {
     const std::size_t n = smooth_.size();
     if (n < 3 || size() < 3) return;
     const auto taken_point = [&](std::size_t i) { return smooth_[taken_[i]]; };
-    const double missing = wanted_area_ - doubled_area(size(), taken_point);
+    const double missing = requested_area_ - doubled_area(size(), taken_point);
 
     // Near its nodes the line moves less.
     std::vector<double> along(n, 0);

@@ -11,7 +11,7 @@ namespace graincrack::mesher {
 
 /// How boundaries are smoothed; lengths in pixels.
 struct Smoothing {
-    double spacing = 2;   ///< wanted between points
+    double spacing = 2;   ///< requested between points
     bool jagged = false;  ///< no smoothing: along sides of pixels
 };
 
@@ -50,7 +50,7 @@ private:
     std::vector<Point> smooth_;   ///< these moved so that the points taken keep the area
     std::vector<bool> restored_;  ///< points that are where they were before smoothing
     double spacing_;
-    double wanted_area_ = 0;  ///< twice that between the corners of pixels and the chord, or inside
+    double requested_area_ = 0;  ///< twice that between the corners of pixels and the chord, or inside
     std::vector<std::size_t> taken_;
 };
 

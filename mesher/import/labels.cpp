@@ -33,7 +33,7 @@ void check_options(const LabelOptions& options) {
     }
 }
 
-/// The wanted side of triangles, pixels.
+/// The requested side of triangles, pixels.
 double element_in_pixels(const LabelPieces& pieces, const LabelOptions& options, const std::string& name) {
     const double area = static_cast<double>(pieces.width) * pieces.height;
     if (!options.element_size) return std::max(side_for_area(area / static_cast<double>(pieces.size())), least_element);

@@ -16,7 +16,7 @@ namespace graincrack::mesher {
 struct LabelOptions {
     double pixel_size = 0;  ///< side of a pixel, m
     std::optional<double>
-        element_size;         ///< wanted side of triangles, m; else a third of the mean grain's diameter, at least 2 pixels
+        element_size;         ///< requested side of triangles, m; else a third of the mean grain's diameter, at least 2 pixels
     int smallest_piece = 10;  ///< pieces of fewer pixels join the neighbour with the longest common border
     bool jagged = false;      ///< boundaries along the sides of pixels
     PhaseKey::OfLabels phases;

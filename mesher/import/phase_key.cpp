@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "mesher/plane/fields.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 
@@ -36,11 +37,7 @@ std::string without_quotes(std::string_view field) {
 
 std::vector<std::string> key_fields(std::string_view line) {
     std::vector<std::string> fields;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find('\t', begin), line.size());
-        fields.push_back(without_quotes(line.substr(begin, end - begin)));
-        begin = end + 1;
-    }
+    for (const std::string_view field : fields_of(line, '\t')) fields.push_back(without_quotes(field));
     return fields;
 }
 

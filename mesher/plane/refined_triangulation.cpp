@@ -20,7 +20,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-/// Longest side over the wanted one: the sides that stay below it have about the wanted one as their mean.
+/// Longest side over the requested one: the sides that stay below it have about the requested one as their mean.
 constexpr double longest_side = 1.5;
 constexpr double triangles_across = 3;  ///< a circle
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "mesher/plane/fields.hpp"
 #include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
 #include "share/base/units.hpp"
@@ -41,13 +42,12 @@ Grading parse_grading(std::string_view text, const std::string& name) {
     std::optional<double> from;
     std::optional<double> to;
     std::optional<double> distance;
-    while (true) {
-        const std::string_view item = text.substr(0, text.find(','));
-        const std::string_view key = item.substr(0, item.find('='));
-        const std::string_view value = key.size() == item.size() ? "" : item.substr(key.size() + 1);
+    for (const std::string_view field : fields_of(text)) {
+        const auto [item, key, value] = KeyValue(field);
         const std::string where = name + ": " + std::string(key);
-        const auto* direction = std::find_if(directions.begin(), directions.end(),
-                                             [&](const Direction& d) { return d.key == key && d.value == value; });
+        const auto* direction =
+            std::find_if(directions.begin(), directions.end(),
+                         [&, key = key, value = value](const Direction& d) { return d.key == key && d.value == value; });
         if (direction != directions.end() && !kind) {
             kind = direction->kind;
         } else if (key == "from") {
@@ -59,8 +59,6 @@ Grading parse_grading(std::string_view text, const std::string& name) {
         } else {
             throw UsageError(fmt::format("{}: \"{}\" is not understood; give {}", name, item.substr(0, 60), examples));
         }
-        if (item.size() == text.size()) break;
-        text.remove_prefix(item.size() + 1);
     }
     if (kind) grading.kind = *kind;
     const bool along = grading.is_along();
@@ -93,7 +91,7 @@ GradedSize::GradedSize(const Grading& grading, const Region& region) : grading_(
     }
 }
 
-double GradedSize::share(Point p) const {
+double GradedSize::fraction(Point p) const {
     if (grading_.kind == Kind::along_x) return std::clamp((p.x - box_.low.x) / box_.width(), 0.0, 1.0);
     if (grading_.kind == Kind::along_y) return std::clamp((p.y - box_.low.y) / box_.height(), 0.0, 1.0);
     double nearest = std::numeric_limits<double>::infinity();
@@ -103,16 +101,16 @@ double GradedSize::share(Point p) const {
 
 std::optional<std::size_t> GradedSize::end_at(Point p) const {
     constexpr double eighth = 0.125;
-    const double way = share(p);
-    if (way > eighth && way < 1 - eighth) return std::nullopt;
-    return way < 0.5 ? 0 : 1;
+    const double distance = fraction(p);
+    if (distance > eighth && distance < 1 - eighth) return std::nullopt;
+    return distance < 0.5 ? 0 : 1;
 }
 
 double GradedSize::slope() const {
-    const double way = grading_.kind == Kind::along_x   ? box_.width()
-                       : grading_.kind == Kind::along_y ? box_.height()
-                                                        : grading_.distance;
-    return std::abs(grading_.to - grading_.from) / way;
+    const double distance = grading_.kind == Kind::along_x   ? box_.width()
+                            : grading_.kind == Kind::along_y ? box_.height()
+                                                             : grading_.distance;
+    return std::abs(grading_.to - grading_.from) / distance;
 }
 
 }  // namespace graincrack::mesher

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "mesher/plane/fields.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
@@ -29,10 +30,8 @@ JointSet parse_joint_set(std::string_view text, const std::string& name) {
     std::optional<double> length;
     std::string_view contact_class;
     std::string_view state;
-    while (true) {
-        const std::string_view item = text.substr(0, text.find(','));
-        const std::string_view key = item.substr(0, item.find('='));
-        const std::string_view value = key.size() == item.size() ? "" : item.substr(key.size() + 1);
+    for (const std::string_view field : fields_of(text)) {
+        const auto [item, key, value] = KeyValue(field);
         const std::string where = name + ": " + std::string(key);
         if (key == "spacing") {
             spacing = parse_quantity(value, quantity::joint_length, where);
@@ -48,12 +47,10 @@ JointSet parse_joint_set(std::string_view text, const std::string& name) {
             state = value;
         } else {
             throw UsageError(
-                fmt::format("{}: \"{}\" is not understood; give spacing=20mm,dip=45deg and, if wanted, persistence=0.7, "
+                fmt::format("{}: \"{}\" is not understood; give spacing=20mm,dip=45deg and, if needed, persistence=0.7, "
                             "length=30mm, class=broken|intact|NAME, state=broken|intact",
                             name, item.substr(0, 60)));
         }
-        if (item.size() == text.size()) break;
-        text.remove_prefix(item.size() + 1);
     }
     if (!spacing || !dip) throw UsageError(name + ": spacing and dip are needed; give spacing=20mm,dip=45deg");
     const auto kind = flaw_kind(contact_class, state);

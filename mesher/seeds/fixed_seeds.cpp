@@ -438,10 +438,10 @@ private:
 
 }  // namespace
 
-int admissible_boundary_count(const Region& region, double wanted, bool odd) {
+int admissible_boundary_count(const Region& region, double requested, bool odd) {
     const int parity = odd ? 1 : 0;
     const int fewest = number_of_edges(undivided(region, {}));
-    const int n = 2 * static_cast<int>(std::lround((wanted - parity) / 2)) + parity;
+    const int n = 2 * static_cast<int>(std::lround((requested - parity) / 2)) + parity;
     return std::max(n, fewest + (fewest + parity) % 2);
 }
 

@@ -8,9 +8,9 @@
 
 namespace graincrack::mesher {
 
-/// Number of boundary points nearest to `wanted` that the region allows, of the requested parity.
+/// Number of boundary points nearest to `requested` that the region allows, of the requested parity.
 /// \param odd true if the number must be odd
-int admissible_boundary_count(const Region& region, double wanted, bool odd);
+int admissible_boundary_count(const Region& region, double requested, bool odd);
 
 /// Length of all loops over the local size of grains, m; without a size field their perimeter.
 double relative_perimeter(const Region& region, const SizeField& size);

@@ -11,7 +11,7 @@
 
 namespace graincrack::mesher {
 
-/// Relative size of grains at points of the plane in which they are equiaxed: the wanted edge there over the edge of as many
+/// Relative size of grains at points of the plane in which they are equiaxed: the requested edge there over the edge of as many
 /// equal grains, which have the same area in all. A relative size is graded (g, from a table) and scattered by a factor
 /// f = exp(σz + σ²), where z is a random field of variance 1 that is correlated over about two grains; the mean of 1/(gf)² over
 /// the area is 1, so that sizes do not change the number of grains.

@@ -342,19 +342,15 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
 
 CommandLine::~CommandLine() = default;
 
-bool CommandLine::is_given(const std::string& option) const {
-    const std::vector<CLI::App*> chain = running(*app_);
-    return std::any_of(chain.begin(), chain.end(), [&](const CLI::App* each) {
-        const CLI::Option* found = each->get_option_no_throw(option);
-        return found != nullptr && found->count() > 0;
-    });
-}
-
-void CommandLine::set_default(const std::string& option, const std::string& text) {
+bool CommandLine::replace_default(const std::string& option, const std::string& text) {
+    bool holds = false;
     for (CLI::App* each : running(*app_)) {
         CLI::Option* found = each->get_option_no_throw(option);
-        if (found != nullptr && found->count() == 0 && first_of(found->get_excludes(), true) == nullptr) found->default_str(text);
+        if (found == nullptr || found->count() > 0 || first_of(found->get_excludes(), true) != nullptr) continue;
+        found->default_str(text);
+        holds = true;
     }
+    return holds;
 }
 
 bool CommandLine::parse(int argc, const char* const* argv, const std::function<void()>& complete) {
@@ -383,12 +379,12 @@ bool CommandLine::parse(int argc, const char* const* argv, const std::function<v
     } catch (const UsageError& error) {
         throw UsageError(with_origin_in(call, error.what()));
     }
-    if (complete) complete();
     if (const ConfigurationFile* file = configuration_file(app); file != nullptr) {
         for (CLI::App* each : running(app)) {
             for (const CLI::Option* option : each->get_options()) file->apply_default(option);
         }
     }
+    if (complete) complete();
     if (!print_config) {
         print_notes(app);
         return true;

@@ -60,12 +60,11 @@ public:
     /// Parses; turns every error that CLI11 finds into one UsageError line (also for unknown configuration keys) that names the
     /// option and, if the value was not on the command line, its origin. Returns false if the call was answered already (--help,
     /// --version, --print-config, which needs no required options).
-    /// \param complete called once all options are read and before defaults are; it may call `set_default`
+    /// \param complete called once all options are read; it may call `replace_default`
     bool parse(int argc, const char* const* argv, const std::function<void()>& complete = {});
-    /// Whether the command line or a file gave an option of the subcommand that runs.
-    [[nodiscard]] bool is_given(const std::string& option) const;
-    /// Gives an option of the subcommand that runs another default, unless it is given, or one that excludes it.
-    void set_default(const std::string& option, const std::string& text);
+    /// Shows another value as that which an option of the subcommand that runs has unless it is given; the caller sets its
+    /// target. \return whether it holds: neither the option is given, nor one that excludes it
+    bool replace_default(const std::string& option, const std::string& text);
 
     /// The effective options as TOML that --config loads again. Options without a value appear as comments.
     [[nodiscard]] std::string effective_configuration() const;

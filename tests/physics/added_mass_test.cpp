@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "solver/program/standard_tests.hpp"
 #include "solver/setup/stable_time_step.hpp"
 #include "tests/support/small_run.hpp"
@@ -32,11 +32,11 @@ AddedMassCase make_case(const Specimen& specimen, double share) {
     return c;
 }
 Specimen rectangle(int elements_per_edge = 1) {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     request.region = mesher::rectangle(0.02, 0.04);
-    request.edge = 0.004;
-    request.elements_per_edge = elements_per_edge;
-    return mesher::make_specimen(request);
+    request.fabric.edge = 0.004;
+    request.fabric.elements_per_edge = elements_per_edge;
+    return mesher::mesh(request);
 }
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 

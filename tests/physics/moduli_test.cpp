@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
 
@@ -88,10 +88,10 @@ TEST(Moduli, OfRandomMeshes) {
     };
     for (const Case& c : {Case{1152, PlaneCondition::stress, 24.78, 0.248}, Case{1840, PlaneCondition::stress, 24.50, 0.253},
                           Case{1152, PlaneCondition::strain, 24.68, 0.239}}) {
-        mesher::SpecimenRequest request;
+        mesher::Request request;
         request.region = mesher::rectangle(0.08, 0.16);
-        request.grains = c.grains;
-        const SmallRun run(mesher::make_specimen(request), elastic_law(c.plane), c.plane);
+        request.fabric.grains = c.grains;
+        const SmallRun run(mesher::mesh(request), elastic_law(c.plane), c.plane);
         Moduli m = pulled(run);
         if (c.plane == PlaneCondition::strain) {
             m = {fpz::material_young_modulus(m.young_modulus, m.poisson_ratio), fpz::material_poisson_ratio(m.poisson_ratio)};

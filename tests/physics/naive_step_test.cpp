@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "tests/support/naive_step.hpp"
 #include "tests/support/phases.hpp"
 #include "tests/support/small_run.hpp"
@@ -33,10 +33,10 @@ double difference(const std::vector<Vector2>& fast, const std::vector<NaiveRun::
 enum class Grains { of_one_phase, of_three_phases };
 
 PhasedSpecimen make(Grains grains) {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     request.region = mesher::rectangle(0.02, 0.04);
-    request.grains = 80;
-    const Specimen s = mesher::make_specimen(request);
+    request.fabric.grains = 80;
+    const Specimen s = mesher::mesh(request);
     return grains == Grains::of_three_phases
                ? test::varied_phases(s)
                : PhasedSpecimen{s, uniform_fabric(test::augig_granite().rock, test::augig_contact(), 1)};

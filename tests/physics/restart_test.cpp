@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 #include "solver/restart/checkpoint.hpp"
@@ -37,11 +37,11 @@ void PrintTo(const RestartCase& c, std::ostream* stream) {  // NOLINT(readabilit
 /// Grains of many shapes, between which node–edge contacts come and go after the peak.
 const Specimen& restart_specimen() {
     static const Specimen s = [] {
-        mesher::SpecimenRequest restart_request;
+        mesher::Request restart_request;
         restart_request.region = mesher::rectangle(0.04, 0.08);
-        restart_request.grains = 300;
+        restart_request.fabric.grains = 300;
         restart_request.seed = 4;
-        return mesher::make_specimen(restart_request);
+        return mesher::mesh(restart_request);
     }();
     return s;
 }

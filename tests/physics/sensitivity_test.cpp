@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "share/file/specimen_validation.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/program/program_file.hpp"
@@ -23,11 +23,11 @@ namespace {
 using test::expect_close;
 
 Specimen refined_disc(int grains, int elements_per_edge) {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     request.region = mesher::disc(0.04);
-    request.grains = grains;
-    request.elements_per_edge = elements_per_edge;
-    return mesher::make_specimen(request);
+    request.fabric.grains = grains;
+    request.fabric.elements_per_edge = elements_per_edge;
+    return mesher::mesh(request);
 }
 
 SimulationRequest brazilian() {

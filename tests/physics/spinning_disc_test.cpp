@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "solver/run/frame.hpp"
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
@@ -19,10 +19,10 @@ constexpr double disc_radius = 0.04;
 constexpr double omega = 1000;  // rad/s; stresses are compared scaled to 100
 
 Specimen spinning_disc() {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     request.region = mesher::disc(2 * disc_radius);
-    request.grains = 452;
-    return mesher::make_specimen(request);
+    request.fabric.grains = 452;
+    return mesher::mesh(request);
 }
 
 /// Displacements of the disc at rest under its centrifugal forces; its centre of mass stays.

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
@@ -49,10 +49,10 @@ TEST(TimeStep, BelowTheExactOneWithPlatens) {
 // The specimens of the paper: the smallest triangle decides, so that meshes of a kind differ by some 15 %.
 TEST(TimeStep, OfTheAugigRectangle) {
     for (const auto& [grains, low, high] : {std::tuple{1152, 6e-8, 8e-8}, std::tuple{1840, 5.0e-8, 6.6e-8}}) {
-        mesher::SpecimenRequest request;
+        mesher::Request request;
         request.region = mesher::rectangle(0.08, 0.16);
-        request.grains = grains;
-        const SmallRun run = between_platens(mesher::make_specimen(request), augig_law());
+        request.fabric.grains = grains;
+        const SmallRun run = between_platens(mesher::mesh(request), augig_law());
         const std::string name = "dynamics: stable step, 80 x 160 mm, " + std::to_string(grains) + " grains";
         verify_between(name + " (s)", run.parameters.time_step, low, high, "other meshes of the kind");
         verify_between(name + " over that of the solver's own forces",

@@ -1,21 +1,21 @@
 // Crystals of triangles with a flaw of a class of its own, and their material.
 #pragma once
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "tests/support/augig_granite.hpp"
 
 namespace graincrack::test {
 
 /// A flaw across the middle, broken from the start, that ends within the specimen.
 inline Specimen crystals_with_flaw() {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     request.region = mesher::rectangle(0.04, 0.08);
     request.region.edges = {{{-0.01, -0.012}, {0.012, 0.01}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
-    request.tessellation = mesher::Tessellation::trigon;
-    request.grains = 40;
-    request.spread = 0.3;
+    request.fabric.tessellation = mesher::Tessellation::trigon;
+    request.fabric.grains = 40;
+    request.fabric.spread = 0.3;
     request.seed = 4;
-    return mesher::make_specimen(request);
+    return mesher::mesh(request);
 }
 
 inline Material granite_with_flaw() {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "solver/run/frame.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
@@ -23,15 +23,14 @@ constexpr double disc_radius = disc_diameter / 2;
 
 /// A disc with stiff contacts, compressed to about 1 MPa and held until it is at rest.
 SmallRun compressed_disc() {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     request.region = mesher::disc(disc_diameter);
-    request.grains = 452;
-    request.elements_per_edge = 2;
+    request.fabric.grains = 452;
+    request.fabric.elements_per_edge = 2;
     ContactParameters contact = test::augig_contact(PlaneCondition::stress);
     contact.normal_stiffness *= 10;
     contact.shear_stiffness *= 10;
-    SmallRun run(mesher::make_specimen(request), make_contact_law(contact, LawVariant::scaled, Coupling::full),
-                 PlaneCondition::stress);
+    SmallRun run(mesher::mesh(request), make_contact_law(contact, LawVariant::scaled, Coupling::full), PlaneCondition::stress);
     LoadingRequest loading;
     loading.test = TestKind::brazilian;
     run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, contact), 0.7);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/jointed_test.hpp"
 #include "tests/support/stress_intensity.hpp"
@@ -29,23 +29,23 @@ constexpr PlaneCondition plane = PlaneCondition::stress;
 const Rock rock = test::augig_granite().rock;
 
 Specimen flawed_specimen(const Region& region, double edge, int elements_per_edge, std::uint64_t seed = 1) {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     request.region = region;
-    request.edge = edge;
-    request.elements_per_edge = elements_per_edge;
+    request.fabric.edge = edge;
+    request.fabric.elements_per_edge = elements_per_edge;
     request.seed = seed;
-    return mesher::make_specimen(request);
+    return mesher::mesh(request);
 }
 
 /// The same of crystals, which have classes of contacts within them and on flaws.
 Specimen crystals_of_classes(const Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     request.region = region;
-    request.edge = edge;
-    request.spread = 0.3;
-    request.tessellation = tessellation;
-    request.element_size = element_size;
-    return mesher::make_specimen(request);
+    request.fabric.edge = edge;
+    request.fabric.spread = 0.3;
+    request.fabric.tessellation = tessellation;
+    request.fabric.element_size = element_size;
+    return mesher::mesh(request);
 }
 
 /// The same with contacts of one class, within crystals too.

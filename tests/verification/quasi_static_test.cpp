@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -20,11 +20,11 @@ using test::verify;
 constexpr double confining_pressure = 8 * MPa;
 
 Specimen specimen_of(TestKind test) {
-    mesher::SpecimenRequest request;
+    mesher::Request request;
     const bool disc = test == TestKind::brazilian;
     request.region = disc ? mesher::disc(0.04) : mesher::rectangle(0.03, 0.06);
-    request.grains = disc ? 120 : 160;
-    return mesher::make_specimen(request);
+    request.fabric.grains = disc ? 120 : 160;
+    return mesher::mesh(request);
 }
 
 struct Outcome {

@@ -1,11 +1,7 @@
 // A rectangle of 20 × 40 mm of two minerals, with a joint between them: the source of the meshes beside it, by Gmsh 4.8.4:
 //
-//     for format in msh22 msh41 inp; do gmsh two-minerals.geo -2 -format $format -o two-minerals-$format.${format:0:3}; done
-//     for format in msh22 msh41; do gmsh two-minerals.geo -2 -format $format -bin -o two-minerals-$format-binary.msh; done
-//     for format in msh22 msh41; do gmsh two-minerals.geo -2 -format $format -part 2 -o two-minerals-$format-partitioned.msh; done
-//     gmsh two-minerals.geo -2 -format msh22 -save_all -o two-minerals-msh22-all.msh
+//     gmsh two-minerals.geo -2 -format msh22 -o two-minerals-msh22.msh
 //     gmsh two-minerals.geo -2 -format msh41 -order 2 -o two-minerals-msh41-order2.msh
-//     gmsh two-minerals.geo -2 -format msh41 -setnumber Mesh.RecombineAll 1 -o two-minerals-msh41-quadrangles.msh
 h = 10;
 Point(1) = {0, 0, 0, h};
 Point(2) = {20, 0, 0, h};

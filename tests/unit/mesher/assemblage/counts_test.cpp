@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
 TEST(Counts, AreThoseOfTheArrays) {
     for (const int n : {1, 2, 3}) {
-        SpecimenRequest request;
+        Request request;
         request.region = rectangle(0.04, 0.06);
-        request.grains = 200;
-        request.elements_per_edge = n;
-        const Specimen s = make_specimen(request);
+        request.fabric.grains = 200;
+        request.fabric.elements_per_edge = n;
+        const Specimen s = mesh(request);
         const auto boundary = static_cast<std::int64_t>(s.n_boundary_edges()) / n;
         const AssemblageCounts counts = assemblage_counts(200, boundary, n);
         EXPECT_EQ(static_cast<std::int64_t>(s.n_nodes()), counts.nodes) << n;

@@ -7,17 +7,17 @@
 #include <map>
 #include <string>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
-SpecimenRequest notched(double length, int elements_per_edge = 1) {
-    SpecimenRequest request;
+Request notched(double length, int elements_per_edge = 1) {
+    Request request;
     request.region = rectangle(0.08, 0.16);
-    request.grains = 1122;
-    request.elements_per_edge = elements_per_edge;
+    request.fabric.grains = 1122;
+    request.fabric.elements_per_edge = elements_per_edge;
     request.notch = length;
     return request;
 }
@@ -30,7 +30,7 @@ bool broken(const Specimen& s, std::size_t c) {
 // edge of the requested positions.
 TEST(Notch, IsOneLineOfTheWantedLength) {
     for (const int n : {1, 3}) {
-        const Specimen s = make_specimen(notched(0.032, n));
+        const Specimen s = mesh(notched(0.032, n));
         std::map<std::pair<double, double>, int> ends;
         for (std::size_t c = 0; c < s.n_contacts(); ++c) {
             if (!broken(s, c)) continue;
@@ -48,10 +48,10 @@ TEST(Notch, IsOneLineOfTheWantedLength) {
 }
 
 TEST(Notch, ChangesNothingElse) {
-    SpecimenRequest whole = notched(0.032);
+    Request whole = notched(0.032);
     whole.notch.reset();
-    const Specimen with = make_specimen(notched(0.032));
-    const Specimen without = make_specimen(whole);
+    const Specimen with = mesh(notched(0.032));
+    const Specimen without = mesh(whole);
     EXPECT_EQ(with.node_position, without.node_position);
     EXPECT_EQ(with.contact_nodes, without.contact_nodes);
     EXPECT_EQ(std::count(without.contact_kind.begin(), without.contact_kind.end(), 1), 0);
@@ -60,9 +60,9 @@ TEST(Notch, ChangesNothingElse) {
 TEST(Notch, TooShortOrTooLongIsRefused) {
     EXPECT_THROW(plan_mesh(notched(0.005)), UsageError);
     EXPECT_THROW(plan_mesh(notched(0.075)), UsageError);
-    SpecimenRequest narrow = notched(0.011);
+    Request narrow = notched(0.011);
     narrow.region = rectangle(0.02, 0.16);
-    narrow.grains = 100;  // edges of about 8.5 mm
+    narrow.fabric.grains = 100;  // edges of about 8.5 mm
     try {
         plan_mesh(narrow);
         FAIL() << "a notch in two edges' width";

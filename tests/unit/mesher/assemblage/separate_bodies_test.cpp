@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "mesher/elements/lattice.hpp"
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
 #include "share/file/specimen_validation.hpp"
 
@@ -39,11 +39,11 @@ Specimen specimen_of(const PlaneMesh& mesh) {
     return s;
 }
 
-SpecimenRequest small_rectangle(int elements_per_edge) {
-    SpecimenRequest request;
+Request small_rectangle(int elements_per_edge) {
+    Request request;
     request.region = rectangle(0.04, 0.06);
-    request.grains = 200;
-    request.elements_per_edge = elements_per_edge;
+    request.fabric.grains = 200;
+    request.fabric.elements_per_edge = elements_per_edge;
     return request;
 }
 
@@ -65,7 +65,7 @@ TEST(SeparateBodies, TwoGrainsShareOneContact) {
 
 TEST(SeparateBodies, ContactsAreConformingAndOrdered) {
     for (const int n : {1, 2, 3}) {
-        const Specimen s = make_specimen(small_rectangle(n));
+        const Specimen s = mesh(small_rectangle(n));
         validate(s, "rectangle");
         const auto grains = grain_of_nodes(s);
         std::set<std::array<int, 2>> pairs;
@@ -103,7 +103,7 @@ std::vector<std::array<std::int32_t, 2>> grain_outsides(const Specimen& s) {
 
 TEST(SeparateBodies, EveryOutsideIsInOneContactOrOnTheBoundary) {
     for (const int n : {1, 2, 3}) {
-        const Specimen s = make_specimen(small_rectangle(n));
+        const Specimen s = mesh(small_rectangle(n));
         std::map<std::array<std::int32_t, 2>, int> uses;
         for (const auto& [a1, a2, b1, b2] : s.contact_nodes) {
             ++uses[{a1, a2}];  // counter-clockwise around a …
@@ -117,7 +117,7 @@ TEST(SeparateBodies, EveryOutsideIsInOneContactOrOnTheBoundary) {
 }
 
 TEST(SeparateBodies, BoundaryIsAClosedLoopWithTheSolidOnItsLeft) {
-    const Specimen s = make_specimen(small_rectangle(2));
+    const Specimen s = mesh(small_rectangle(2));
     const auto at = [&](std::int32_t node) { return s.node_position[static_cast<std::size_t>(node)]; };
     double doubled_area = 0;
     for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
@@ -137,9 +137,9 @@ TEST(SeparateBodies, BoundaryIsAClosedLoopWithTheSolidOnItsLeft) {
 }
 
 TEST(SeparateBodies, GrainsFollowEachOtherInSpace) {
-    SpecimenRequest request = small_rectangle(1);
-    request.grains = 2000;
-    const Specimen s = make_specimen(request);
+    Request request = small_rectangle(1);
+    request.fabric.grains = 2000;
+    const Specimen s = mesh(request);
     double mean_step = 0;
     for (std::size_t g = 1; g < s.n_grains(); ++g) {
         const auto centre = [&](std::size_t grain) {
@@ -160,7 +160,7 @@ TEST(SeparateBodies, GrainsFollowEachOtherInSpace) {
 
 TEST(SeparateBodies, SubdivisionKeepsAreas) {
     for (const int n : {2, 3, 5}) {
-        const Specimen s = make_specimen(small_rectangle(n));
+        const Specimen s = mesh(small_rectangle(n));
         std::vector<double> area(s.n_grains(), 0);
         for (std::size_t e = 0; e < s.n_elements(); ++e) {
             std::array<Point, 3> p;

@@ -14,7 +14,7 @@ TEST(CellAreas, HaveTheirSumAndVariation) {
         for (const double spread : {0.0, 0.05, 0.2, 0.4, 0.6}) {
             for (const std::size_t n : {40U, 1000U}) {
                 RandomNumbers random(3);
-                const auto areas = wanted_areas(n, 7, spread, distribution, random);
+                const auto areas = requested_areas(n, 7, spread, distribution, random);
                 ASSERT_EQ(areas.size(), n);
                 EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), 7, 1e-12);
                 EXPECT_NEAR(diameter_variation(areas), spread, 1e-9) << n;
@@ -27,7 +27,7 @@ TEST(CellAreas, HaveTheirSumAndVariation) {
 TEST(CellAreas, AreOfTheirDistribution) {
     const auto skewness = [](SizeDistribution distribution, bool of_logarithms) {
         RandomNumbers random(5);
-        const auto areas = wanted_areas(20000, 1, 0.25, distribution, random);
+        const auto areas = requested_areas(20000, 1, 0.25, distribution, random);
         std::vector<double> values;
         for (const double area : areas) values.push_back(of_logarithms ? std::log(area) : std::sqrt(area));
         const double mean = std::accumulate(values.begin(), values.end(), 0.0) / 20000;
@@ -47,7 +47,7 @@ TEST(CellAreas, AreOfTheirDistribution) {
 TEST(CellAreas, AreRandomAndRepeat) {
     const auto made = [](std::uint64_t seed) {
         RandomNumbers random(seed);
-        return wanted_areas(100, 1, 0.3, SizeDistribution::normal, random);
+        return requested_areas(100, 1, 0.3, SizeDistribution::normal, random);
     };
     EXPECT_EQ(made(1), made(1));
     EXPECT_NE(made(1), made(2));

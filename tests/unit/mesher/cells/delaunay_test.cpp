@@ -108,11 +108,11 @@ TEST(DelaunayCells, FollowPrescribedEdges) {
             if (side.part < 0) prescribed += length(at(cells, side.to) - at(cells, side.from));
             EXPECT_EQ(side.kind, side.part < 0 ? ContactKind::pre_existing_crack : ContactKind::grain_boundary);
         }
-        double wanted = 0;
+        double requested = 0;
         for (const PrescribedEdge& e : region.edges) {
-            for (const PrescribedEdge& piece : clip(region, e)) wanted += length(piece.to - piece.from);
+            for (const PrescribedEdge& piece : clip(region, e)) requested += length(piece.to - piece.from);
         }
-        EXPECT_NEAR(prescribed, wanted, 1e-14);
+        EXPECT_NEAR(prescribed, requested, 1e-14);
     }
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 struct Made {
     ConvexOutline outline;
-    std::vector<double> wanted;
+    std::vector<double> requested;
     LaguerreCells cells;
 };
 
@@ -25,8 +25,8 @@ Made made(const Region& region, std::size_t n, double spread, SizeDistribution d
     Made result;
     result.outline = convex_outline(region, std::sqrt(4 * area(region) / (std::numbers::sqrt3 * static_cast<double>(n))));
     RandomNumbers random(seed);
-    result.wanted = wanted_areas(n, moments(result.outline.corners).area, spread, distribution, random);
-    result.cells = laguerre_cells(result.outline, result.wanted, random);
+    result.requested = requested_areas(n, moments(result.outline.corners).area, spread, distribution, random);
+    result.cells = laguerre_cells(result.outline, result.requested, random);
     return result;
 }
 
@@ -62,7 +62,7 @@ TEST(LaguerreCells, HaveTheWantedAreas) {
                     const Made m = made(region, n, spread, distribution, n);
                     const std::vector<double> areas = areas_of(m.cells.cells);
                     ASSERT_EQ(areas.size(), n);
-                    for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(areas[i] / m.wanted[i], 1, 1e-6);
+                    for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(areas[i] / m.requested[i], 1, 1e-6);
                     EXPECT_LE(m.cells.largest_error, 1e-6);
                     if (n == 400) {
                         EXPECT_NEAR(diameter_variation(areas), spread, 1e-6);
@@ -122,7 +122,7 @@ TEST(LaguerreCells, LoseTheirShortEdges) {
             // half of that, and may take the more from a cell.
             EXPECT_NEAR(diameter_variation(areas), spread, 0.005 * spread + 0.006);
             for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-                EXPECT_GT(areas[cell], 0.5 * m.wanted[cell]);
+                EXPECT_GT(areas[cell], 0.5 * m.requested[cell]);
                 const auto loop = cells.loop(cell);
                 ASSERT_GE(loop.size(), 3U);
             }

@@ -54,17 +54,17 @@ TEST(RelaxedCorners, MakeShapesBetterAndKeepAreas) {
             const ConvexOutline outline =
                 convex_outline(region, std::sqrt(4 * area(region) / (std::numbers::sqrt3 * static_cast<double>(n))));
             RandomNumbers random(3);
-            const std::vector<double> wanted =
-                wanted_areas(n, moments(outline.corners).area, spread, SizeDistribution::normal, random);
-            PlaneCells cells = laguerre_cells(outline, wanted, random).cells;
+            const std::vector<double> requested =
+                requested_areas(n, moments(outline.corners).area, spread, SizeDistribution::normal, random);
+            PlaneCells cells = laguerre_cells(outline, requested, random).cells;
             remove_short_edges(cells, outline.size());
-            ASSERT_LE(restore_areas(cells, outline.size(), wanted), 1e-6);
+            ASSERT_LE(restore_areas(cells, outline.size(), requested), 1e-6);
             const PlaneCells before = cells;
-            EXPECT_LE(relax_corners(cells, outline.size(), wanted), 1e-6);
+            EXPECT_LE(relax_corners(cells, outline.size(), requested), 1e-6);
 
             const std::vector<double> areas = areas_of(cells);
             for (std::size_t cell = 0; cell < n; ++cell) {
-                EXPECT_NEAR(areas[cell] / wanted[cell], 1, 1e-6);
+                EXPECT_NEAR(areas[cell] / requested[cell], 1, 1e-6);
                 EXPECT_TRUE(is_sound(corners_of(cells, cell)));
             }
             EXPECT_GT(shape_of(cells).shortest, shape_of(before).shortest);

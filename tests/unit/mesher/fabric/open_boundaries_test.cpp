@@ -57,7 +57,7 @@ void expect_share(const Specimen& s, double share) {
 }
 
 TEST(OpenBoundaries, WholeOnesOfTrianglesHaveTheShareAndLargerSharesOpenMore) {
-    const Specimen plain = make_specimen(rectangle_of(1122));
+    const Specimen plain = mesh(rectangle_of(1122));
     std::vector<std::uint8_t> before = plain.contact_kind;
     for (const double share : {0.0, 0.001, 0.1, 0.3, 0.6, 0.95}) {
         Specimen s = plain;
@@ -80,13 +80,13 @@ TEST(OpenBoundaries, WholeOnesOfTrianglesHaveTheShareAndLargerSharesOpenMore) {
 
 TEST(OpenBoundaries, WholeOnesOfPolygonsAreOpenAndNeitherFlawsNorWhatIsWithinCrystals) {
     for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
-        SpecimenRequest request = rectangle_of(120);
-        request.tessellation = tessellation;
+        Request request = rectangle_of(120);
+        request.fabric.tessellation = tessellation;
         request.region.edges = {{{-0.03, -0.03}, {0.03, -0.02}, {ContactKind::grain_boundary, "joint"}},
                                 {{-0.02, 0.02}, {0.02, 0.03}, ContactKind::pre_existing_crack}};
-        const Specimen closed = make_specimen(request);
-        request.open.share = 0.4;
-        const Specimen s = make_specimen(request);
+        const Specimen closed = mesh(request);
+        request.fabric.open.fraction = 0.4;
+        const Specimen s = mesh(request);
         expect_share(s, 0.4);
         EXPECT_EQ(s.contact_flaw, closed.contact_flaw);
         for (std::size_t c = 0; c < s.n_contacts(); ++c) {
@@ -101,27 +101,27 @@ TEST(OpenBoundaries, WholeOnesOfPolygonsAreOpenAndNeitherFlawsNorWhatIsWithinCry
 }
 
 TEST(OpenBoundaries, AreNoPartOfANotch) {
-    SpecimenRequest bent;
+    Request bent;
     bent.region = half_disc(0.08);
     bent.region.edges = {slit_from_below(bent.region, 0.02, "--slit")};
-    bent.grains = 400;
-    bent.open.share = 0.6;
-    const auto notch = edge_notch(make_specimen(bent));
+    bent.fabric.grains = 400;
+    bent.fabric.open.fraction = 0.6;
+    const auto notch = edge_notch(mesh(bent));
     ASSERT_TRUE(notch);
     EXPECT_NEAR(notch->length(), 0.02, 1e-9);
     bent.region.edges.clear();
-    EXPECT_FALSE(edge_notch(make_specimen(bent)));
-    SpecimenRequest plate = rectangle_of(1122);
+    EXPECT_FALSE(edge_notch(mesh(bent)));
+    Request plate = rectangle_of(1122);
     plate.notch = 0.03;
-    const auto without = notch_ends(make_specimen(plate));
-    plate.open.share = 0.5;
-    EXPECT_EQ(notch_ends(make_specimen(plate)), without);
+    const auto without = notch_ends(mesh(plate));
+    plate.fabric.open.fraction = 0.5;
+    EXPECT_EQ(notch_ends(mesh(plate)), without);
 }
 
 TEST(OpenBoundaries, BadRequestsNameTheirOption) {
     const auto refused = [](const OpenBoundaryRequest& open) -> std::string {
-        SpecimenRequest request = rectangle_of(1122);
-        request.open = open;
+        Request request = rectangle_of(1122);
+        request.fabric.open = open;
         try {
             plan_mesh(request);
         } catch (const UsageError& error) {

@@ -43,9 +43,9 @@ TEST(Phases, FractionsAreOfTheAreaAndExactToOneGrain) {
     const std::vector<std::vector<PhaseFraction>> fabrics{granite(), parse_phases("a=0.5,b=0.5"),
                                                           parse_phases("a=0.001,b=0.333,c=0.333,d=0.333"), parse_phases("a=1")};
     for (const std::int64_t grains : {60, 333, 1122, 5000}) {
-        SpecimenRequest mesh = rectangle_of(grains);
-        mesh.spread = 0.3;
-        Specimen s = make_specimen(mesh);
+        Request request = rectangle_of(grains);
+        request.fabric.spread = 0.3;
+        Specimen s = mesh(request);
         const double whole = std::accumulate(s.grain_area.begin(), s.grain_area.end(), 0.0);
         const double largest = *std::max_element(s.grain_area.begin(), s.grain_area.end());
         for (const auto& fractions : fabrics) {
@@ -69,9 +69,9 @@ TEST(Phases, FractionsAreOfTheAreaAndExactToOneGrain) {
 
 // Without clusters the phase of a grain says nothing about its neighbours.
 TEST(Phases, NeighboursAreIndependent) {
-    SpecimenRequest request = rectangle_of(20000);
-    request.phases.fractions = granite();
-    const Specimen s = make_specimen(request);
+    Request request = rectangle_of(20000);
+    request.fabric.phases.fractions = granite();
+    const Specimen s = mesh(request);
     const std::vector<std::uint8_t> classes = contact_classes(s);
     const double f[] = {0.32, 0.62, 0.06};
     for (std::size_t p = 0; p < 3; ++p) {
@@ -87,7 +87,7 @@ TEST(Phases, NeighboursAreIndependent) {
 
 // Pieces of a rare phase are its clusters: seldom two of them meet.
 TEST(Phases, ClustersHaveTheMeanNumberOfGrains) {
-    Specimen s = make_specimen(rectangle_of(20000));
+    Specimen s = mesh(rectangle_of(20000));
     for (const double cluster : {1.0, 4.0, 10.0}) {
         double sum = 0;
         constexpr int n_seeds = 20;
@@ -100,7 +100,7 @@ TEST(Phases, ClustersHaveTheMeanNumberOfGrains) {
 }
 
 TEST(Phases, BelongToCrystals) {
-    Specimen s = make_specimen(rectangle_of(1000));
+    Specimen s = mesh(rectangle_of(1000));
     std::vector<int> crystals = own_crystals(s);
     for (int& crystal : crystals) crystal /= 4;
     assign_phases(s, crystals, {granite(), 3, 2});
@@ -109,16 +109,16 @@ TEST(Phases, BelongToCrystals) {
 }
 
 TEST(Phases, SameSeedSamePhasesWhateverTheElements) {
-    SpecimenRequest request = rectangle_of(1122);
-    request.phases = {granite(), {}, 3};
-    const Specimen first = make_specimen(request);
-    EXPECT_EQ(make_specimen(request).grain_phase, first.grain_phase);
-    request.elements_per_edge = 2;
-    EXPECT_EQ(make_specimen(request).grain_phase, first.grain_phase);
-    request.phases.seed = request.seed;
-    EXPECT_EQ(make_specimen(request).grain_phase, first.grain_phase) << "the seed of the specimen, unless given";
-    request.phases.seed = 2;
-    const Specimen other = make_specimen(request);
+    Request request = rectangle_of(1122);
+    request.fabric.phases = {granite(), {}, 3};
+    const Specimen first = mesh(request);
+    EXPECT_EQ(mesh(request).grain_phase, first.grain_phase);
+    request.fabric.elements_per_edge = 2;
+    EXPECT_EQ(mesh(request).grain_phase, first.grain_phase);
+    request.fabric.phases.seed = request.seed;
+    EXPECT_EQ(mesh(request).grain_phase, first.grain_phase) << "the seed of the specimen, unless given";
+    request.fabric.phases.seed = 2;
+    const Specimen other = mesh(request);
     EXPECT_NE(other.grain_phase, first.grain_phase);
     EXPECT_EQ(other.grain_area, first.grain_area);
 }
@@ -141,13 +141,13 @@ std::vector<std::pair<double, int>> phases_by_distance(const Specimen& s) {
 }
 
 TEST(Phases, TurnWithADisc) {
-    SpecimenRequest request;
+    Request request;
     request.region = disc(0.08, Pole::facet, 6);
-    request.grains = 452;
-    request.phases = {granite(), {}, 4};
-    const auto first = phases_by_distance(make_specimen(request));
+    request.fabric.grains = 452;
+    request.fabric.phases = {granite(), {}, 4};
+    const auto first = phases_by_distance(mesh(request));
     request.region.loops.front().circle->loaded_diameter = 2;
-    const auto turned = phases_by_distance(make_specimen(request));
+    const auto turned = phases_by_distance(mesh(request));
     for (std::size_t g = 0; g < first.size(); ++g) {
         EXPECT_NEAR(turned[g].first, first[g].first, 1e-15);
         EXPECT_EQ(turned[g].second, first[g].second);
@@ -193,8 +193,8 @@ TEST(Phases, BadPhasesSayWhatIsWrong) {
 
 TEST(Phases, BadRequestsNameTheirOption) {
     const auto refused = [](const PhaseRequest& phases, std::int64_t grains) -> std::string {
-        SpecimenRequest request = rectangle_of(grains);
-        request.phases = phases;
+        Request request = rectangle_of(grains);
+        request.fabric.phases = phases;
         try {
             plan_mesh(request);
         } catch (const UsageError& error) {
@@ -208,10 +208,10 @@ TEST(Phases, BadRequestsNameTheirOption) {
     EXPECT_EQ(refused({granite(), {}, 0.5}, 1122).rfind("--phase-cluster", 0), 0U);
     EXPECT_EQ(refused({granite(), {}, std::nan("")}, 1122).rfind("--phase-cluster", 0), 0U);
     EXPECT_EQ(refused({{{"a", std::nan("")}, {"b", 1}}, {}, 1}, 1122).rfind("--phases", 0), 0U);
-    SpecimenRequest few;
+    Request few;
     few.region = disc(0.08);
-    few.grains = 12;
-    for (int i = 0; i < 20; ++i) few.phases.fractions.push_back({"p" + std::to_string(i), 0.05});
+    few.fabric.grains = 12;
+    for (int i = 0; i < 20; ++i) few.fabric.phases.fractions.push_back({"p" + std::to_string(i), 0.05});
     EXPECT_THROW((void)plan_mesh(few), UsageError);
 }
 

@@ -56,8 +56,8 @@ double correlation_of(const std::vector<double>& x, const std::vector<double>& y
 }
 
 TEST(StrengthField, FactorsOfAHundredThousandContactsHaveMeanAndModulus) {
-    SpecimenRequest request = rectangle_of(67000);
-    Specimen s = make_specimen(request);
+    Request request = rectangle_of(67000);
+    Specimen s = mesh(request);
     EXPECT_EQ(s.contact_strength_factor.size(), 0U) << "none unless requested";
     ASSERT_NEAR(static_cast<double>(s.n_contacts()), 1e5, 1e3);
     const std::vector<int> crystals = own_crystals(s);
@@ -113,9 +113,9 @@ TEST(StrengthField, TheAutocorrelationIsExponential) {
 // The same in a specimen, with the factors of pairs of grain boundaries.
 TEST(StrengthField, FactorsAreCorrelatedOverTheLength) {
     constexpr double length = 2e-3;
-    SpecimenRequest request = rectangle_of(30000);
-    request.strength = {5, length, {}};
-    const Specimen s = make_specimen(request);
+    Request request = rectangle_of(30000);
+    request.fabric.strength = {5, length, {}};
+    const Specimen s = mesh(request);
     std::vector<Point> middle;
     for (const auto& nodes : s.contact_nodes) {
         const auto& p = s.node_position[static_cast<std::size_t>(nodes[0])];
@@ -137,35 +137,35 @@ TEST(StrengthField, FactorsAreCorrelatedOverTheLength) {
 
 TEST(StrengthField, ContactsOfAGrainBoundaryHaveOneFactorWhateverTheElements) {
     for (const std::optional<double> correlation : {std::optional<double>{}, std::optional<double>{0.01}}) {
-        SpecimenRequest request = rectangle_of(1122);
-        request.strength = {5, correlation, {}};
-        const Specimen coarse = make_specimen(request);
-        EXPECT_EQ(make_specimen(request).contact_strength_factor, coarse.contact_strength_factor);
-        request.elements_per_edge = 3;
-        const Specimen fine = make_specimen(request);
+        Request request = rectangle_of(1122);
+        request.fabric.strength = {5, correlation, {}};
+        const Specimen coarse = mesh(request);
+        EXPECT_EQ(mesh(request).contact_strength_factor, coarse.contact_strength_factor);
+        request.fabric.elements_per_edge = 3;
+        const Specimen fine = mesh(request);
         ASSERT_EQ(fine.n_contacts(), 3 * coarse.n_contacts());
         for (std::size_t c = 0; c < fine.n_contacts(); ++c) {
             const auto boundary = static_cast<std::size_t>(fine.contact_grain_boundary[c]);
             EXPECT_EQ(fine.contact_strength_factor[c], coarse.contact_strength_factor[boundary]);
         }
-        request.strength.seed = request.seed;
-        EXPECT_EQ(make_specimen(request).contact_strength_factor, fine.contact_strength_factor);
-        request.strength.seed = 2;
-        const Specimen other = make_specimen(request);
+        request.fabric.strength.seed = request.seed;
+        EXPECT_EQ(mesh(request).contact_strength_factor, fine.contact_strength_factor);
+        request.fabric.strength.seed = 2;
+        const Specimen other = mesh(request);
         EXPECT_NE(other.contact_strength_factor, fine.contact_strength_factor);
         EXPECT_EQ(other.node_position, fine.node_position);
     }
 }
 
 TEST(StrengthField, FactorsTurnWithADisc) {
-    SpecimenRequest request;
+    Request request;
     request.region = disc(0.08, Pole::facet, 6);
-    request.grains = 452;
+    request.fabric.grains = 452;
     for (const std::optional<double> correlation : {std::optional<double>{}, std::optional<double>{0.01}}) {
-        request.strength = {5, correlation, {}};
+        request.fabric.strength = {5, correlation, {}};
         const auto sorted = [&](int loaded) {
             request.region.loops.front().circle->loaded_diameter = loaded;
-            std::vector<double> factors = make_specimen(request).contact_strength_factor;
+            std::vector<double> factors = mesh(request).contact_strength_factor;
             std::sort(factors.begin(), factors.end());
             return factors;
         };
@@ -177,8 +177,8 @@ TEST(StrengthField, FactorsTurnWithADisc) {
 
 TEST(StrengthField, BadRequestsNameTheirOption) {
     const auto refused = [](const StrengthRequest& strength) -> std::string {
-        SpecimenRequest request = rectangle_of(1122);
-        request.strength = strength;
+        Request request = rectangle_of(1122);
+        request.fabric.strength = strength;
         try {
             plan_mesh(request);
         } catch (const UsageError& error) {

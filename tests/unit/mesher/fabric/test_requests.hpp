@@ -5,14 +5,14 @@
 #include <numeric>
 #include <vector>
 
-#include "mesher/specimen_maker.hpp"
+#include "mesher/mesh.hpp"
 
 namespace graincrack::mesher {
 
-inline SpecimenRequest rectangle_of(std::int64_t grains) {
-    SpecimenRequest request;
+inline Request rectangle_of(std::int64_t grains) {
+    Request request;
     request.region = rectangle(0.08, 0.16);
-    request.grains = grains;
+    request.fabric.grains = grains;
     return request;
 }
 

@@ -8,7 +8,7 @@
 
 #include "mesher/fabric/crystals.hpp"
 #include "mesher/import/clean_mesh.hpp"
-#include "mesher/import/import_specimen.hpp"
+#include "mesher/fabric/fabric.hpp"
 #include "mesher/import/outline.hpp"
 #include "share/base/error.hpp"
 #include "share/file/specimen_validation.hpp"
@@ -110,10 +110,9 @@ TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
     // Along the diagonal of the left square, inside of its crystal.
     const Triangle& t = mesh.triangles[0];
     mesh.lines.push_back({t[2], t[0], "flaw-vein-broken"});
-    Import import;
-    import.specimen = assemble(mesh, {}, CrystalChoice::breaking, "file", import.notes);
-    give_fabric(import, {}, {}, {}, 1);
-    const Specimen& s = import.specimen;
+    std::vector<std::string> notes;
+    Specimen s = assemble(mesh, {}, CrystalChoice::breaking, "file", notes);
+    give_fabric(s, std::vector<int>(s.grain_crystal), {}, 1, 0, true);
     validate(s, "file");
     EXPECT_EQ(s.n_grains(), 4U);
     EXPECT_EQ(s.tessellation, "imported");
@@ -142,20 +141,6 @@ TEST(Assemble, CrystalsOfOneElementDoNotBreak) {
                      "fan.msh: --crystals break: each crystal is one element, so that nothing can break within it; smaller "
                      "elements, another --grain, or --crystals elastic is needed");
     }
-}
-
-TEST(Assemble, PhasesAreDrawnForCrystalsThatBreak) {
-    ImportRequest request;
-    request.file = "file";
-    request.crystals = CrystalChoice::breaking;
-    Import import;
-    import.specimen = assemble(import_mesh(test::neper_tess, request), {}, request.crystals, "file", import.notes);
-    PhaseRequest phases;
-    phases.fractions = {{"quartz", 0.5}, {"mica", 0.5}};
-    give_fabric(import, phases, {}, {}, 1);
-    validate(import.specimen, "file");  // a crystal is of one phase
-    EXPECT_EQ(number_of_crystals(import.specimen), 2U);
-    EXPECT_EQ(import.specimen.flaw_names, (std::vector<std::string>{"within_quartz", "within_mica"}));
 }
 
 TEST(Assemble, TellsBodiesThatDoNotTouch) {

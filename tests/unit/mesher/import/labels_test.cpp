@@ -258,8 +258,8 @@ TEST(Labels, OfGrainsHaveTheirAreasAndGoodTriangles) {
         }
     }
     EXPECT_GT(smallest, 15);
-    const double wanted = std::sqrt(4 / std::numbers::pi * 200 * 200 / static_cast<double>(pieces.size())) / 3;
-    EXPECT_NEAR(sum / (3 * static_cast<double>(mesh.triangles.size())), wanted, 0.15 * wanted);
+    const double requested = std::sqrt(4 / std::numbers::pi * 200 * 200 / static_cast<double>(pieces.size())) / 3;
+    EXPECT_NEAR(sum / (3 * static_cast<double>(mesh.triangles.size())), requested, 0.15 * requested);
 }
 
 TEST(Labels, OfAPngAreThoseOfItsText) {

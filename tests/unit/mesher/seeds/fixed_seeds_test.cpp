@@ -70,11 +70,11 @@ TEST(FixedSeeds, DiscHasTheAreaOfTheCircleAndTouchesThePlatens) {
             ASSERT_EQ(outline.points.size(), static_cast<std::size_t>(n));
             EXPECT_TRUE(is_convex(outline.points)) << n;
             EXPECT_NEAR(polygon_area(outline.points) / area(region), 1, 1e-13) << n;
-            const std::size_t wanted = region.loops[0].circle->pole == Pole::facet ? 2 : 1;
+            const std::size_t requested = region.loops[0].circle->pole == Pole::facet ? 2 : 1;
             for (const double y : {0.04, -0.04}) {
                 const auto touching =
                     std::count_if(outline.points.begin(), outline.points.end(), [&](Point p) { return p.y == y; });
-                EXPECT_EQ(static_cast<std::size_t>(touching), wanted) << n;
+                EXPECT_EQ(static_cast<std::size_t>(touching), requested) << n;
             }
             for (const Point p : outline.points) EXPECT_LE(std::abs(p.y), 0.04) << n;
             for (const Side& side : outline.sides) EXPECT_EQ(side.part, static_cast<int>(BoundaryPart::rim));

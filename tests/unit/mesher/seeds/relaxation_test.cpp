@@ -16,7 +16,7 @@ namespace {
 
 const Region tall_region = rectangle(0.08, 0.16);
 
-/// A relaxed rectangle of edge 8 mm; the sample has more or fewer points than wanted if its distance is not 0.77 edges.
+/// A relaxed rectangle of edge 8 mm; the sample has more or fewer points than requested if its distance is not 0.77 edges.
 Seeds relaxed(std::uint64_t seed, std::size_t n_inner, double sampling_distance) {
     constexpr double edge = 8e-3;
     RandomNumbers random(seed);

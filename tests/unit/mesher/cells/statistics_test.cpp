@@ -1,4 +1,4 @@
-#include "mesher/assemblage/statistics.hpp"
+#include "mesher/cells/statistics.hpp"
 
 #include <gtest/gtest.h>
 

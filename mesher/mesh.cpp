@@ -1,0 +1,114 @@
+#include "mesher/mesh.hpp"
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "mesher/assemblage/notch.hpp"
+#include "mesher/assemblage/separate_bodies.hpp"
+#include "mesher/cells/polygon.hpp"
+#include "mesher/cells/statistics.hpp"
+#include "mesher/elements/divided_cells.hpp"
+#include "mesher/elements/lattice.hpp"
+
+namespace graincrack::mesher {
+
+namespace {
+
+constexpr double element_count_tolerance = 0.02;  ///< of a requested number of elements a crystal
+constexpr int max_element_trials = 8;
+constexpr std::int64_t crystals_of_trial = 500;
+
+PlaneMesh divided_crystals(const Request& request, const TessellatedRegion& made, double element_size) {
+    const Fabric& fabric = request.fabric;
+    std::function<double(Point)> relative_size;
+    if (made.plan.size.varies() && !fabric.element_size) {
+        relative_size = [&](Point p) { return made.plan.size.graded(Stretch(fabric.elongation).equiaxed(p)); };
+    }
+    const Bodies bodies = fabric.tessellation == Tessellation::trigon ? Bodies::triangles : Bodies::cells;
+    return divided_cells(made.cells, bodies, element_size, relative_size);
+}
+
+/// The size of elements that gives a crystal as many of them as requested, tried on these crystals, or on fewer of the same sizes
+/// where there are many: their corners ask for elements of their own, so that the number is not that of the size alone.
+double element_size_for(const Request& request, const TessellatedRegion& made) {
+    double size = made.plan.element_size;
+    if (!request.fabric.elements_per_crystal) return size;
+    Request trial = request;
+    std::optional<TessellatedRegion> fewer;
+    if (made.plan.n_grains > crystals_of_trial) {
+        const double side = std::sqrt(area(made.plan.region) * crystals_of_trial / static_cast<double>(made.plan.n_grains));
+        trial.region = rectangle(side, side);
+        centre_region(trial.region);
+        trial.fabric.grading.reset();  // crystals have as many elements everywhere
+        MeshPlan plan;
+        plan.region = trial.region;
+        plan.n_grains = crystals_of_trial;
+        plan.edge = equilateral_edge(plan.region, crystals_of_trial);
+        fewer = tessellate(trial, std::move(plan));
+    }
+    const TessellatedRegion& tried = fewer ? *fewer : made;
+    for (int i = 0; i < max_element_trials; ++i) {
+        const auto n_elements = static_cast<double>(divided_crystals(trial, tried, size).triangles.size());
+        const double ratio = n_elements / (*request.fabric.elements_per_crystal * static_cast<double>(tried.plan.n_grains));
+        if (std::abs(ratio - 1) < element_count_tolerance) break;
+        size *= std::sqrt(ratio);
+    }
+    return size;
+}
+
+/// Elements of the cells, turned so that the loaded diameter lies along y. The elongation is measured on the way.
+PlaneMesh elements_of(const Request& request, TessellatedRegion& made) {
+    const Fabric& fabric = request.fabric;
+    PlaneMesh elements;
+    if (fabric.has_crystals()) {
+        elements = divided_crystals(request, made, element_size_for(request, made));
+        turn_to_load(request.region, elements.points);
+    }
+    turn_to_load(request.region, made.cells.points);
+    if (fabric.elongation.ratio > 1) {
+        const Elongation measured = elongation_of(made.cells);
+        made.statistics.elongation = measured.ratio;
+        made.statistics.elongation_angle = measured.angle;
+    }
+    return fabric.has_crystals() ? elements : lattice_mesh(std::move(made.cells), fabric.elements_per_edge);
+}
+
+/// Statistics of crystals are those of their specimen but for the elongation, which is that of their cells.
+MeshStatistics statistics_of_crystals(const Specimen& specimen, const Region& region, const MeshStatistics& of_cells) {
+    MeshStatistics statistics = statistics_of(specimen);
+    const double total = std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
+    statistics.area_error = total / area(region) - 1;
+    statistics.elongation = of_cells.elongation;
+    statistics.elongation_angle = of_cells.elongation_angle;
+    return statistics;
+}
+
+}  // namespace
+
+Specimen mesh(const Request& request, const ProgressCallback& progress, MeshReport* report) {
+    const Fabric& fabric = request.fabric;
+    TessellatedRegion made = tessellate(request, plan_mesh(request), progress);
+    const PlaneMesh elements = elements_of(request, made);
+    std::vector<int> crystal_of_grain;
+    Specimen specimen = separate_bodies(elements, &crystal_of_grain);
+    constexpr const char* names[] = {"delaunay", "voronoi", "trigon"};
+    specimen.tessellation = names[static_cast<int>(fabric.tessellation)];
+    specimen.elements_per_edge = fabric.elements_per_edge;
+    specimen.loading_arc = made.loading_arc;
+    specimen.shape = request.region.name;
+    specimen.width = bounds(request.region).width();
+    specimen.height = bounds(request.region).height();
+    specimen.part_names = request.region.part_names;
+    if (request.notch && !fabric.has_crystals()) cut_notch(specimen, *request.notch);
+    specimen.statistics =
+        fabric.has_crystals() ? statistics_of_crystals(specimen, request.region, made.statistics) : made.statistics;
+    const bool can_break = fabric.tessellation == Tessellation::trigon;
+    give_fabric(specimen, crystal_of_grain, fabric, request.seed, turn_to_load(request.region), can_break);
+    if (report != nullptr) *report = made.report;
+    return specimen;
+}
+
+}  // namespace graincrack::mesher

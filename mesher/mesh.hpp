@@ -1,0 +1,16 @@
+// Makes a specimen from a request: the interface of the mesher.
+#pragma once
+
+#include "mesher/cells/tessellation.hpp"
+#include "mesher/fabric/fabric.hpp"
+#include "mesher/region/shapes.hpp"
+#include "share/file/specimen.hpp"
+
+namespace graincrack::mesher {
+
+/// Makes the specimen: region with fitted flaws → cells → elements → bodies → fabric. The same request gives the same specimen,
+/// bit for bit.
+/// \param report filled unless null \throws UsageError as `plan_mesh`; Interrupted on a signal
+Specimen mesh(const Request& request, const ProgressCallback& progress = {}, MeshReport* report = nullptr);
+
+}  // namespace graincrack::mesher
