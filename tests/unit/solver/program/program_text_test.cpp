@@ -30,6 +30,9 @@ TEST(ProgramText, ReadAgainItIsTheSameProgram) {
             EXPECT_EQ(again.platens->bonded, test == TestKind::tension);
         }
     }
+}
+
+TEST(ProgramText, OfAProgramWithEveryKeyIsThatOfItsFile) {
     const std::string everything = R"(name = "a \"b\""
 stages = ["s 1", "s 2"]
 damping = "none"
