@@ -73,9 +73,6 @@ LawVariant law_of(const ContactOptions& o, const Material& material) {
 }
 
 void check_use(const ContactOptions& o, LawVariant law) {
-    if (o.coupling == Coupling::none) {
-        require_use("--coupling none", law, [](const LawDescription& each) { return each.coupling; });
-    }
     for (const ContactParameter& row : all_contact_parameters()) {
         const bool is_given = is_fracture_energy(row) ? o.fracture_energy.has_value() : (o.given.*row.given).has_value();
         if (is_given) require_use(row.option(), law, read_by(row));
@@ -88,7 +85,7 @@ void check_use(const ContactOptions& o, LawVariant law) {
 }
 
 void check_energies(const ContactParameters& p, LawVariant law) {
-    const FractureEnergies least = min_fracture_energies(make_contact_law(p, law, Coupling::full));
+    const FractureEnergies least = min_fracture_energies(make_contact_law(p, law));
     require_energy("--fracture-energy", p.fracture_energy, least.opening, law);
     require_energy("--mode-ii-fracture-energy", p.mode_ii_fracture_energy, least.sliding, law);
 }
@@ -104,8 +101,6 @@ void add_contact_options(OptionSet command, ContactOptions& o) {
     add_choice(
         command, "--contact-law", o.law, laws,
         fmt::format("contact law; see share/doc/laws.md; default: the material's, else {}", name_of(SimulationRequest{}.law)));
-    add_choice<Coupling>(command, "--coupling", o.coupling, {{"full", Coupling::full}, {"none", Coupling::none}},
-                         "full: failure in one mode removes the cohesion in both; none: each mode fails by itself");
     add_parameters(command, o);
     add_choice(command, "--plane", o.plane, {"strain", "stress"}, "plane condition; default: strain, in Brazilian tests stress");
 }
@@ -114,7 +109,6 @@ void apply_contact_options(const ContactOptions& o, SimulationRequest& request) 
     request.material = read_material(o.material);
     request.law = law_of(o, request.material);
     check_use(o, request.law);
-    request.coupling = o.coupling;
     const bool brazilian = request.loading.test == TestKind::brazilian;
     request.plane = o.plane.empty() ? (brazilian ? PlaneCondition::stress : PlaneCondition::strain)
                                     : (o.plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain);

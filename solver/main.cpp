@@ -113,7 +113,7 @@ void print_ranks(const SimulationSummary& s) {
 
 /// Says so where the fracture energy in sliding leaves no softening.
 void print_sudden_loss(const SimulationRequest& request) {
-    const ContactLaw law = make_contact_law(request.contact, request.law, request.coupling);
+    const ContactLaw law = make_contact_law(request.contact, request.law);
     if (description_of(law.variant).reads(&ContactParameters::mode_ii_fracture_energy) && !law.softens_in_shear) {
         fmt::print(stderr,
                    "{}: note: G_II, {:.4g} J/m2, does not exceed the {:.4g} J/m2 that a closed contact absorbs up to its peak: "

@@ -128,7 +128,7 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
     const auto number = [&](const std::string& name, Dimension dimension) {
         if (file.has_attribute(group, name)) line(out, name, format_quantity(file.attribute<double>(group, name), dimension));
     };
-    for (const char* name : {"test", "plane", "material", "contact_law", "coupling", "fracture_energy_choice"}) word(name);
+    for (const char* name : {"test", "plane", "material", "contact_law", "fracture_energy_choice"}) word(name);
     for (const ContactParameter& p : all_contact_parameters()) number(std::string(p.quantity.name), p.quantity.dimension);
     number("confining_pressure", Dimension::stress);
     word("rate");

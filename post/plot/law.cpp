@@ -181,11 +181,10 @@ Drawing draw_shear(const LawCurves& curves, const ContactParameters& contact, do
 
 Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options,
                   const PictureStyle& style) {
-    const Coupling coupling = options.coupling == "none" ? Coupling::none : Coupling::full;
     LawCurves curves;
     for (const LawDescription& d : chosen(options.laws)) {
         if (d.name == options.own) curves.own = curves.laws.size();
-        curves.laws.push_back(make_contact_law(contact, d.variant, coupling));
+        curves.laws.push_back(make_contact_law(contact, d.variant));
     }
     const bool wide = style.page_width >= 1400;
     const PictureStyle part = style.of_part(wide ? std::floor(style.page_width / 3) : style.page_width);
@@ -249,7 +248,6 @@ void add_options(OptionSet set, LawOptions& options) {
     constexpr Quantity normal_stress{"normal_stress", Dimension::stress, 0, 1e12, "compression across a contact"};
     add_text(set, "--material", options.material, "material: a name of share/materials or a TOML file");
     add_texts(set, "--contact-law", options.law.laws, "NAME", "law to draw; may be given again; all unless given");
-    add_choice(set, "--coupling", options.law.coupling, {"full", "none"}, "whether failure in one mode takes the other");
     add_choice<PlaneCondition>(set, "--plane", options.plane,
                                {{"strain", PlaneCondition::strain}, {"stress", PlaneCondition::stress}}, "plane condition");
     add_fracture_energy(set, options.fracture_energy, "fracture energy of the contacts: mixed (Eq 32), mode-i or a value");
@@ -261,7 +259,6 @@ Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {
     LawPlotOptions law = options.law;
     law.own = run.header().contact_law;
     if (law.laws.empty()) law.laws = {law.own};
-    law.coupling = run.header().coupling;
     return draw_laws(run.header().contact, fmt::format("{}, {}", run.header().material, run.header().contact_law), law,
                      options.style);
 }

@@ -343,8 +343,7 @@ std::string parameter_tables(const TestReport& test) {
     add_contact("critical sliding δcs", &ContactParameters::critical_sliding, Dimension::length);
     add_contact("ultimate opening δut", &ContactParameters::ultimate_opening, Dimension::length);
     add("platen friction", h.platen_friction, Dimension::angle);
-    table.row_for_all("contact law, coupling, fracture energy",
-                      h.contact_law + ", " + h.coupling + ", " + h.fracture_energy_choice);
+    table.row_for_all("contact law, fracture energy", h.contact_law + ", " + h.fracture_energy_choice);
     if (columns.size() == 1) return table.str();
     html::Table by_class(columns);
     for (const auto& row : rows) by_class.row(row);

@@ -8,8 +8,8 @@
 
 namespace graincrack {
 
-/// What two runs differ in that makes them tests of different materials: contact law, coupling, choice of fracture energy,
-/// rock, contact parameters; "" if nothing. Stiffnesses and fracture energy follow the plane condition and are
+/// What two runs differ in that makes them tests of different materials: contact law, choice of fracture energy, rock,
+/// contact parameters; "" if nothing. Stiffnesses and fracture energy follow the plane condition and are
 /// compared in one plane condition only.
 std::string material_difference(const RunHeader& a, const RunHeader& b);
 

@@ -40,7 +40,6 @@ void visit_header(Header& h, Visit&& visit) {
     visit("test", h.test);
     visit("material", h.material);
     visit("contact_law", h.contact_law);
-    visit("coupling", h.coupling);
     visit("fracture_energy_choice", h.fracture_energy_choice);
     visit("young_modulus", h.rock.young_modulus, Dimension::stress);
     visit("poisson_ratio", h.rock.poisson_ratio, Dimension::one);

@@ -22,7 +22,6 @@ struct RunHeader {
     std::string material;                         ///< name of the material
     std::string contact_law;                      ///< a name of solver/law/table.hpp
     CrackEvent crack_event = CrackEvent::failed;  ///< by which tables and pictures count the micro-cracks of this law
-    std::string coupling;                         ///< "full" | "none"
     std::string fracture_energy_choice;           ///< "mixed" | "mode-i" | "value"; "none" for a law without fracture energy
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;

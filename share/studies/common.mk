@@ -10,7 +10,7 @@
 #     make RANKS=4             ranks of a run (MPI)      make MPIRUN="srun …" what starts them, with -n RANKS behind it
 #     make LAUNCH="srun …"     command before a run      make MAX_STRAIN=0.01 strain limit of runs without a peak
 #     make GF=90               fracture energy, J/m²     make OPEN=7.7        shear strength of open contacts, MPa
-#     make LAW=scaled          another contact law       make UNIAXIAL_PEAK_DROP=0.3   uniaxial runs to a larger drop below the peak;
+#     make LAW=literal         another contact law       make UNIAXIAL_PEAK_DROP=0.3   uniaxial runs to a larger drop below the peak;
 #                                                                                      none: to the strain limit
 #     make CONFINED= UNIAXIAL=                           runs with the solver's default loading rate, or another tolerance of it
 #     make -n                  print what would be done  make clean           remove tables and pages; distclean: runs too

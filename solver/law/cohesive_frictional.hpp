@@ -17,7 +17,7 @@
 // cc δcs (e − 2), there is no softening: cohesion is lost at once, and friction starts from the traction the point had (Eq 12).
 //
 // Energy: that of `consistent`. Every part of the dissipation, by the fall of β and by slip, is never negative. On crossing δn =
-// 0 friction is zero and β can only fall: the law has a potential. Failure in one mode always weakens the other (full coupling).
+// 0 friction is zero and β can only fall: the law has a potential. Failure in one mode always weakens the other.
 #pragma once
 
 #include "solver/law/cohesive_damage.hpp"

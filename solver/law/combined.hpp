@@ -17,7 +17,7 @@
 //
 // Energy: z (tc o_p E(δn/o_p) + cc s_p E(δs/s_p)) + ½ kt⟨−δn⟩² + ½ ks (δs − slip)², E = ∫P. Each of its history variables only
 // lowers it, so dissipation is never negative. It is continuous at δn = 0, so the law has a potential. Failure in one mode always
-// weakens the other (full coupling).
+// weakens the other.
 #pragma once
 
 #include <cmath>

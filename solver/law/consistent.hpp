@@ -16,7 +16,7 @@
 // carries friction on the share D of the area that it has lost, starting from zero when it closes (Alfano & Sacco 2006, Int J
 // Numer Meth Engng 68: friction on the damaged part). When a point fails while closed, both shares continue with their mean slip;
 // the energy is convex in the slip, so the loss is never negative. On crossing δn = 0 β can only fall, which dissipates energy:
-// the law has a potential. Failure in one mode always weakens the other (full coupling).
+// the law has a potential. Failure in one mode always weakens the other.
 #pragma once
 
 #include "solver/law/cohesive_damage.hpp"

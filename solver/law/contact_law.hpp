@@ -34,10 +34,9 @@
 
 namespace graincrack {
 
-inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant variant, Coupling coupling) {
+inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant variant) {
     ContactLaw law{};
     law.variant = variant;
-    law.coupling = coupling;
     law.kt = p.normal_stiffness;
     law.ks = p.shear_stiffness;
     law.tc = p.tensile_strength;
@@ -70,9 +69,9 @@ struct ContactLaws {
     [[nodiscard]] LawVariant variant() const { return of_class.front().variant; }
 };
 /// \param contacts parameters by class
-inline ContactLaws make_contact_laws(const std::vector<ContactParameters>& contacts, LawVariant variant, Coupling coupling) {
+inline ContactLaws make_contact_laws(const std::vector<ContactParameters>& contacts, LawVariant variant) {
     ContactLaws laws;
-    for (const ContactParameters& contact : contacts) laws.of_class.push_back(make_contact_law(contact, variant, coupling));
+    for (const ContactParameters& contact : contacts) laws.of_class.push_back(make_contact_law(contact, variant));
     return laws;
 }
 

@@ -25,9 +25,8 @@
 #include "solver/law/cohesive_frictional.hpp"
 #include "solver/law/combined.hpp"
 #include "solver/law/consistent.hpp"
-#include "solver/law/continuous.hpp"
 #include "solver/law/coulomb_slip.hpp"
-#include "solver/law/effective.hpp"
+#include "solver/law/literal.hpp"
 
 namespace graincrack {
 namespace contact_law {
@@ -36,7 +35,7 @@ template <class... Laws>
 struct Table {
     static constexpr std::array<LawDescription, sizeof...(Laws)> descriptions{Laws::description...};
 };
-using AllLaws = Table<Literal, Scaled, Continuous, Consistent, CoulombSlip, Combined, CohesiveFrictional>;
+using AllLaws = Table<Literal, Consistent, CoulombSlip, Combined, CohesiveFrictional>;
 
 template <class First, class... Rest, class Action>
 constexpr auto with_law(Table<First, Rest...> /*table*/, LawVariant variant, const Action& action) {

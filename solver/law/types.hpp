@@ -15,12 +15,9 @@
 namespace graincrack {
 
 /// The contact laws (--contact-law); the order is that of `all_contact_laws`.
-enum class LawVariant : std::uint8_t { literal, scaled, continuous, consistent, coulomb_slip, combined, cohesive_frictional };
+enum class LawVariant : std::uint8_t { literal, consistent, coulomb_slip, combined, cohesive_frictional };
 /// The law of a material that names none.
 inline constexpr LawVariant default_law = LawVariant::consistent;
-/// What failure in one mode does to the other (--coupling).
-enum class Coupling : std::uint8_t { full, none };
-constexpr std::string_view name_of(Coupling coupling) { return coupling == Coupling::full ? "full" : "none"; }
 
 /// Fracture energies, J/m².
 struct FractureEnergies {
@@ -34,7 +31,6 @@ struct LawDescription {
     std::string_view name;     ///< as options and files spell it
     std::string_view meaning;  ///< in a few words
     bool potential = false;    ///< its tractions derive from an energy everywhere: no non-conservative work on any path
-    bool coupling = false;     ///< --coupling; a law without couples the modes by nature
     bool friction_beside_cohesion = false;     ///< friction adds to the cohesion that is left: under pressure a point that
                                                ///< passes the peak of its cohesion has not lost its strength
     std::array<ContactValue, 6> parameters{};  ///< contact parameters it reads beside those that every law reads
@@ -51,7 +47,6 @@ struct LawDescription {
 /// Constants of a law. Symbols as in the paper. \see make_contact_law
 struct ContactLaw {
     LawVariant variant;
-    Coupling coupling;
     double kt, ks;   ///< initial stiffnesses (Eqs 3–5), Pa/m
     double tc, cc;   ///< tensile strength, cohesion, Pa
     double tan_phi;  ///< of the friction angle φc
@@ -59,7 +54,6 @@ struct ContactLaw {
     double residual_tc, residual_cc, residual_tan_phi;
     double dct, dcs, dut;        ///< δct, δcs, δut (Eqs 8, 11, 14), m
     double inv_dct, inv_dcs;     ///< 1/m
-    double w;                    ///< weight of δs² in δeff² of the open branch: 1 (literal) or κ = ks/kt
     double stiffest_shear;       ///< largest shear stiffness a point can reach, for the stable time step, Pa/m
     double open_shear_strength;  ///< to (consistent, cohesive-frictional), Pa
     double inv_dso;              ///< 1/δso, δso = e to/ks (likewise)
@@ -82,8 +76,7 @@ struct ContactTraction {
 /// The history of a contact point: its last motion and everything the next response depends on.
 struct ContactHistory {
     ContactMotion motion;                       ///< of the last update
-    double max_displacement = 0;                ///< δmax once failed open (literal, scaled, continuous), m
-    double peak_displacement = 0;               ///< δpk (continuous), m
+    double max_displacement = 0;                ///< δmax once failed open (literal), m
     double largest_open = 0;                    ///< largest δn/o_p once past 1, else 0 (combined)
     double largest_slid = 0;                    ///< largest |δs|/s_p once past 1, else 0 (combined)
     double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m

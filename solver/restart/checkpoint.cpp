@@ -21,7 +21,6 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
     std::vector<std::pair<std::string, std::string>> options{{"the test", h.test},
                                                              {"--material", h.material},
                                                              {"--contact-law", h.contact_law},
-                                                             {"--coupling", h.coupling},
                                                              {"--confining-pressure", number(h.confining_pressure)},
                                                              {"--platen-friction", number(h.platen_friction)},
                                                              {"--rate", h.rate},

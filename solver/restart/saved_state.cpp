@@ -43,8 +43,8 @@ void visit_members(T& v, Act&& act) {
 }
 template <Is<ContactHistory> T, class Act>
 void visit_members(T& h, Act&& act) {
-    visit_all(act, h.motion.opening, h.motion.sliding, h.max_displacement, h.peak_displacement, h.largest_open, h.largest_slid,
-              h.slip, h.integrity, h.friction_share, h.failed_open, h.failed_closed, h.separated);
+    visit_all(act, h.motion.opening, h.motion.sliding, h.max_displacement, h.largest_open, h.largest_slid, h.slip, h.integrity,
+              h.friction_share, h.failed_open, h.failed_closed, h.separated);
     act(h.first_mode);
 }
 template <Is<NodeEdgeContact> T, class Act>
@@ -244,8 +244,7 @@ void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& 
 void book_change(const std::string& name, const RunHeader& old, const Setup& setup, State& s) {
     const auto& laws = all_contact_laws();
     const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == old.contact_law; });
-    const ContactLaws before =
-        make_contact_laws(old.fabric.contacts, law->variant, old.coupling == "none" ? Coupling::none : Coupling::full);
+    const ContactLaws before = make_contact_laws(old.fabric.contacts, law->variant);
     const double change =
         stored_in_contacts(setup.assemblage, setup.parameters.laws, s) - stored_in_contacts(setup.assemblage, before, s);
     if (!std::isfinite(change)) {

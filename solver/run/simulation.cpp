@@ -30,7 +30,6 @@ RunHeader make_header(const SimulationRequest& r, const Program& program, const 
     h.material = r.material.name;
     h.contact_law = name_of(r.law);
     h.crack_event = description_of(r.law).crack_event();
-    h.coupling = name_of(r.coupling);
     h.fracture_energy_choice = r.fracture_energy_choice;
     h.plane = r.plane;
     h.rock = r.material.rock;

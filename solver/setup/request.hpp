@@ -33,7 +33,6 @@ struct SimulationRequest {
     std::string fracture_energy_choice = "mode-i";
     PlaneCondition plane = PlaneCondition::strain;
     LawVariant law = default_law;
-    Coupling coupling = Coupling::full;
     double peak_drop = 0.3;  ///< of a standard test; 0: it continues to the strain limit
     double damping = 0.8;
     DampingForm damping_form = DampingForm::combined;

@@ -25,7 +25,7 @@ Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
     }
     const std::vector<std::string> names = contact_class_names(specimen);
     for (std::size_t k = n_uniform; k < fabric.contacts.size(); ++k) {
-        const FractureEnergies least = min_fracture_energies(make_contact_law(fabric.contacts[k], r.law, Coupling::full));
+        const FractureEnergies least = min_fracture_energies(make_contact_law(fabric.contacts[k], r.law));
         if (!(fabric.contacts[k].fracture_energy >= least.opening &&
               fabric.contacts[k].mode_ii_fracture_energy >= least.sliding)) {
             throw InputError(
@@ -48,7 +48,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Pro
     Setup s;
     s.fabric = fabric_of(r, specimen);
     s.assemblage = make_assemblage(specimen, s.fabric.phases, r.plane);
-    s.parameters.laws = make_contact_laws(s.fabric.contacts, r.law, r.coupling);
+    s.parameters.laws = make_contact_laws(s.fabric.contacts, r.law);
     s.parameters.damping = r.damping;
     s.parameters.damping_form = r.damping_form;
     s.assemblage.vector_target = r.vector_target.value_or(widest_vector_target());

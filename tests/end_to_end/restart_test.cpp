@@ -221,7 +221,7 @@ TEST(Restart, TakesOtherContactValuesAndRefusesWhatDoesNotFit) {
         EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
     };
     refused("--program second.toml --restart first.h5 --plane stress", "plane condition");
-    refused("--program second.toml --restart first.h5 --contact-law scaled", "give --contact-law consistent");
+    refused("--program second.toml --restart first.h5 --contact-law literal", "give --contact-law consistent");
     refused("--program second.toml --restart first.h5 --mass-scaling none", "--mass-scaling selective --mass-scaling-factor");
     refused("--program second.toml --restart specimen.h5", "specimen.h5");
     shell.must("graincrack-solve program specimen.h5 --material augig-granite --quiet --program first.toml -o stateless.h5");

@@ -57,7 +57,7 @@ constexpr double marks[] = {0.9, 0.5, 0.1};
 /// Walks along `direction` in equal steps and expects each mark to be passed in the step that crosses its closed form.
 template <class Place>
 void expect_marks_at(const ContactLaw& law, const ContactMotion& direction, const Place& place) {
-    SCOPED_TRACE(test::name_of_law(law));
+    SCOPED_TRACE(name_of(law.variant));
     const double step = place(law, 0.1) / 9973.5;
     ContactWalk walk(law);
     std::size_t passed = 0;
@@ -89,7 +89,7 @@ TEST(BrokenPoint, PureSlidingPassesTheMarksWhereTheClosedFormSays) {
 // In pure opening a point can bear what remains, times its peak.
 TEST(BrokenPoint, TheTractionIsWhatRemainsOfThePeak) {
     for (const ContactLaw& law : all_laws(weak())) {
-        SCOPED_TRACE(test::name_of_law(law));
+        SCOPED_TRACE(name_of(law.variant));
         ContactWalk walk(law);
         EXPECT_EQ(remaining_cohesion(law, walk.history()), 1);
         walk.go({0.999 * opening_where(law, 1), 0}, 100);
@@ -105,7 +105,7 @@ TEST(BrokenPoint, TheTractionIsWhatRemainsOfThePeak) {
 TEST(BrokenPoint, ResidualCohesionIsThatOfABrokenPoint) {
     ContactParameters c = weak();
     c.residual_cohesion = 5 * test::MPa;
-    const ContactLaw law = make_contact_law(c, LawVariant::coulomb_slip, Coupling::full);
+    const ContactLaw law = make_contact_law(c, LawVariant::coulomb_slip);
     ContactWalk walk(law);
     walk.go({-1e-30, 1.01 * law.cc / law.ks}, 100);
     test::expect_close(walk.traction().shear, c.residual_cohesion, 1e-9, c.cohesion);
@@ -120,7 +120,7 @@ TEST(BrokenPoint, PreExistingCracksAreBroken) {
 /// points that have failed or lost cohesion in it.
 void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
     SCOPED_TRACE(name_of(variant));
-    SmallRun run(test::jittered_grid(8, 16, 0.04, 0.08, 0.25), make_contact_law(weak(), variant, Coupling::full));
+    SmallRun run(test::jittered_grid(8, 16, 0.04, 0.08, 0.25), make_contact_law(weak(), variant));
     LoadingRequest loading;
     loading.platen_friction = 0.1;
     loading.max_strain = 0.05;

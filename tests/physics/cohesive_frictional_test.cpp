@@ -27,9 +27,7 @@ ContactParameters weak_frictional(double mode_ii_fracture_energy = 330) {
     material.contact.mode_ii_fracture_energy = mode_ii_fracture_energy;
     return contact_parameters(material, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i, 0});
 }
-ContactLaw frictional_law(const ContactParameters& c) {
-    return make_contact_law(c, LawVariant::cohesive_frictional, Coupling::full);
-}
+ContactLaw frictional_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::cohesive_frictional); }
 /// Sliding at which a closed point has lost its cohesion: half of it times cc is G_II less what lies under the curve up to the
 /// peak beyond the triangle, δcs (1 + 2 [G_II/(cc δcs) − (e − 2)]).
 double last_frictional_sliding(const ContactParameters& c) {
@@ -130,7 +128,7 @@ TEST(CohesiveFrictional, SuddenLossIsTheLimitOfSmallEnergies) {
     const ContactLaw law = frictional_law(c);
     EXPECT_FALSE(law.softens_in_shear);
     EXPECT_TRUE(frictional_law(weak_frictional(1.1 * least)).softens_in_shear);
-    const ContactLaw consistent = make_contact_law(c, LawVariant::consistent, Coupling::full);
+    const ContactLaw consistent = make_contact_law(c, LawVariant::consistent);
     for (const double pressure : {5.0, 50.0}) {
         ContactWalk here(law, pressed(law, pressure * MPa));
         ContactWalk there(consistent, pressed(law, pressure * MPa));

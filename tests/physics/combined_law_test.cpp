@@ -22,7 +22,7 @@ using test::verify;
 using test::verify_between;
 
 ContactParameters parameters() { return augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i); }
-ContactLaw combined_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::combined, Coupling::full); }
+ContactLaw combined_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::combined); }
 /// o_r and s_r, m.
 double last_opening(const ContactLaw& law) { return law.op * (1 + law.o_range); }
 double last_combined_sliding(const ContactLaw& law) { return law.sp * (1 + law.s_range); }

@@ -20,7 +20,7 @@ using test::integral;
 using test::MPa;
 using test::verify;
 
-ContactLaw consistent_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::consistent, Coupling::full); }
+ContactLaw consistent_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::consistent); }
 
 TEST(ConsistentLaw, PureOpeningIsEq7) {
     const ContactParameters c = augig_contact();

@@ -26,7 +26,7 @@ ContactParameters with_residual() {
     c.residual_friction_angle = 30 * degree;
     return c;
 }
-ContactLaw slip_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::coulomb_slip, Coupling::full); }
+ContactLaw slip_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::coulomb_slip); }
 
 TEST(CoulombSlip, ShearUnderPressurePeaksAtCohesionAndFrictionAndFallsToTheResidualOnes) {
     const ContactLaw law = slip_law(with_residual());

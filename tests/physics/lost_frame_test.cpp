@@ -41,8 +41,7 @@ struct Hinge {
     }
 };
 
-constexpr LawVariant laws_that_lose_frames[] = {LawVariant::scaled, LawVariant::continuous, LawVariant::consistent,
-                                                LawVariant::cohesive_frictional};
+constexpr LawVariant laws_that_lose_frames[] = {LawVariant::consistent, LawVariant::cohesive_frictional};
 
 TEST(LostFrame, ABondOnWhichAGrainTurnsOverBreaks) {
     for (const LawVariant law : laws_that_lose_frames) {

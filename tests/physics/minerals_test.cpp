@@ -140,7 +140,7 @@ TEST(Minerals, AColumnBreaksWhereItsWeakClassIs) {
         for (const std::int32_t weak : {0, 1, 2}) {
             std::vector<ContactParameters> contacts(n_contact_classes(2), test::augig_contact(PlaneCondition::stress));
             contacts[static_cast<std::size_t>(weak)] = test::scaled_contact(contacts.front(), 0.4);
-            SmallRun run(s, phases, make_contact_laws(contacts, law.variant, Coupling::full), PlaneCondition::stress);
+            SmallRun run(s, phases, make_contact_laws(contacts, law.variant), PlaneCondition::stress);
             LoadingRequest request;
             request.test = TestKind::tension;
             run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, request, contacts.front()), 0.5);

@@ -17,7 +17,7 @@ using test::Tensor;
 using test::verify;
 
 ContactLaw elastic_law(PlaneCondition plane, double normal = 1, double shear = 1) {
-    ContactLaw law = make_contact_law(augig_contact(plane), LawVariant::scaled, Coupling::full);
+    ContactLaw law = make_contact_law(augig_contact(plane), LawVariant::consistent);
     law.kt *= normal;
     law.ks *= shear;
     law.w = law.ks / law.kt;

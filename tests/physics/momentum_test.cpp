@@ -46,7 +46,7 @@ TEST(Momentum, KeptWhileContactsFailAndEverythingTurns) {
     for (const ContactLaw& law :
          test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
         SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), law);
-        SCOPED_TRACE(test::name_of_law(law));
+        SCOPED_TRACE(name_of(law.variant));
         // Drift, spin, a pull along y and a shear: cracks of both modes.
         run.set_velocity([](const Vector2& p) { return Vector2{3 - 2000 * p.y + 400 * p.y, -1 + 2000 * p.x + 300 * p.y}; });
         run.begin();

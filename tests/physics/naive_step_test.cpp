@@ -54,7 +54,7 @@ std::vector<ContactLaw> laws_of_contacts(const PhasedSpecimen& made, const Assem
         const ContactParameters& of_class = made.fabric.contacts[contact_class(phase_at(0), phase_at(2))];
         const auto& strength = made.specimen.contact_strength_factor;
         laws[static_cast<std::size_t>(place)] =
-            make_contact_law(test::scaled_contact(of_class, strength.empty() ? 1 : strength[c]), variant, Coupling::full);
+            make_contact_law(test::scaled_contact(of_class, strength.empty() ? 1 : strength[c]), variant);
     });
     return laws;
 }

@@ -308,13 +308,13 @@ ContactLaw residual_law() {
     ContactParameters c = test::augig_contact();
     c.residual_cohesion = 10 * test::MPa;
     c.residual_friction_angle = 30 * test::degree;
-    return make_contact_law(c, LawVariant::coulomb_slip, Coupling::full);
+    return make_contact_law(c, LawVariant::coulomb_slip);
 }
 
 /// \param law of the contact; contacts of either phase with itself have another, which must not matter
 void expect_release_without_a_jump(const ContactLaw& law, double strength = 1) {
     ContactLaws laws(test::augig_law());
-    laws.of_class = {make_contact_law(test::scaled_contact(test::augig_contact(), 3), law.variant, Coupling::full), law, law};
+    laws.of_class = {make_contact_law(test::scaled_contact(test::augig_contact(), 3), law.variant), law, law};
     laws.of_class[2].residual_tan_phi = laws.of_class[0].residual_tan_phi = 5;
     laws.of_class[2].kt = laws.of_class[0].kt = 0.1 * law.kt;
     SmallRun run =

@@ -78,7 +78,7 @@ TEST(Phases, ANodeEdgeContactHasTheLawOfItsTwoGrains) {
         for (const double angle : angles) {
             ContactParameters contact = test::augig_contact();
             contact.friction_angle = angle * test::degree;
-            laws.of_class.push_back(make_contact_law(contact, LawVariant::consistent, Coupling::full));
+            laws.of_class.push_back(make_contact_law(contact, LawVariant::consistent));
         }
         const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
         const auto& surface = a.surface;

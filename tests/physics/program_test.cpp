@@ -47,7 +47,7 @@ Specimen two_blocks(int nx, int ny, double width, double height) {
 ContactLaw law_with_friction(double degrees) {
     ContactParameters contact = test::augig_contact();
     contact.friction_angle = degrees * test::degree;
-    return make_contact_law(contact, LawVariant::consistent, Coupling::full);
+    return make_contact_law(contact, LawVariant::consistent);
 }
 
 // --- gravity ---------------------------------------------------------------------------------------------------------

@@ -65,7 +65,7 @@ void compare(double cohesion, double peak_factor) {
     ContactParameters c =
         contact_parameters(material, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i, 0});
     c.residual_friction_angle = 20 * test::degree;
-    const ContactLaw law = make_contact_law(c, Law::description.variant, Coupling::full);
+    const ContactLaw law = make_contact_law(c, Law::description.variant);
     Count all;
     for (int seed = 0; seed < 20; ++seed) {
         const Count count = compare_on_path<Law>(law, peak_factor * c.cohesion / c.shear_stiffness, seed);

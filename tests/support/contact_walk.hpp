@@ -12,23 +12,11 @@
 
 namespace graincrack::test {
 
-/// Every contact law with every coupling that it has.
+/// Every contact law.
 inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     std::vector<ContactLaw> laws;
-    for (const LawDescription& law : all_contact_laws()) {
-        laws.push_back(make_contact_law(contact, law.variant, Coupling::full));
-        if (law.coupling) laws.push_back(make_contact_law(contact, law.variant, Coupling::none));
-    }
+    for (const LawDescription& law : all_contact_laws()) laws.push_back(make_contact_law(contact, law.variant));
     return laws;
-}
-/// The variants of the paper's law that keep its curves for opening and for closure: literal, scaled, continuous.
-inline std::vector<ContactLaw> variants_of_the_text(const ContactParameters& contact) {
-    std::vector<ContactLaw> laws = all_laws(contact);
-    std::erase_if(laws, [](const ContactLaw& law) { return !description_of(law.variant).coupling; });
-    return laws;
-}
-inline std::string name_of_law(const ContactLaw& law) {
-    return std::string(name_of(law.variant)) + ", coupling " + std::string(name_of(law.coupling));
 }
 
 class ContactWalk {

@@ -14,8 +14,7 @@ struct PhasedSpecimen {
     Specimen specimen;
     Fabric fabric;
     [[nodiscard]] SmallRun run(LawVariant law, double fraction = 0.5) const {
-        return {specimen, fabric.phases, make_contact_laws(fabric.contacts, law, Coupling::full), PlaneCondition::strain,
-                fraction};
+        return {specimen, fabric.phases, make_contact_laws(fabric.contacts, law), PlaneCondition::strain, fraction};
     }
 };
 

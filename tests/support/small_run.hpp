@@ -173,9 +173,8 @@ inline std::vector<VectorTarget> available_vector_targets() {
     return targets;
 }
 
-inline ContactLaw augig_law(LawVariant variant = LawVariant::scaled, Coupling coupling = Coupling::full,
-                            FractureEnergyChoice::Kind energy = FractureEnergyChoice::Kind::mode_i) {
-    return make_contact_law(augig_contact(PlaneCondition::strain, energy), variant, coupling);
+inline ContactLaw augig_law(LawVariant variant = default_law) {
+    return make_contact_law(augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i), variant);
 }
 
 }  // namespace graincrack::test

@@ -158,9 +158,8 @@ inline RunHeader synthetic_header(const Recipe& r) {
     RunHeader header;
     header.test = r.test;
     header.material = "Augig granite";
-    header.contact_law = "scaled";
+    header.contact_law = "consistent";
     header.crack_event = r.crack_event;
-    header.coupling = "full";
     header.fracture_energy_choice = "mode-i";
     header.plane = r.plane;
     header.rock = {25.8e9, 0.23, 2650, 1.5e6, 3.0e6, 8.8e6};

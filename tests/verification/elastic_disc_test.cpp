@@ -30,7 +30,7 @@ SmallRun compressed_disc() {
     ContactParameters contact = test::augig_contact(PlaneCondition::stress);
     contact.normal_stiffness *= 10;
     contact.shear_stiffness *= 10;
-    SmallRun run(mesher::mesh(request), make_contact_law(contact, LawVariant::scaled, Coupling::full), PlaneCondition::stress);
+    SmallRun run(mesher::mesh(request), make_contact_law(contact, LawVariant::consistent), PlaneCondition::stress);
     LoadingRequest loading;
     loading.test = TestKind::brazilian;
     run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, contact), 0.7);

@@ -76,7 +76,7 @@ SmallRun stiff(Specimen specimen) {
     ContactParameters contact = test::augig_contact(plane);
     contact.normal_stiffness *= 100;
     contact.shear_stiffness *= 100;
-    return {std::move(specimen), make_contact_law(contact, LawVariant::scaled, Coupling::full), plane};
+    return {std::move(specimen), make_contact_law(contact, LawVariant::consistent), plane};
 }
 
 /// A force at a point of the outline, shared by the two nodes beside it.

@@ -31,9 +31,8 @@ RunHeader header() {
     RunHeader h;
     h.test = "triaxial";
     h.material = "Augig granite";
-    h.contact_law = "continuous";
+    h.contact_law = "literal";
     h.crack_event = CrackEvent::half_damaged;
-    h.coupling = "none";
     h.fracture_energy_choice = "mixed";
     h.plane = PlaneCondition::stress;
     h.rock = {1.5, 2.5, 3.5, 4.5, 5.5, 6.5};
@@ -138,8 +137,7 @@ TEST(RunFile, HeaderRoundTrip) {
     const RunHeader& r = run.header();
     EXPECT_EQ(r.test, "triaxial");
     EXPECT_EQ(r.material, "Augig granite");
-    EXPECT_EQ(r.contact_law, "continuous");
-    EXPECT_EQ(r.coupling, "none");
+    EXPECT_EQ(r.contact_law, "literal");
     EXPECT_EQ(r.fracture_energy_choice, "mixed");
     EXPECT_EQ(r.plane, PlaneCondition::stress);
     EXPECT_EQ(r.crack_event, CrackEvent::half_damaged);

@@ -12,7 +12,6 @@ ContactHistory slipped_history() {
     ContactHistory h;
     h.motion = {-1e-7, 3e-6};
     h.max_displacement = 2e-6;
-    h.peak_displacement = 1e-6;
     h.largest_open = 1.5;
     h.largest_slid = 2.5;
     h.slip = 1e-6;
