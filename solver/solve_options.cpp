@@ -128,10 +128,6 @@ void add_checkpoint_options(OptionSet command, SimulationRequest& request, RawOp
                  "stop after this wall-clock time as on SIGTERM: write RUN.checkpoint and end with exit code 143");
     add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
                  "wall-clock interval between checkpoints (RUN.checkpoint, removed when the run is complete)");
-    static constexpr Quantity ratio{"rebalance", Dimension::one, 1, 1e3, "ratio of the work of ranks", true};
-    add_quantity(
-        command, "--rebalance", request.rebalance_beyond, ratio,
-        "under mpirun: work of the busiest rank over the mean beyond which a checkpoint cuts the specimen anew; default 1.2");
     add_flag(command, "--discard-checkpoint", request.discard_checkpoint,
              "start again although RUN.checkpoint exists, and remove it; without this option such a start is refused");
 }

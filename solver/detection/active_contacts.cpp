@@ -171,17 +171,6 @@ void append_active(const Assemblage& a, const ContactLaws& laws, std::int32_t ch
     std::copy_n(&list.forces[3 * static_cast<std::size_t>(index)], 3, &active.forces[3 * static_cast<std::size_t>(at)]);
 }
 
-std::vector<double> work_of_active_contacts(const Assemblage& a, const ContactPairList& list) {
-    constexpr double of_contact = 10;  // some 50 ns, of 5 ns for a node
-    std::vector<double> work(a.node_chunks.size(), 0.0);
-    for (std::size_t chunk = 0; chunk < list.chunks.size(); ++chunk) {
-        work[list.node_chunks[chunk]] = of_contact * list.active.count[chunk];
-    }
-    std::vector<double> own;
-    for (const std::int32_t chunk : a.part.nodes.own) own.push_back(work[chunk]);
-    return a.part.ranks->concatenate(own);
-}
-
 std::vector<double> energy_of_active_contacts(const Assemblage& a, const ContactLaws& laws, const ContactPairList& list) {
     std::vector<double> energy(a.node_chunks.size(), 0.0);
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {

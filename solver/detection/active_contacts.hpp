@@ -30,9 +30,6 @@ void index_node_forces(const Assemblage& assemblage, ContactPairList& list);
 void append_active(const Assemblage& assemblage, const ContactLaws& laws, std::int32_t chunk, std::int32_t index,
                    ContactPairList& list);
 
-/// Work of moving the node–edge contacts of each chunk of nodes of all ranks, in evaluations of a node.
-std::vector<double> work_of_active_contacts(const Assemblage& assemblage, const ContactPairList& list);
-
 /// Stored in the node–edge contacts of each chunk of nodes, J.
 std::vector<double> energy_of_active_contacts(const Assemblage& assemblage, const ContactLaws& laws, const ContactPairList& list);
 

@@ -36,7 +36,7 @@ void find_own(const Ranks& ranks, ChunkShare& share) {
 }
 
 /// Work on each chunk of nodes with its elements and contacts, in evaluations of a node.
-std::vector<double> find_work(const Assemblage& a, const std::vector<double>& more_work) {
+std::vector<double> find_work(const Assemblage& a) {
     constexpr double of_element_node = 0.5;
     constexpr double of_contact_node = 2;
     std::vector<double> of_node(a.position.size(), 1.0);
@@ -48,8 +48,7 @@ std::vector<double> find_work(const Assemblage& a, const std::vector<double>& mo
     });
     std::vector<double> work;
     for (std::size_t chunk = 0; chunk < a.node_chunks.size(); ++chunk) {
-        work.push_back(sum_over(a.node_chunks[chunk].nodes, [&](std::int32_t i) { return of_node[i]; }) +
-                       (more_work.empty() ? 0 : more_work[chunk]));
+        work.push_back(sum_over(a.node_chunks[chunk].nodes, [&](std::int32_t i) { return of_node[i]; }));
     }
     return work;
 }
@@ -128,13 +127,12 @@ Part whole_part(const Assemblage& a) {
     return part;
 }
 
-Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, const std::vector<double>& more_work,
-               const Ranks& ranks) {
+Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, const Ranks& ranks) {
     Part part = whole_part(a);
     if (ranks.is_alone()) return part;
     part.ranks = &ranks;
     const int n_ranks = ranks.size();
-    share_nodes(find_work(a, more_work), n_ranks, part.nodes);
+    share_nodes(find_work(a), n_ranks, part.nodes);
     part.first_node.assign(n_ranks + 1, a.n_nodes());
     part.first_node[0] = 0;
     for (std::int32_t sum = part.nodes.n_sums() - 1; sum >= 0; --sum) {
@@ -172,14 +170,6 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
     std::sort(part.ghosts.begin(), part.ghosts.end());
     part.ghosts.erase(std::unique(part.ghosts.begin(), part.ghosts.end()), part.ghosts.end());
     return part;
-}
-
-double imbalance(const Assemblage& a, const Part& part, const std::vector<double>& more_work) {
-    const std::vector<double> work = find_work(a, more_work);
-    std::vector<double> of_rank(part.ranks->size(), 0.0);
-    for (std::int32_t chunk = 0; chunk < part.nodes.count; ++chunk) of_rank[part.nodes.owner_of(chunk)] += work[chunk];
-    const double mean = std::accumulate(of_rank.begin(), of_rank.end(), 0.0) / static_cast<double>(of_rank.size());
-    return *std::max_element(of_rank.begin(), of_rank.end()) / mean;
 }
 
 std::size_t memory_of(const Part& part) {

@@ -62,12 +62,7 @@ std::size_t memory_of(const Part& part);
 /// The part of a rank alone: all.
 Part whole_part(const Assemblage& assemblage);
 /// The part of this rank, with an equal share of the work.
-/// \param more_work [chunks of nodes] besides that of elements and contacts, in evaluations of a node; empty: none
-Part make_part(const Assemblage& assemblage, const PrescribedConditions& prescribed, const std::vector<double>& more_work,
-               const Ranks& ranks);
-
-/// Work of the busiest rank, over the mean. \param more_work as above
-double imbalance(const Assemblage& assemblage, const Part& part, const std::vector<double>& more_work);
+Part make_part(const Assemblage& assemblage, const PrescribedConditions& prescribed, const Ranks& ranks);
 
 /// Σ `of_chunk(chunk)` over all chunks of a kind: first over those of each sum, then over the sums, in their order. All sums of a
 /// run are made so; they do not depend on who owns what.

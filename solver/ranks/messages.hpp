@@ -45,22 +45,15 @@ public:
     virtual ~Messages() = default;
     [[nodiscard]] virtual int size() const = 0;
     [[nodiscard]] virtual int rank() const = 0;
-    /// What each rank gave, by rank.
-    virtual std::vector<Bytes> gather_all(std::span<const std::byte> own) = 0;
-    /// The same where all know how many bytes each gives.
+    /// What each rank gave, by rank. \param sizes bytes that each gives
     virtual std::vector<Bytes> gather_all(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) = 0;
     /// The same for the first rank only; the others get nothing.
-    virtual std::vector<Bytes> gather_first(std::span<const std::byte> own) = 0;
+    virtual std::vector<Bytes> gather_first(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) = 0;
     /// To each rank what is its own. \return what each rank sent to this one, by rank
     virtual std::vector<Bytes> exchange(const std::vector<Bytes>& to) = 0;
-    /// Makes the values those of the first rank.
-    virtual void broadcast(std::span<std::byte> values) = 0;
-    /// Makes each value the largest, or the sum, over the ranks.
-    virtual void take_largest(std::span<double> values) = 0;
-    virtual void take_sums(std::span<std::int64_t> values) = 0;
     virtual std::unique_ptr<Channel> open(const std::vector<ChannelEnd>& ends) = 0;
     [[nodiscard]] virtual const MessageCounts& counts() const = 0;
-    /// At the end of the tool: whether all ranks have come to it within some seconds. Otherwise the others are ended.
+    /// Waits at the end of the tool for the other ranks; after some seconds it ends those that have not come.
     virtual void end(int exit_code) = 0;
 };
 

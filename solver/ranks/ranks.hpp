@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <span>
 #include <type_traits>
@@ -54,17 +55,14 @@ public:
     /// The values of each rank, by rank.
     template <class Value>
     [[nodiscard]] std::vector<std::vector<Value>> gather_all(const std::vector<Value>& own) const {
-        if (is_alone()) return {own};
-        return values_of_all<Value>(messages_->gather_all(std::as_bytes(std::span(own))));
+        return gather_all(own, sizes_of_all(own.size()));
     }
     /// The same where all know how many values each rank gives.
-    template <class Value>
+    template <class Value, class Count>
     [[nodiscard]] std::vector<std::vector<Value>> gather_all(const std::vector<Value>& own,
-                                                             const std::vector<std::int32_t>& counts) const {
+                                                             const std::vector<Count>& counts) const {
         if (is_alone()) return {own};
-        std::vector<std::int64_t> sizes;
-        for (const std::int32_t count : counts) sizes.push_back(count * static_cast<std::int64_t>(sizeof(Value)));
-        return values_of_all<Value>(messages_->gather_all(std::as_bytes(std::span(own)), sizes));
+        return values_of_all<Value>(messages_->gather_all(std::as_bytes(std::span(own)), bytes_of<Value>(counts)));
     }
     /// The same, one after the other.
     template <class Value>
@@ -77,7 +75,8 @@ public:
     template <class Value>
     [[nodiscard]] std::vector<std::vector<Value>> gather_first(const std::vector<Value>& own) const {
         if (is_alone()) return {own};
-        return values_of_all<Value>(messages_->gather_first(std::as_bytes(std::span(own))));
+        const auto sizes = bytes_of<Value>(sizes_of_all(own.size()));
+        return values_of_all<Value>(messages_->gather_first(std::as_bytes(std::span(own)), sizes));
     }
     /// \param to by rank \return what each rank has sent to this one, by rank
     template <class Value>
@@ -91,8 +90,12 @@ public:
     template <class Value>
     requires std::is_trivially_copyable_v<Value>
     [[nodiscard]] Value of_first(Value value) const {
-        if (!is_alone()) messages_->broadcast(std::as_writable_bytes(std::span(&value, 1)));
-        return value;
+        std::vector<std::int64_t> counts(static_cast<std::size_t>(size()), 0);
+        counts.front() = 1;
+        struct Boxed {
+            Value value;
+        };
+        return gather_all(std::vector<Boxed>(is_first() ? 1 : 0, {value}), counts).front().front().value;
     }
     /// Does something on the first rank. An error there is one of all ranks, and the first one alone tells it.
     template <class Act>
@@ -119,12 +122,11 @@ public:
         take_largest(std::span(&value, 1));
         return value;
     }
+    /// Makes each value the largest, or the sum, over the ranks.
     void take_largest(std::span<double> values) const {
-        if (!is_alone()) messages_->take_largest(values);
+        combine(values, [](double l, double r) { return std::max(l, r); });
     }
-    void take_sums(std::span<std::int64_t> values) const {
-        if (!is_alone()) messages_->take_sums(values);
-    }
+    void take_sums(std::span<std::int64_t> values) const { combine(values, std::plus<>()); }
     /// Whether it holds on any rank.
     [[nodiscard]] bool any(bool holds) const { return largest(holds ? 1 : 0) > 0; }
     /// \return none for a run alone
@@ -138,6 +140,33 @@ public:
     }
 
 private:
+    template <class Value, class Count>
+    static std::vector<std::int64_t> bytes_of(const std::vector<Count>& counts) {
+        std::vector<std::int64_t> sizes;
+        for (const Count count : counts)
+            sizes.push_back(static_cast<std::int64_t>(count) * static_cast<std::int64_t>(sizeof(Value)));
+        return sizes;
+    }
+    /// How many values each rank gives.
+    [[nodiscard]] std::vector<std::int64_t> sizes_of_all(std::size_t own) const {
+        const std::vector<std::int64_t> of_one{static_cast<std::int64_t>(own)};
+        std::vector<std::int64_t> sizes;
+        for (const auto& of_rank : gather_all(of_one, std::vector<std::int64_t>(static_cast<std::size_t>(size()), 1))) {
+            sizes.push_back(of_rank.front());
+        }
+        return sizes;
+    }
+    template <class Value, class Fold>
+    void combine(std::span<Value> values, const Fold& fold) const {
+        if (is_alone()) return;
+        const std::vector<std::size_t> counts(static_cast<std::size_t>(size()), values.size());
+        const std::vector<std::vector<Value>> all = gather_all(std::vector<Value>(values.begin(), values.end()), counts);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = all.front()[i];
+            for (std::size_t rank = 1; rank < all.size(); ++rank) values[i] = fold(values[i], all[rank][i]);
+        }
+    }
+
     std::unique_ptr<Messages> messages_;
 };
 

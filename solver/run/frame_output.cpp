@@ -26,12 +26,6 @@ void FrameOutput::resume(const FrameProgress& progress, const RunReader& checkpo
     thin_if_too_many();
 }
 
-void FrameOutput::resume_peak(const RunReader& checkpoint) {
-    const std::vector<FrameRole> roles = read_frame_progress(checkpoint).roles;
-    const auto at = std::find(roles.begin(), roles.end(), FrameRole::peak_so_far);
-    if (at != roles.end()) peak_ = checkpoint.frame(static_cast<std::size_t>(at - roles.begin()));
-}
-
 FrameProgress FrameOutput::save(const Assemblage& a, const ContactLaws& laws, const State& state, RunWriter* checkpoint) const {
     const std::optional<Frame> peak = peak_ ? std::optional(whole_frame(a, *peak_)) : std::nullopt;
     const Frame present = whole_frame(a, make_frame(a, laws, state));

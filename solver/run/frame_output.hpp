@@ -19,8 +19,6 @@ public:
     FrameOutput(int wanted, double first_interval, RunWriter* writer);
     /// Resumes where the run of a checkpoint was, with the frames it has.
     void resume(const FrameProgress& progress, const RunReader& checkpoint);
-    /// Takes the frame of the peak so far from a checkpoint, if it has one.
-    void resume_peak(const RunReader& checkpoint);
     /// Writes the frames so far, the state of now last, into a checkpoint. \return what `resume` needs
     FrameProgress save(const Assemblage& assemblage, const ContactLaws& laws, const State& state, RunWriter* checkpoint) const;
     /// Adds a frame when the strain has come to the next interval. \return whether it has

@@ -42,8 +42,6 @@ public:
     /// Writes a run file of its own, with all rows, cracks and frames so far and the present state. \return its name, "" for a
     /// run that has none
     const std::string& write_checkpoint();
-    /// Takes the frame of the peak so far from a checkpoint of this run, after the specimen has been cut anew.
-    void resume_frames(const std::string& checkpoint) { frames_.resume_peak(RunReader(checkpoint)); }
     /// Completes the file.
     void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance);
 

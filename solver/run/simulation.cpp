@@ -91,7 +91,7 @@ public:
             show_progress();
             header_.stop_reason = driver_.stop_reason();
             const bool goes_on = header_.stop_reason.empty();
-            if (goes_on && output_ && output_->wants_checkpoint()) rebalance(output_->write_checkpoint());
+            if (goes_on && output_ && output_->wants_checkpoint()) output_->write_checkpoint();
         }
         progress_.finish();
         finish_header();
@@ -144,27 +144,6 @@ private:
         driver_.resume(saved.loading, run);
         recorder_.resume(run, state_);
         frames_ = saved.frames;
-    }
-
-    /// Where contacts between fragments have made the work of the ranks unequal, cuts the specimen anew and resumes from a
-    /// checkpoint that has just been written.
-    void rebalance(const std::string& checkpoint) {
-        const Ranks& ranks = *request_.ranks;
-        if (ranks.is_alone()) return;
-        Assemblage& a = setup_.assemblage;
-        const std::vector<double> more_work = work_of_active_contacts(a, state_.contact_pairs);
-        const double before = imbalance(a, a.part, more_work);
-        if (before <= request_.rebalance_beyond) return;
-        Part part = make_part(a, setup_.boundary.prescribed, more_work, ranks);
-        const double after = imbalance(a, part, more_work);
-        if (after >= before) return;
-        a.part = std::move(part);
-        state_ = read_saved_state(checkpoint, specimen_, request_, setup_).state;
-        output_->resume_frames(checkpoint);
-        if (!is_quiet_ && ranks.is_first()) {
-            fmt::print(stderr, "{}: the busiest rank had {:.2f} times the mean work, and has {:.2f} times now\n", header_.test,
-                       before, after);
-        }
     }
 
     void record() {

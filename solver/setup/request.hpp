@@ -49,7 +49,6 @@ struct SimulationRequest {
     bool sensitivity = false;  ///< run again with one thing changed at a time
     int frames = 20;
     const Ranks* ranks = &Ranks::alone();       ///< that share the work
-    double rebalance_beyond = 1.2;              ///< work of the busiest rank over the mean, at a checkpoint
     int threads = 1;                            ///< of each rank, at most
     std::optional<VectorTarget> vector_target;  ///< `widest_vector_target` unless given
     std::size_t elements_per_thread = 250;      ///< at least: some 15 µs a step, against two barriers of up to 1 µs each

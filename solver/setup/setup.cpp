@@ -62,7 +62,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Pro
     s.stable_time_step = stable_time_step(s.assemblage, s.boundary, laws, s.mass_scaling_factor);
     s.parameters.mass_scaling = make_mass_scaling(s.assemblage, s.mass_scaling_factor);
     s.parameters.time_step = r.time_step_fraction * s.stable_time_step;
-    s.assemblage.part = make_part(s.assemblage, s.boundary.prescribed, {}, *r.ranks);
+    s.assemblage.part = make_part(s.assemblage, s.boundary.prescribed, *r.ranks);
     return s;
 }
 

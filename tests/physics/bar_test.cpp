@@ -36,7 +36,6 @@ SmallRun bar_with_interfaces(double fraction = 0.5) {
     ContactLaw law = augig_law();
     law.kt = interface_stiffness;
     law.ks = interface_stiffness / 10;
-    law.w = law.ks / law.kt;
     law.stiffest_shear = law.ks;
     return {test::crossed_blocks(segments * cells_of_segment, 1, segments * spacing, cell_height,
                                  [](int i, int) { return i / cells_of_segment; }),

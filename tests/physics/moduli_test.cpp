@@ -20,7 +20,6 @@ ContactLaw elastic_law(PlaneCondition plane, double normal = 1, double shear = 1
     ContactLaw law = make_contact_law(augig_contact(plane), LawVariant::consistent);
     law.kt *= normal;
     law.ks *= shear;
-    law.w = law.ks / law.kt;
     law.stiffest_shear = law.ks;
     return law;
 }

@@ -34,7 +34,6 @@ ContactLaw stiffened(double normal, double shear) {
     ContactLaw law = augig_law();
     law.kt *= normal;
     law.ks *= shear;
-    law.w = law.ks / law.kt;
     law.stiffest_shear = law.ks;
     return law;
 }

@@ -268,30 +268,6 @@ TEST(ThreadRanks, ARunResumesOnOtherRanksThanItStoppedOn) {
     expect_run_as(folder.file("whole.h5"), run);
 }
 
-// Contacts between fragments make the work of ranks unequal; at checkpoints they share it anew.
-TEST(ThreadRanks, SharingTheWorkAnewLeavesTheRunAsItIs) {
-    const test::TemporaryFolder folder;
-    const Specimen grains = test::jittered_grid(14, 28, 0.04, 0.08, 0.25);
-    SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
-    r.loading.max_strain = 0.015;
-    run_on_ranks(1, grains, r, folder.file("one.h5"));
-    expect_fragments(folder.file("one.h5"), 100, 50);
-    r.rebalance_beyond = 1;
-    r.checkpoint_interval = 60;
-    r.wall_clock = [time = 0.0]() mutable { return time += 1; };
-    testing::internal::CaptureStderr();
-    for (const int n : {3, 5}) {
-        SCOPED_TRACE(n);
-        test::on_thread_ranks(n, [&](const Ranks& ranks) {
-            SimulationRequest own = r;
-            own.ranks = &ranks;
-            simulate(grains, own, folder.file("ranks.h5"), Verbosity::normal, {});
-        });
-        expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
-    }
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("times the mean work"), std::string::npos);
-}
-
 // The first cannot write: no rank goes on without it.
 TEST(ThreadRanks, AllEndWhereTheFirstCannotWrite) {
     const SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);

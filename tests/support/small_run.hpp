@@ -126,7 +126,7 @@ struct SmallRun {
         state = make_state(assemblage, boundary, specimen);
     }
     /// Makes this the part of a rank; to be called before `begin`.
-    void share(const Ranks& ranks) { assemblage.part = make_part(assemblage, boundary.prescribed, {}, ranks); }
+    void share(const Ranks& ranks) { assemblage.part = make_part(assemblage, boundary.prescribed, ranks); }
     /// Sets velocities as a function of the reference position.
     template <class Field>
     void set_velocity(Field&& field) {

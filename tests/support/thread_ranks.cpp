@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -161,19 +160,11 @@ public:
     [[nodiscard]] int size() const override { return world_.n; }
     [[nodiscard]] int rank() const override { return rank_; }
 
-    std::vector<Bytes> gather_all(std::span<const std::byte> own) override { return gathered("gather_all", own); }
     std::vector<Bytes> gather_all(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) override {
-        std::vector<Bytes> all = gathered("gather_all of known sizes", own);
-        const auto has_size = [](const Bytes& bytes, std::int64_t size) {
-            return static_cast<std::int64_t>(bytes.size()) == size;
-        };
-        if (!std::equal(all.begin(), all.end(), sizes.begin(), sizes.end(), has_size)) {
-            throw std::logic_error("a rank gives other numbers of bytes than the others know of");
-        }
-        return all;
+        return gathered("gather_all", own, sizes);
     }
-    std::vector<Bytes> gather_first(std::span<const std::byte> own) override {
-        std::vector<Bytes> all = gathered("gather_first", own);
+    std::vector<Bytes> gather_first(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) override {
+        std::vector<Bytes> all = gathered("gather_first", own, sizes);
         return rank_ == 0 ? std::move(all) : std::vector<Bytes>{};
     }
     std::vector<Bytes> exchange(const std::vector<Bytes>& to) override {
@@ -182,15 +173,6 @@ public:
         call("exchange", to, [&](const std::vector<Bytes>& given) { from.push_back(given[static_cast<std::size_t>(rank_)]); });
         return from;
     }
-    void broadcast(std::span<std::byte> values) override {
-        const std::vector<Bytes> all = gathered("broadcast", values);
-        if (all.front().size() != values.size()) throw std::logic_error("a broadcast has another size than on the first rank");
-        std::copy(all.front().begin(), all.front().end(), values.begin());
-    }
-    void take_largest(std::span<double> values) override {
-        reduce("take_largest", values, [](double l, double r) { return std::max(l, r); });
-    }
-    void take_sums(std::span<std::int64_t> values) override { reduce("take_sums", values, std::plus<>()); }
     std::unique_ptr<Channel> open(const std::vector<ChannelEnd>& ends) override {
         return std::make_unique<ThreadChannel>(world_, rank_, ends, counts_);
     }
@@ -217,22 +199,16 @@ private:
         for (const std::vector<Bytes>& of_rank : call.given) take(of_rank);
         if (++call.n_left == world_.n) world_.calls.erase(number);
     }
-    std::vector<Bytes> gathered(const std::string& name, std::span<const std::byte> own) {
+    std::vector<Bytes> gathered(const std::string& name, std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) {
         std::vector<Bytes> all;
         call(name, {Bytes(own.begin(), own.end())}, [&](const std::vector<Bytes>& given) { all.push_back(given.front()); });
+        const auto has_size = [](const Bytes& bytes, std::int64_t size) {
+            return static_cast<std::int64_t>(bytes.size()) == size;
+        };
+        if (!std::equal(all.begin(), all.end(), sizes.begin(), sizes.end(), has_size)) {
+            throw std::logic_error("a rank gives other numbers of bytes than the others know of");
+        }
         return all;
-    }
-    template <class Value, class Fold>
-    void reduce(const std::string& name, std::span<Value> values, const Fold& fold) {
-        const std::vector<std::vector<Value>> all = values_of_all<Value>(gathered(name, std::as_bytes(values)));
-        for (const std::vector<Value>& of_rank : all) {
-            if (of_rank.size() != values.size()) throw std::logic_error(name + " has other numbers of values on two ranks");
-        }
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] =
-                std::accumulate(all.begin() + 1, all.end(), all.front()[i],
-                                [&](Value folded, const std::vector<Value>& of_rank) { return fold(folded, of_rank[i]); });
-        }
     }
 
     World& world_;

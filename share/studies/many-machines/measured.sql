@@ -1,5 +1,5 @@
 -- One row per run: what it counted and took, with the work of a grain on one rank, from which lib/rank-cost predicts it.
-SELECT r.file, s.grains, r.ranks, r.ranks AS ranks_per_node, r.threads, r.delay_us, :CORES AS cores, s.steps,
+SELECT r.file, s.grains, r.ranks, r.ranks AS ranks_per_node, r.threads, :CORES AS cores, s.steps,
     d.digest = of_alone.digest AS same_bytes,
     text('{:.4g}', 1e9 * alone.wall_time_s / alone.steps / alone.grains) AS ns_per_grain, 10 AS steps_per_row,
     m.ghost_nodes, m.nodes_of_rank, m.neighbours, m.kB_a_step, m.messages_a_step, m.waited_percent,

@@ -26,7 +26,7 @@ void expect_gathered(std::size_t n_items, const OwnerOf& owner_of, const Gather&
     const Assemblage& a = run.assemblage;
     for (int n = 1; n <= 5; ++n) {
         test::on_thread_ranks(n, [&](const Ranks& ranks) {
-            const Part part = make_part(a, run.boundary.prescribed, {}, ranks);
+            const Part part = make_part(a, run.boundary.prescribed, ranks);
             const std::vector<double> whole = numbers_from(n_items, 5);
             std::vector<double> values = whole;
             for (std::size_t i = 0; i < n_items; ++i) values[i] = owner_of(part, i) == ranks.rank() ? whole[i] : -1;

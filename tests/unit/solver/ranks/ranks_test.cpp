@@ -172,11 +172,10 @@ TEST(ThreadRanks, RefuseWhatMakesRanksOfMPIWaitForever) {
         "wait for each other");
     refuse(
         [&](const Ranks& ranks) {
-            std::array<std::int64_t, 1> sum{1};
             if (is_first(ranks)) static_cast<void>(ranks.largest(1));
-            if (!is_first(ranks)) ranks.take_sums(sum);
+            if (!is_first(ranks)) static_cast<void>(ranks.exchange(std::vector<std::vector<char>>(3)));
         },
-        "calls take_");
+        "calls ");
     refuse([](const Ranks& ranks) { static_cast<void>(ranks.gather_all(std::vector<char>(2), {2, 2, 3})); }, "numbers of bytes");
     refuse([](const Ranks& ranks) { ranks.open({{(ranks.rank() + 1) % 3, 1, 0}})->start(); }, "has not received a message");
     refuse(

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "share/base/error.hpp"
-#include "solver/detection/copy_check.hpp"
 #include "tests/support/crushed_run.hpp"
 #include "tests/support/thread_ranks.hpp"
 
@@ -168,7 +167,6 @@ TEST(WholeState, CopiesOnSeveralRanksAreTheSame) {
         on_thread_ranks(n, [&](const Ranks& ranks) {
             const SmallRun run = crushed_run(crushes()[row], ranks);
             const State& s = run.state;
-            EXPECT_NO_THROW(require_equal_copies(run.assemblage, s));
             for_each_evaluated(run.assemblage.part.evaluated_contacts, [&](std::int32_t chunk) {
                 ++n_evaluating[chunk];
                 for (const auto of_points : {&State::opening, &State::sliding, &State::integrity, &State::slip}) {
@@ -198,23 +196,6 @@ TEST(WholeState, CopiesOnSeveralRanksAreTheSame) {
         EXPECT_GT(std::count_if(n_evaluating.begin(), n_evaluating.end(), [](int ranks) { return ranks > 1; }), 0);
         EXPECT_GT(std::count_if(n_having.begin(), n_having.end(), [](int ranks) { return ranks > 1; }), 3);
     });
-}
-
-TEST(WholeState, CopiesThatDifferAreFound) {
-    for (const bool of_a_pair : {false, true}) {
-        EXPECT_THROW(on_thread_ranks(2,
-                                     [&](const Ranks& ranks) {
-                                         SmallRun run = crushed_run(crushes()[0], ranks);
-                                         State& s = run.state;
-                                         for (NodeEdgeContact& contact : s.contact_pairs.contacts) {
-                                             if (of_a_pair && ranks.is_first()) contact.elastic_slip += 1e-9;
-                                         }
-                                         const std::int32_t chunk = run.assemblage.part.evaluated_contacts.outer.front();
-                                         if (!of_a_pair && ranks.is_first()) s.opening[2UL * contacts_per_chunk * chunk] += 1e-12;
-                                         require_equal_copies(run.assemblage, s);
-                                     }),
-                     NumericalError);
-    }
 }
 
 }  // namespace
