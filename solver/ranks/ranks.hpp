@@ -58,7 +58,7 @@ public:
         return gather_all(own, sizes_of_all(own.size()));
     }
     /// The same where all know how many values each rank gives.
-    template <class Value, class Count>
+    template <class Value, class Count = std::int32_t>
     [[nodiscard]] std::vector<std::vector<Value>> gather_all(const std::vector<Value>& own,
                                                              const std::vector<Count>& counts) const {
         if (is_alone()) return {own};
