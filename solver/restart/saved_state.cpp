@@ -3,21 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
-#include <limits>
 #include <map>
-#include <numeric>
-#include <optional>
 #include <span>
+#include <utility>
 
 #include "share/base/error.hpp"
+#include "share/base/sha256.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/pair_exchange.hpp"
-#include "solver/restart/state_check.hpp"
+#include "solver/restart/checkpoint.hpp"
 #include "solver/restart/whole_state.hpp"
 #include "solver/step/contact_energy.hpp"
 #include "solver/step/mass_scaling.hpp"
@@ -126,8 +122,6 @@ void visit_numbers(AnyState& s, Visit&& visit) {
     visit("mean_time", s.damping_load.time);
 }
 
-std::string path_of(const std::string& name) { return std::string(schema::state_group) + "/" + name; }
-
 template <class Item>
 std::size_t width_of() {
     std::size_t width = 0;
@@ -136,53 +130,135 @@ std::size_t width_of() {
     return width;
 }
 
-template <class Item>
-void write_array(H5Output& file, const std::string& name, const std::vector<Item>& items) {
-    std::vector<double> numbers;
-    for (const Item& item : items) {
-        visit_members(item, [&](const auto& member) { numbers.push_back(static_cast<double>(member)); });
+/// SHA-256 of the content of a state, in the order in which it is written and read.
+class ContentHash {
+public:
+    template <class Value>
+    void add(const std::string& name, const Value& value) {
+        hash_.add(name);
+        add_value(value);
     }
-    file.write<double>(path_of(name), std::span<const double>(numbers), {items.size(), width_of<Item>()}, "1",
-                       "of the solver's state, in its own order, SI");
+    std::string hex() { return hash_.hex(); }
+
+private:
+    void add_value(const std::string& text) { hash_.add(text); }
+    template <class Value>
+    requires std::is_arithmetic_v<Value>
+    void add_value(Value value) { hash_.add(&value, sizeof value); }
+    void add_value(const std::vector<double>& values) { hash_.add(values.data(), values.size() * sizeof(double)); }
+    template <class Value>
+    void add_value(const std::vector<Value>& values) {
+        for (const Value& value : values) add_value(value);
+    }
+
+    Sha256 hash_;
+};
+
+constexpr const char* group = schema::state_group;
+constexpr const char* digest_name = "digest";
+
+class StateWriter {
+public:
+    explicit StateWriter(H5Output& file) : file_(file) { file.create_group(group); }
+    template <class Value>
+    void attribute(const std::string& name, const Value& value) {
+        file_.attribute(group, name, value);
+        hash_.add(name, value);
+    }
+    template <class Value>
+    void number(const std::string& name, Value value) {
+        attribute(name, static_cast<double>(value));
+    }
+    template <class Item>
+    void array(const std::string& name, const std::vector<Item>& items) {
+        std::vector<double> numbers;
+        for (const Item& item : items) {
+            visit_members(item, [&](const auto& member) { numbers.push_back(static_cast<double>(member)); });
+        }
+        file_.write<double>(std::string(group) + "/" + name, std::span<const double>(numbers), {items.size(), width_of<Item>()},
+                            "1", "of the solver's state, in its own order, SI");
+        hash_.add(name, numbers);
+    }
+    void finish() { file_.attribute(group, digest_name, hash_.hex()); }
+
+private:
+    H5Output& file_;
+    ContentHash hash_;
+};
+
+class StateReader {
+public:
+    explicit StateReader(const H5Input& file) : file_(file) {}
+    template <class Value>
+    void attribute(const std::string& name, Value& value) {
+        value = file_.attribute<Value>(group, name);
+        hash_.add(name, value);
+    }
+    template <class Value>
+    void number(const std::string& name, Value& value) {
+        double number = 0;
+        attribute(name, number);
+        value = static_cast<Value>(number);
+    }
+    /// An array that a new state has keeps its number of items.
+    template <class Item>
+    void array(const std::string& name, std::vector<Item>& items) {
+        const std::size_t width = width_of<Item>();
+        const std::vector<double> numbers = file_.read<double>(std::string(group) + "/" + name);
+        const std::size_t n = numbers.size() / width;
+        if (numbers.size() != n * width || (!items.empty() && items.size() != n)) {
+            throw InputError(
+                fmt::format("{}: {}/{} has not the size of this version of graincrack-solve: the state is of another "
+                            "version, or damaged",
+                            file_.name(), group, name));
+        }
+        hash_.add(name, numbers);
+        items.resize(n);
+        std::size_t at = 0;
+        for (Item& item : items) {
+            visit_members(item, [&](auto& member) { member = static_cast<std::decay_t<decltype(member)>>(numbers[at++]); });
+        }
+    }
+    /// \throws InputError if the content is not that which was written
+    void finish() {
+        if (file_.attribute<std::string>(group, digest_name) != hash_.hex()) {
+            throw InputError(
+                fmt::format("{}: {} has not the content of which it has the digest: the file is damaged", file_.name(), group));
+        }
+    }
+
+private:
+    const H5Input& file_;
+    ContentHash hash_;
+};
+
+/// The content of /state, in its order.
+template <class Io, class AnyState, class Histories, class Loading, class Error>
+void visit_content(Io& io, AnyState& state, Histories& histories, Loading& loading, Error& energy_balance_error) {
+    visit_numbers(state, [&](const char* name, auto& value) { io.number(name, value); });
+    visit_arrays(state, [&](const char* name, auto& items) { io.array(name, items); });
+    io.array("history", histories);
+    io.attribute("amplitudes", loading.boundary_conditions.names);
+    io.attribute("amplitude_values", loading.boundary_conditions.values);
+    io.attribute("platen_speed", loading.platen_speed);
+    io.attribute("mean_compression", loading.mean_compression);
+    io.attribute("stages", loading.progress.names);
+    io.attribute("stage_values", loading.progress.values);
+    io.attribute("stages_ended_by", loading.stages_end_by);
+    io.attribute("energy_balance_error", energy_balance_error);
 }
 
-/// A number of a file as a member of a state. \throws InputError if it is not finite, or none that the member can have
-template <class Member>
-void take(double number, const std::string& where, Member& member) {
-    using Value = std::decay_t<Member>;
-    bool fits = std::isfinite(number);
-    if constexpr (std::is_same_v<Value, bool> || std::is_enum_v<Value>) {
-        fits = number == 0 || number == 1;
-    } else if constexpr (std::is_integral_v<Value>) {
-        constexpr double exact = 9007199254740992;  // 2^53: integers beyond it are not exact as float64
-        fits = fits && number == std::floor(number) && std::abs(number) <= exact &&
-               number >= static_cast<double>(std::numeric_limits<Value>::lowest()) &&
-               number <= static_cast<double>(std::numeric_limits<Value>::max());
-    }
-    if (!fits) {
-        throw InputError(fmt::format("{} has the value {}, which is outside its range: the file is damaged", where, number));
-    }
-    member = static_cast<Value>(number);
-}
-
-/// \param rows that the array must have, unless it is a list of any length
-template <class Item>
-void read_array(const H5Input& file, const std::string& name, std::optional<std::size_t> rows, std::vector<Item>& items) {
-    const std::string path = path_of(name);
-    const Extents extents = file.extents(path);
-    const std::size_t width = width_of<Item>();
-    if (extents.size() != 2 || extents[1] != width) {
-        throw InputError(fmt::format("{}: {} has not {} numbers a row: it is of another version of graincrack-solve", file.name(),
-                                     path, width));
-    }
-    if (rows && extents[0] != *rows) {
-        throw InputError(fmt::format("{}: {} has {} rows, not {}: the file is damaged", file.name(), path, extents[0], *rows));
-    }
-    const std::vector<double> numbers = file.read<double>(path);
-    const std::string where = file.name() + ": " + path;
-    items.resize(extents[0]);
-    std::size_t at = 0;
-    for (Item& item : items) visit_members(item, [&](auto& member) { take(numbers[at++], where, member); });
+/// Of a checkpoint, where its frames were.
+template <class Io, class Frames>
+void visit_frames(Io& io, Frames& frames) {
+    io.attribute("next_frame", frames.next);
+    io.attribute("frame_interval", frames.interval);
+    io.attribute("regular_frames", frames.regular);
+    std::vector<std::int64_t> roles;
+    for (const FrameRole role : frames.roles) roles.push_back(static_cast<std::int64_t>(role));
+    io.attribute("frame_roles", roles);
+    frames.roles.clear();
+    for (const std::int64_t role : roles) frames.roles.push_back(static_cast<FrameRole>(role));
 }
 
 bool same_mesh(const Specimen& a, const Specimen& b) {
@@ -190,20 +266,13 @@ bool same_mesh(const Specimen& a, const Specimen& b) {
            a.element_grain == b.element_grain && a.grain_phase == b.grain_phase;
 }
 
-/// Arrays that have as many rows as their lists are long; all others have those that they have in a new state.
-bool is_list(std::string_view name) {
-    constexpr std::array names{"platen_points", "candidate_pairs",  "node_edge_contacts", "pair_forces",
-                               "watched_pairs", "active_pairs",     "active_counts",      "displacement_at_search",
-                               "cluster_load",  "cluster_energies", "cluster_near_platen"};
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// \throws InputError where a run cannot start from a state as asked
 void require_same(const RunReader& run, const Specimen& specimen, const SimulationRequest& request, const Setup& setup) {
     const RunHeader& old = run.header();
     const auto refuse = [&](const std::string& what) { throw InputError(run.name() + ": " + what); };
-    if (!run.file().has(schema::state_group)) {
-        refuse("has no saved state to start from; make it with --save-state or --checkpoint-every");
+    if (!run.file().has(group)) refuse("has no saved state to start from; make it with --save-state or --checkpoint-every");
+    if (!run.file().has_attribute(group, digest_name)) {
+        refuse("has a saved state of another version of graincrack-solve; make it again with this one");
     }
     if (!same_mesh(run.specimen(), specimen)) refuse("is a run of another specimen; give the one it was made from, or itself");
     if (old.plane != request.plane || old.fabric.phases != setup.fabric.phases) {
@@ -241,87 +310,25 @@ void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& 
 }
 
 /// Other contact values change what is stored: that is work from outside.
-void book_change(const std::string& name, const RunHeader& old, const Setup& setup, State& s) {
+void book_change(const RunHeader& old, const Setup& setup, State& s) {
     const auto& laws = all_contact_laws();
     const auto law = std::find_if(laws.begin(), laws.end(), [&](const LawDescription& l) { return l.name == old.contact_law; });
     const ContactLaws before = make_contact_laws(old.fabric.contacts, law->variant);
     const double change =
         stored_in_contacts(setup.assemblage, setup.parameters.laws, s) - stored_in_contacts(setup.assemblage, before, s);
-    if (!std::isfinite(change)) {
-        throw InputError(name + ": its contact values store no energy that is a number: the file is damaged");
-    }
     s.node_sums.front().load_work += change;
-}
-
-StageControllerState read_loading(const H5Input& file) {
-    const std::string group = schema::state_group;
-    const auto texts = [&](const char* name) { return file.attribute<std::vector<std::string>>(group, name); };
-    const auto numbers = [&](const char* name) { return file.attribute<std::vector<double>>(group, name); };
-    StageControllerState loading;
-    loading.boundary_conditions = {texts("amplitudes"), numbers("amplitude_values")};
-    loading.platen_speed = file.attribute<double>(group, "platen_speed");
-    loading.mean_compression = file.attribute<double>(group, "mean_compression");
-    loading.progress = {texts("stages"), numbers("stage_values")};
-    loading.stages_end_by = texts("stages_ended_by");
-    const auto fit = [](const NamedNumbers& n) { return n.names.size() == n.values.size(); };
-    if (!fit(loading.boundary_conditions) || !fit(loading.progress) || !std::isfinite(loading.platen_speed) ||
-        !std::isfinite(loading.mean_compression)) {
-        throw InputError(fmt::format("{}: names and values of the loading in {} do not fit each other: the file is damaged",
-                                     file.name(), group));
-    }
-    return loading;
 }
 
 }  // namespace
 
-void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error) {
-    const std::string group = schema::state_group;
-    file.create_group(group);
-    visit_numbers(state, [&](const char* name, const auto& value) { file.attribute(group, name, static_cast<double>(value)); });
-    visit_arrays(state, [&](const char* name, const auto& items) { write_array(file, name, items); });
+void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error,
+                       std::optional<FrameProgress> frames) {
     std::vector<ContactHistory> histories;
     for (std::size_t point = 0; point < state.failed.size(); ++point) histories.push_back(state.points[point]);
-    write_array(file, "history", histories);
-    file.attribute(group, "amplitudes", loading.boundary_conditions.names);
-    file.attribute(group, "amplitude_values", loading.boundary_conditions.values);
-    file.attribute(group, "platen_speed", loading.platen_speed);
-    file.attribute(group, "mean_compression", loading.mean_compression);
-    file.attribute(group, "stages", loading.progress.names);
-    file.attribute(group, "stage_values", loading.progress.values);
-    file.attribute(group, "stages_ended_by", loading.stages_end_by);
-    file.attribute(group, "energy_balance_error", energy_balance_error);
-}
-
-void write_frame_progress(H5Output& file, const FrameProgress& progress) {
-    const std::string group = schema::state_group;
-    std::vector<std::int64_t> roles;
-    for (const FrameRole role : progress.roles) roles.push_back(static_cast<std::int64_t>(role));
-    file.attribute(group, "next_frame", progress.next);
-    file.attribute(group, "frame_interval", progress.interval);
-    file.attribute(group, "regular_frames", std::int64_t{progress.regular});
-    file.attribute(group, "frame_roles", roles);
-}
-
-FrameProgress read_frame_progress(const RunReader& run) {
-    const H5Input& file = run.file();
-    const std::string group = schema::state_group;
-    FrameProgress progress;
-    progress.next = file.attribute<double>(group, "next_frame");
-    progress.interval = file.attribute<double>(group, "frame_interval");
-    const auto n_regular = file.attribute<std::int64_t>(group, "regular_frames");
-    const auto roles = file.attribute<std::vector<std::int64_t>>(group, "frame_roles");
-    const bool are_roles = std::all_of(roles.begin(), roles.end(), [](std::int64_t role) {
-        return role >= 0 && role <= static_cast<std::int64_t>(FrameRole::present);
-    });
-    const auto regular = std::count(roles.begin(), roles.end(), static_cast<std::int64_t>(FrameRole::regular));
-    if (!are_roles || roles.size() != run.n_frames() || n_regular != regular || !std::isfinite(progress.next) ||
-        !std::isfinite(progress.interval) || progress.interval <= 0) {
-        throw InputError(run.name() + ": the frames are not those that the state counts: the file is damaged");
-    }
-    progress.regular = static_cast<int>(n_regular);
-    std::transform(roles.begin(), roles.end(), std::back_inserter(progress.roles),
-                   [](std::int64_t role) { return static_cast<FrameRole>(role); });
-    return progress;
+    StateWriter writer(file);
+    visit_content(writer, state, histories, loading, energy_balance_error);
+    if (frames) visit_frames(writer, *frames);
+    writer.finish();
 }
 
 std::size_t size_of_saved_state(const State& state) {
@@ -336,21 +343,18 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
                             const Setup& setup) {
     const RunReader run(path);
     require_same(run, specimen, request, setup);
-    const H5Input& file = run.file();
-    const std::string group = schema::state_group;
     SavedState saved;
     State& s = saved.state;
     s = make_state(setup.assemblage, setup.boundary, specimen);
-    std::vector<PlatenPoint> platen_points = s.platen_points;
-    visit_numbers(s, [&](const char* name, auto& value) {
-        take(file.attribute<double>(group, name), fmt::format("{}: attribute {} of {}", run.name(), name, group), value);
-    });
-    visit_arrays(s, [&](const char* name, auto& items) {
-        read_array(file, name, is_list(name) ? std::nullopt : std::optional(items.size()), items);
-    });
-    std::vector<ContactHistory> histories;
-    read_array(file, "history", s.failed.size(), histories);
-    require_sound_state(run.name(), setup, run.header().time_step, s);
+    std::vector<PlatenPoint> platen_points = std::move(s.platen_points);
+    s.platen_points.clear();
+    std::vector<ContactHistory> histories(s.failed.size());
+    StateReader reader(run.file());
+    visit_content(reader, s, histories, saved.loading, saved.energy_balance_error);
+    if (is_checkpoint(run)) visit_frames(reader, saved.frames);
+    reader.finish();
+    group_pairs(s.contact_pairs);
+    group_watched(setup.assemblage, s.contact_pairs);
     for (std::size_t point = 0; point < histories.size(); ++point) {
         if (histories[point] != ContactHistory{}) s.points.of(point) = histories[point];
     }
@@ -365,13 +369,9 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
         s.origin_step = s.step;
         s.origin_time = s.time;
     }
-    book_change(run.name(), old, setup, s);
-    saved.loading = read_loading(file);
+    book_change(old, setup, s);
     saved.cracks = run.cracks();
     saved.energy_scale = old.energy_scale;
-    take(file.attribute<double>(group, "energy_balance_error"), run.name() + ": attribute energy_balance_error of " + group,
-         saved.energy_balance_error);
-    if (old.stop_reason == "checkpoint") saved.frames = read_frame_progress(run);
     return saved;
 }
 

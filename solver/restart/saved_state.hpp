@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,18 +21,14 @@ class H5Output;
 struct FrameProgress {
     double next = 0;               ///< progress at which the next regular frame is due
     double interval = 0;           ///< from one regular frame to the next
-    int regular = 0;               ///< how many there are
+    std::int64_t regular = 0;      ///< how many there are
     std::vector<FrameRole> roles;  ///< of the frames of the checkpoint
 };
 
-/// Writes /state: everything of a state that is not found anew from the rest, and where its loading was.
-void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error);
-
-/// Adds to /state of a checkpoint where its frames were.
-void write_frame_progress(H5Output& file, const FrameProgress& progress);
-
-/// What that was. \throws InputError if the frames are not those
-FrameProgress read_frame_progress(const RunReader& checkpoint);
+/// Writes /state: everything of a state that is not found anew from the rest, where its loading was, and the SHA-256 of it all.
+/// \param frames of a checkpoint
+void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error,
+                       std::optional<FrameProgress> frames = {});
 
 /// Bytes of the arrays that /state has for a state.
 std::size_t size_of_saved_state(const State& state);
@@ -47,7 +45,7 @@ struct SavedState {
 
 /// Reads the end of the run `path`. Its specimen, rock, plane and mass scaling must be those of `setup`; contact values and time
 /// step may be others: what the change puts into the contacts' stored energy counts as external work. \throws InputError if the
-/// run keeps no state, or one that does not fit
+/// run keeps no state, one that does not fit, or one that is not what was written
 SavedState read_saved_state(const std::string& path, const Specimen& specimen, const SimulationRequest& request,
                             const Setup& setup);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "share/file/run_file.hpp"
@@ -37,7 +38,7 @@ private:
     double interval_;
     RunWriter* writer_;
     double next_ = 0;
-    int regular_ = 0;
+    std::int64_t regular_ = 0;
     std::optional<Frame> peak_;
 };
 

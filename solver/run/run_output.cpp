@@ -102,8 +102,7 @@ const std::string& RunOutput::write_checkpoint() {
         run_.program.append(writer->file(), 0);
         run_.program.write(writer->file());
         write_faces(writer->file(), run_.setup.boundary, run_.specimen);
-        write_saved_state(writer->file(), state, run_.program.stages().state(), run_.recorder.energy().largest_error());
-        write_frame_progress(writer->file(), frames);
+        write_saved_state(writer->file(), state, run_.program.stages().state(), run_.recorder.energy().largest_error(), frames);
         RunHeader header = run_.header;
         header.stop_reason = "checkpoint";
         header.steps = state.step;
