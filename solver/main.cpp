@@ -32,8 +32,7 @@ void print_plan(const SimulationPlan& plan) {
     fmt::print("grains\t{}\nelements\t{}\nnodes\t{}\ncontacts\t{}\n", plan.grains, plan.elements, plan.nodes, plan.contacts);
     fmt::print("mass_scaling_factor\t{:.4g}\nstable_time_step_s\t{:.4g}\ntime_step_s\t{:.4g}\nmax_steps\t{}\n",
                plan.mass_scaling_factor, plan.stable_time_step, plan.time_step, plan.max_steps);
-    fmt::print("memory_MB\t{:.4g}\nfile_size_at_most_MB\t{:.4g}\n", static_cast<double>(plan.memory) * 1e-6,
-               static_cast<double>(plan.file_size) * 1e-6);
+    fmt::print("memory_MB\t{:.4g}\nfile_size_at_most_MB\t{:.4g}\n", plan.memory * 1e-6, plan.file_size * 1e-6);
     const auto seconds = [&](std::int64_t steps) {
         return static_cast<double>(steps) * static_cast<double>(plan.grains) * assumed_ns_per_grain_step * 1e-9;
     };

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "solver/model/memory.hpp"
-
 namespace graincrack {
 namespace {
 
@@ -135,32 +133,6 @@ Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& p
 
 Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane) {
     return make_assemblage(specimen, std::vector<Phase>(specimen.phase_names.size(), phase_of(rock)), plane);
-}
-
-std::size_t memory_of(const ElasticityTable& table) {
-    const auto& [c11, c12, mu, czz] = table;
-    return memory_of_all(c11, c12, mu, czz);
-}
-
-std::size_t memory_of(const TriangleTable& table) {
-    const auto& [gradient1_x, gradient1_y, gradient2_x, gradient2_y, area] = table;
-    return memory_of_all(gradient1_x, gradient1_y, gradient2_x, gradient2_y, area);
-}
-
-template <std::size_t few>
-std::size_t memory_of(const SlotsOfNodes<few>& slots) {
-    const auto& [first, further, further_of_chunk] = slots;
-    return memory_of_all(first, further, further_of_chunk);
-}
-
-std::size_t memory_of(const Assemblage& assemblage) {
-    const auto& [position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, elasticity, element_mass, contacts,
-                 contact_slots, element_slots, node_chunks, rows, cluster_of_node, element_chunks, contact_chunks,
-                 node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, n_phase_classes, surface, contact_length,
-                 vector_target, part] = assemblage;
-    return memory_of_all(position, mass, inverse_mass, rock_mass, element_nodes, element_geometry, elasticity, element_mass,
-                         contacts, contact_slots, element_slots, node_chunks, rows, cluster_of_node, element_chunks,
-                         contact_chunks, node_of_specimen, contact_of_specimen, specimen_contact, phase_of_node, surface, part);
 }
 
 }  // namespace graincrack

@@ -78,8 +78,6 @@ struct ElasticityTable {
         czz.push_back(c.czz);
     }
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const ElasticityTable& table);
 
 /// Geometry of all triangles, side by side.
 struct TriangleTable {
@@ -96,8 +94,6 @@ struct TriangleTable {
         area.push_back(g.area);
     }
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const TriangleTable& table);
 
 /// Constant data of a run. Order of elements: as in the specimen. Order of nodes: see solver/model/node_order.hpp. Order of
 /// contacts: by class, within a class as in the specimen, with empty places at the ends of chunks.
@@ -139,8 +135,6 @@ struct Assemblage {
     [[nodiscard]] std::int32_t n_contacts() const { return static_cast<std::int32_t>(contact_of_specimen.size()); }
     [[nodiscard]] std::int32_t n_elements() const { return static_cast<std::int32_t>(element_nodes.size()); }
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const Assemblage& assemblage);
 
 /// Builds the assemblage of a validated specimen. Masses are lumped: a third of each triangle to each of its nodes.
 /// \param phases by index of the specimen's phases

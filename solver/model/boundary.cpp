@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/model/memory.hpp"
-
 namespace graincrack {
 namespace {
 
@@ -64,16 +62,6 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::vector
     }
     b.platen_points_of_chunk = ranges_by_chunk(a, b.platen_points, [](const PlatenPoint& point) { return point.node; });
     return b;
-}
-
-std::size_t memory_of(const Boundary& boundary) {
-    const auto& [platens, platen_points, platen_points_of_chunk, prescribed] = boundary;
-    return memory_of_all(platen_points, platen_points_of_chunk, prescribed);
-}
-
-std::size_t memory_of(const StepLoading& loading) {
-    const auto& [platen_axis, platen_displacement, increment_before, increment_after, amplitudes] = loading;
-    return memory_of_all(amplitudes);
 }
 
 }  // namespace graincrack

@@ -93,8 +93,6 @@ struct Boundary {
     std::vector<Range> platen_points_of_chunk;
     PrescribedConditions prescribed;
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const Boundary& boundary);
 
 /// Motion of the platens and values of the amplitudes over one step.
 struct StepLoading {
@@ -104,8 +102,6 @@ struct StepLoading {
     std::array<double, 2> increment_after{};      ///< of the step that leads on, m
     std::vector<double> amplitudes;               ///< velocities of the step that leads on, loads now
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const StepLoading& loading);
 
 /// Loading over an interval of steps: the speeds change linearly from its first step to its last.
 struct IntervalLoading {

@@ -1,7 +1,5 @@
 #include "solver/model/contact_pairs.hpp"
 
-#include "solver/model/memory.hpp"
-
 namespace graincrack {
 
 ContactPairList make_contact_pair_list(const Assemblage& a) {
@@ -40,23 +38,6 @@ void group_watched(const Assemblage& a, ContactPairList& list) {
         ++list.watched_groups.back().end;
         node_before = node;
     }
-}
-
-std::size_t memory_of(const ActiveContacts& active) {
-    const auto& [pair, nodes, live, area, initial_overlap, overlap, elastic_slip, release_correction, normal_stiffness,
-                 shear_stiffness, cohesion, tan_friction, place, forces, count, changed] = active;
-    return memory_of_all(pair, nodes, live, area, initial_overlap, overlap, elastic_slip, release_correction, normal_stiffness,
-                         shear_stiffness, cohesion, tan_friction, place, forces, count, changed);
-}
-
-std::size_t memory_of(const ContactPairList& list) {
-    const auto& [debonded, released, pairs, contacts, forces, groups, watched, watched_groups, chunks, node_chunks,
-                 detection_interval, active, friction, node_forces, node_force_slots, node_forces_of_chunk, node_force_scratch,
-                 displacement_at_search, wants_rebuild, travel_since_rebuild, cluster_load, is_watched_anywhere, next_update] =
-        list;
-    return memory_of_all(debonded, released, pairs, contacts, forces, groups, watched, watched_groups, chunks, node_chunks,
-                         active, friction, node_forces, node_force_slots, node_forces_of_chunk, node_force_scratch,
-                         displacement_at_search, cluster_load);
 }
 
 }  // namespace graincrack

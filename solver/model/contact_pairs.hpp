@@ -62,8 +62,6 @@ struct ActiveContacts {
     std::vector<std::int32_t> count;    ///< by chunk; those of a chunk lie from its first watched pair on
     std::vector<std::uint8_t> changed;  ///< by chunk: 1 if the last detection found others than before, or one that began anew
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const ActiveContacts& contacts);
 
 struct ContactPairList {
     std::vector<std::uint8_t> debonded;     ///< [2 c] 1 once the point no longer links its nodes
@@ -106,8 +104,6 @@ struct ContactPairList {
         }
     }
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const ContactPairList& list);
 
 /// Finds the groups of the pairs.
 void group_pairs(ContactPairList& list);

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "solver/arithmetic/vector2.hpp"
-#include "solver/model/memory.hpp"
 
 namespace graincrack {
 
@@ -27,10 +26,4 @@ struct DampingLoad {
     /// Of the load of the platens; 0 while they do no work.
     [[nodiscard]] double share() const { return platen_power > 0 ? damping_power / platen_power : 0; }
 };
-/// Bytes of its arrays.
-inline std::size_t memory_of(const DampingLoad& load) {
-    const auto& [mean_displacement, damping_power, platen_power, time] = load;
-    return memory_of_all(mean_displacement);
-}
-
 }  // namespace graincrack

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "solver/model/assemblage.hpp"
-#include "solver/model/memory.hpp"
 #include "solver/model/prescribed.hpp"
 
 namespace graincrack {
@@ -170,16 +169,6 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
     std::sort(part.ghosts.begin(), part.ghosts.end());
     part.ghosts.erase(std::unique(part.ghosts.begin(), part.ghosts.end()), part.ghosts.end());
     return part;
-}
-
-std::size_t memory_of(const Part& part) {
-    const auto of_share = [](const ChunkShare& share) {
-        return memory_of_all(share.own_sums, share.own, share.owner, share.n_sums_of);
-    };
-    const auto of_chunks = [](const EvaluatedChunks& chunks) { return memory_of_all(chunks.inner, chunks.outer); };
-    return of_share(part.nodes) + of_share(part.elements) + of_share(part.contacts) + of_chunks(part.evaluated_elements) +
-           of_chunks(part.evaluated_contacts) +
-           memory_of_all(part.first_node, part.evaluates_contacts, part.loaded_chunks, part.ghosts);
 }
 
 }  // namespace graincrack

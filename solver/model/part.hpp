@@ -56,8 +56,6 @@ struct Part {
         return static_cast<int>(std::upper_bound(first_node.begin(), first_node.end(), node) - first_node.begin()) - 1;
     }
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const Part& part);
 
 /// The part of a rank alone: all.
 Part whole_part(const Assemblage& assemblage);

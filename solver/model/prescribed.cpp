@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "solver/model/memory.hpp"
-
 namespace graincrack {
 
 void arrange_prescribed(const Assemblage& a, PrescribedConditions& prescribed) {
@@ -20,16 +18,6 @@ void arrange_prescribed(const Assemblage& a, PrescribedConditions& prescribed) {
     std::stable_sort(prescribed.ends.begin(), prescribed.ends.end(),
                      [](const LoadedEnd& l, const LoadedEnd& r) { return l.node < r.node; });
     prescribed.ends_of_chunk = ranges_by_chunk(a, prescribed.ends, [](const LoadedEnd& e) { return e.node; });
-}
-
-std::size_t memory_of(const PrescribedConditions& prescribed) {
-    const auto& [gravity, nodes, nodes_of_chunk, edges, edges_of_chunk, ends, ends_of_chunk] = prescribed;
-    return memory_of_all(nodes, nodes_of_chunk, edges, edges_of_chunk, ends, ends_of_chunk);
-}
-
-std::size_t memory_of(const PrescribedState& state) {
-    const auto& [nodes, load, lateral] = state;
-    return memory_of_all(nodes, load, lateral);
 }
 
 }  // namespace graincrack

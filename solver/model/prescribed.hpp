@@ -54,8 +54,6 @@ struct PrescribedConditions {
     [[nodiscard]] bool has_gravity() const { return gravity.x != 0 || gravity.y != 0; }
     [[nodiscard]] bool empty() const { return nodes.empty() && edges.empty() && !has_gravity(); }
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const PrescribedConditions& prescribed);
 /// Sorts nodes and edges and finds their ranges.
 void arrange_prescribed(const Assemblage& assemblage, PrescribedConditions& prescribed);
 
@@ -71,7 +69,5 @@ struct PrescribedState {
     std::vector<Vector2> load;    ///< of an edge, on each of its ends, N
     std::vector<double> lateral;  ///< the part of it along x that is pressure, inwards positive, N
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const PrescribedState& state);
 
 }  // namespace graincrack

@@ -44,14 +44,4 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     return s;
 }
 
-std::size_t memory_of(const State& state) {
-    const auto& [step, time, origin_step, origin_time, displacement, velocity, force, last_force, damping_force, near_platen,
-                 contact_force, element_force, opening, sliding, integrity, slip, failed, residual, next_mark, points,
-                 fracture_energy, contact_pairs, platen_points, node_sums, contact_sums, events, loading, clusters, prescribed,
-                 damping_load, ghosts] = state;
-    return memory_of_all(displacement, velocity, force, last_force, damping_force, near_platen, contact_force, element_force,
-                         opening, sliding, integrity, slip, failed, residual, next_mark, points, fracture_energy, contact_pairs,
-                         platen_points, node_sums, contact_sums, events, loading, clusters, prescribed, damping_load);
-}
-
 }  // namespace graincrack

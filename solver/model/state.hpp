@@ -12,7 +12,6 @@
 #include "solver/model/boundary.hpp"
 #include "solver/model/contact_pairs.hpp"
 #include "solver/model/damping_load.hpp"
-#include "solver/model/memory.hpp"
 #include "solver/model/vertex_clusters.hpp"
 #include "solver/ranks/ghost_nodes.hpp"
 
@@ -90,15 +89,12 @@ public:
         if (chunk.empty()) chunk.resize(points_per_chunk);
         return chunk[point % points_per_chunk];
     }
-    /// Bytes of those that exist.
-    [[nodiscard]] std::size_t memory() const { return memory_of(chunks_); }
 
 private:
     static constexpr std::size_t points_per_chunk = 2UL * contacts_per_chunk;
     static constexpr ContactHistory new_contact_{};
     std::vector<std::vector<ContactHistory>> chunks_;
 };
-inline std::size_t memory_of(const PointHistories& histories) { return histories.memory(); }
 
 struct State {
     std::int64_t step = 0;
@@ -133,8 +129,6 @@ struct State {
     DampingLoad damping_load;
     std::shared_ptr<const GhostNodes> ghosts;  ///< nodes of other ranks that this one reads; none for a rank alone
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const State& state);
 
 /// Sends displacements and velocities to the ranks that read them; waits for those that this rank reads.
 inline void send_motion(const State& s) {

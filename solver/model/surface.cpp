@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/model/memory.hpp"
-
 namespace graincrack {
 namespace {
 
@@ -65,11 +63,6 @@ GrainSurface make_surface(const Specimen& s, const std::vector<std::int32_t>& no
         for (const std::int32_t node : o.edges[e].nodes) o.edges_of_node[at[node]++] = e;
     }
     return o;
-}
-
-std::size_t memory_of(const GrainSurface& surface) {
-    const auto& [edges, grain_of_node, edge_begin, edges_of_node, tributary, mean_length] = surface;
-    return memory_of_all(edges, grain_of_node, edge_begin, edges_of_node, tributary);
 }
 
 }  // namespace graincrack

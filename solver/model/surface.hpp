@@ -27,8 +27,6 @@ struct GrainSurface {
     std::vector<double> tributary;            ///< [n] length of outline a node stands for in a node–edge contact, m
     double mean_length = 0;                   ///< of the edges, m
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const GrainSurface& surface);
 
 /// The outline of a validated specimen whose nodes have the internal indices `node_of_specimen` and whose contacts have the
 /// places `contact_of_specimen`. A node stands for half the mean of the two edges it ends: with another node of a flush face

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "share/base/error.hpp"
-#include "solver/model/memory.hpp"
 
 namespace graincrack {
 
@@ -24,16 +23,6 @@ MassScaling make_mass_scaling(const Assemblage& a, double factor) {
         m.inverse_mass.insert(m.inverse_mass.end(), 2, a.inverse_mass[i]);
     }
     return m;
-}
-
-std::size_t memory_of(const MassScaling& scaling) {
-    const auto& [factor, mass, inverse_mass, cluster_mass] = scaling;
-    return memory_of_all(mass, inverse_mass, cluster_mass);
-}
-
-std::size_t memory_of(const ClusterState& state) {
-    const auto& [near_platen, sums, constraining_platen, inverse_mass, constrained, platen_nodes] = state;
-    return memory_of_all(near_platen, sums, constraining_platen, inverse_mass, constrained, platen_nodes);
 }
 
 }  // namespace graincrack

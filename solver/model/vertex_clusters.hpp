@@ -44,8 +44,6 @@ struct MassScaling {
     std::vector<double> cluster_mass;  ///< [clusters] kg
     [[nodiscard]] bool is_on() const { return factor > 0; }
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const MassScaling& scaling);
 
 /// \throws InputError if more nodes meet at a vertex than a chunk can hold
 MassScaling make_mass_scaling(const Assemblage& assemblage, double factor);
@@ -80,8 +78,6 @@ struct ClusterState {
     std::vector<std::vector<ConstrainedCluster>> constrained;  ///< by chunk
     std::vector<std::vector<std::int32_t>> platen_nodes;       ///< by chunk: nodes that may meet a platen
 };
-/// Bytes of its arrays.
-std::size_t memory_of(const ClusterState& clusters);
 /// Velocities of the platens, by `ClusterState::constraining_platen`.
 class PlatenVelocities {
 public:

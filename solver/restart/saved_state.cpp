@@ -331,14 +331,6 @@ void write_saved_state(H5Output& file, const State& state, const StageController
     writer.finish();
 }
 
-std::size_t size_of_saved_state(const State& state) {
-    std::size_t numbers = state.failed.size() * width_of<ContactHistory>();
-    visit_arrays(state, [&]<class Item>(const char* /*name*/, const std::vector<Item>& items) {
-        numbers += items.size() * width_of<Item>();
-    });
-    return numbers * sizeof(double);
-}
-
 SavedState read_saved_state(const std::string& path, const Specimen& specimen, const SimulationRequest& request,
                             const Setup& setup) {
     const RunReader run(path);

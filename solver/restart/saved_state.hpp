@@ -30,9 +30,6 @@ struct FrameProgress {
 void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error,
                        std::optional<FrameProgress> frames = {});
 
-/// Bytes of the arrays that /state has for a state.
-std::size_t size_of_saved_state(const State& state);
-
 /// What a run starts with that starts from another.
 struct SavedState {
     State state;

@@ -114,12 +114,6 @@ void ProgramDriver::append(H5Output& file, std::size_t first) const {
     if (!is_standard()) append_probes(file, probes_.histories(), first);
 }
 
-std::size_t ProgramDriver::size_of_row() const {
-    std::size_t columns = 0;
-    for (const ProbeHistory& probe : probes_.histories()) columns += probe.columns.size();
-    return is_standard() ? 0 : columns * sizeof(double);
-}
-
 void ProgramDriver::write(H5Output& file) const {
     if (is_standard()) return;
     const std::string group = schema::program_group;

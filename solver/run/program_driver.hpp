@@ -35,8 +35,6 @@ public:
     void resume(const StageControllerState& state, const RunReader& checkpoint);
     /// What the run file gets of its rows from `first` on, besides the history; of a standard test nothing.
     void append(H5Output& file, std::size_t first) const;
-    /// Bytes of a row of that.
-    [[nodiscard]] std::size_t size_of_row() const;
     /// And at the end.
     void write(H5Output& file) const;
 
