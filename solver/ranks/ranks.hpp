@@ -142,9 +142,8 @@ public:
 private:
     template <class Value, class Count>
     static std::vector<std::int64_t> bytes_of(const std::vector<Count>& counts) {
-        std::vector<std::int64_t> sizes;
-        for (const Count count : counts)
-            sizes.push_back(static_cast<std::int64_t>(count) * static_cast<std::int64_t>(sizeof(Value)));
+        std::vector<std::int64_t> sizes(counts.begin(), counts.end());
+        for (std::int64_t& size : sizes) size *= static_cast<std::int64_t>(sizeof(Value));
         return sizes;
     }
     /// How many values each rank gives.

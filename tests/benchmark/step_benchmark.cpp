@@ -44,7 +44,7 @@ struct LoadedSpecimen {
     LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTarget vector_target)
         : specimen(std::move(s)),
           assemblage(make_assemblage(specimen, test::augig_granite().rock, PlaneCondition::strain)),
-          parameters{make_contact_law(test::augig_contact(), law, Coupling::full), 0, 0.8},
+          parameters{make_contact_law(test::augig_contact(), law), 0, 0.8},
           boundary(test::boundary_of_test(assemblage, specimen, compression(), test::augig_contact())) {
         assemblage.vector_target = vector_target;
         const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.laws) : 0;

@@ -30,15 +30,6 @@ TEST_F(Ranks, WithThreadsHaveTheDigestOfOneProcess) {
     EXPECT_EQ(shell.run("ls -A *.part *.lock *.checkpoint").out, "");
 }
 
-// A disc of two chunks leaves two of four ranks without nodes.
-TEST_F(Ranks, WithoutNodesChangeNothing) {
-    const Shell shell;
-    const std::string solve = "graincrack-solve brazilian disc.h5 --save-state" + past_peak + "-o ";
-    shell.must(make_disc + "disc.h5\n" + solve + "one.h5\n" + on_ranks(4) + solve + "ranks.h5");
-    EXPECT_GT(extent_of(shell, "one.h5").cracks, 20U);
-    expect_same_run(shell, "ranks.h5", "one.h5");
-}
-
 TEST_F(Ranks, TakeASpecimenFromStdin) {
     const Shell shell;
     shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o one.h5" + elastic + "\n" + on_ranks(2) +
@@ -169,19 +160,6 @@ TEST_F(Ranks, ADeadRankEndsTheRunWhoseLastCheckpointResumes) {
     EXPECT_EQ(killed.out, "");
     EXPECT_NE(shell.run("test -e run.h5").exit_code, 0);
     shell.must("graincrack-post info --check run.h5.checkpoint\n" + long_test + "--quiet --restart run.h5.checkpoint -o run.h5");
-    expect_same_run(shell, "run.h5", "whole.h5");
-}
-
-TEST_F(Ranks, AreStoppedBySIGTERMWithACheckpoint) {
-    const Shell shell;
-    shell.must(make_long_specimen + long_test + "--quiet -o whole.h5");
-    const Outcome stopped = shell.run(start_on_ranks(2, long_test + "--quiet -o run.h5") + wait_for_file("run.h5.part") +
-                                      "sleep 0.3\nkill -TERM $(cat pid.*)\n" + end_of_job);
-    EXPECT_EQ(stopped.exit_code, 128 + 15) << stopped.err;
-    EXPECT_EQ(stopped.out, "");
-    EXPECT_EQ(n_lines(lines_of("graincrack-solve: ", stopped.err)), 1) << stopped.err;
-    EXPECT_EQ(shell.names(), "run.h5.checkpoint\nspecimen.h5\nwhole.h5\n");
-    shell.must(on_ranks(3) + long_test + "--quiet --restart run.h5.checkpoint -o run.h5");
     expect_same_run(shell, "run.h5", "whole.h5");
 }
 

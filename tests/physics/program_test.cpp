@@ -362,35 +362,22 @@ const char* const everything = R"(
     roof.velocity_y = "free"
     until.time = "100 us"
 )";
-ProgramRun everything_at_once(double damping, int threads) {
+ProgramRun everything_at_once(double damping) {
     ProgramRun run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), everything, augig_law(LawVariant::consistent),
                    PlaneCondition::strain, damping);
-    run.go(20, threads);
+    run.go(20);
     return run;
 }
 
 TEST(Program, TheEnergyBalanceStaysClosed) {
     for (const double damping : {0.0, 0.8}) {
-        const ProgramRun all = everything_at_once(damping, 1);
+        const ProgramRun all = everything_at_once(damping);
         ASSERT_EQ(all.stage_controller.records().size(), 3U);
         EXPECT_EQ(all.stage_controller.records()[1].ended_by, "tensile_cracks");
         EXPECT_GT(all.run.failed_points(), 10U);
         EXPECT_GT(all.energies.back().external, 0.0);
         verify("specimens: residual of the energy balance over stored energy, a program with every force", all.residual(), 0,
                2e-3, "each term by its own definition", 1);
-    }
-}
-
-TEST(Program, TheSameBytesForAnyNumberOfThreads) {
-    const ProgramRun one = everything_at_once(0.8, 1);
-    for (const int threads : {2, 3}) {
-        const ProgramRun other = everything_at_once(0.8, threads);
-        ASSERT_EQ(other.run.state.step, one.run.state.step);
-        for (std::size_t i = 0; i < one.run.state.displacement.size(); ++i) {
-            ASSERT_EQ(other.run.state.displacement[i].x, one.run.state.displacement[i].x);
-            ASSERT_EQ(other.run.state.displacement[i].y, one.run.state.displacement[i].y);
-        }
-        ASSERT_EQ(other.column("roof", "force_x"), one.column("roof", "force_x"));
     }
 }
 

@@ -13,21 +13,22 @@
 #include "solver/restart/checkpoint.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/end_to_end/same_arrays.hpp"
-#include "tests/support/crushed_run.hpp"
 #include "tests/support/crystals.hpp"
+#include "tests/support/phases.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/thread_ranks.hpp"
 
 namespace graincrack {
 namespace {
 
-/// Three phases with classes of contacts for each pair of them.
-const Specimen& phases_for_ranks() {
-    static const Specimen s = test::varied_phases(test::crushed_specimen()).specimen;
+/// Crushed until grains come into contact that were not neighbours.
+const Specimen& grains_for_ranks() {
+    static const Specimen s = test::jittered_grid(9, 18, 0.04, 0.08, 0.25);
     return s;
 }
-const Specimen& grains_for_ranks() {
-    static const Specimen s = test::crushed_specimen();
+/// Three phases with classes of contacts for each pair of them.
+const Specimen& phases_for_ranks() {
+    static const Specimen s = test::varied_phases(grains_for_ranks()).specimen;
     return s;
 }
 const Specimen& crystals_for_ranks() {
