@@ -15,7 +15,7 @@
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "solver/program/program_text.hpp"
+#include "solver/program/program_file.hpp"
 #include "solver/program/standard_tests.hpp"
 #include "solver/restart/checkpoint.hpp"
 #include "solver/run/plan.hpp"
@@ -84,7 +84,7 @@ void print_summary(const SimulationSummary& s, double width) {
         fmt::print(
             stderr,
             "{}: warning: damping carries {:.1f} % of the load before the peak, more than {:.0f} %; the strength is too high by "
-            "that share, where grains slide by several times as much: use a smaller --rate-tolerance, a slower --rate "
+            "that fraction, where grains slide by several times as much: use a smaller --rate-tolerance, a slower --rate "
             "or --damping-form combined\n",
             h.test, 100 * h.damping_load, 100 * trusted_damping_load);
     }

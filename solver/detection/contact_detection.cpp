@@ -19,7 +19,7 @@ constexpr double bond_width = 3e-3;
 /// Area of a new contact until it is found.
 constexpr double area_not_found = 0;
 /// Least area of a new contact, over the tributary area of its node. It goes beyond the available area: a node that may not press
-/// at all would not be kept out. Each such contact exceeds the limit by at most this share.
+/// at all would not be kept out. Each such contact exceeds the limit by at most this fraction.
 constexpr double min_area = 0.1;
 /// Cosine of the angle between the normals of two edges above which they are of one surface: turned by less than 60°, edges push
 /// a node the same way, and one contact is enough.
@@ -235,9 +235,9 @@ double available_area(const Assemblage& a, const ContactPairList& list, std::int
 }
 
 /// What new contacts want of the area of a node, and what of it each gets.
-struct WantedArea {
-    double wanted = 0, occupied = 0;  ///< m²
-    double share = 1;
+struct RequestedArea {
+    double requested = 0, occupied = 0;  ///< m²
+    double fraction = 1;
 };
 
 /// Calls `visit` with the index of each active contact that has not ended and the two nodes whose area it occupies: its own, and
@@ -267,37 +267,38 @@ bool belongs_to_neighbour(const Assemblage& a, const State& s, const CandidatePa
     return false;
 }
 
-/// Each new contact wants the tributary area of its node. All that want area of one node get the same share of it.
+/// Each new contact wants the tributary area of its node. All that want area of one node get the same fraction of it.
 void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& parameters, State& s) {
     ContactPairList& list = s.contact_pairs;
     std::vector<NewContact> contacts;
-    std::unordered_map<std::int32_t, WantedArea> wanted;
+    std::unordered_map<std::int32_t, RequestedArea> requested;
     for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
         if (list.active.area[i] != area_not_found) return;
         contacts.push_back({i, list.pairs[list.active.pair[i]], {node, end}, a.surface.tributary[node]});
-        for (const std::int32_t occupied : contacts.back().occupied) wanted[occupied].wanted += contacts.back().area;
+        for (const std::int32_t occupied : contacts.back().occupied) requested[occupied].requested += contacts.back().area;
     });
     if (contacts.empty() && !s.ghosts) return;
     for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
         for (const std::int32_t occupied : {node, end}) {
-            if (const auto found = wanted.find(occupied); found != wanted.end()) found->second.occupied += list.active.area[i];
+            if (const auto found = requested.find(occupied); found != requested.end())
+                found->second.occupied += list.active.area[i];
         }
     });
-    for (auto& [node, area] : wanted) area.share = available_area(a, list, node, area.occupied) / area.wanted;
+    for (auto& [node, area] : requested) area.fraction = available_area(a, list, node, area.occupied) / area.requested;
     if (s.ghosts) {  // the owner of a node knows all contacts that want area of it
         s.ghosts->update(
             [&](std::int32_t node) {
-                const auto found = wanted.find(node);
-                return found != wanted.end() ? found->second.share : 1;
+                const auto found = requested.find(node);
+                return found != requested.end() ? found->second.fraction : 1;
             },
-            [&](std::int32_t node, double share) {
-                if (const auto found = wanted.find(node); found != wanted.end()) found->second.share = share;
+            [&](std::int32_t node, double fraction) {
+                if (const auto found = requested.find(node); found != requested.end()) found->second.fraction = fraction;
             });
     }
     for (NewContact& contact : contacts) {
-        double share = 1;
-        for (const std::int32_t node : contact.occupied) share = std::min(share, wanted[node].share);
-        contact.area *= std::max(share, min_area);
+        double fraction = 1;
+        for (const std::int32_t node : contact.occupied) fraction = std::min(fraction, requested[node].fraction);
+        contact.area *= std::max(fraction, min_area);
     }
     limit_new_areas(a, parameters, contacts, s);
     for (const NewContact& contact : contacts) {

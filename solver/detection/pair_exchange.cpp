@@ -156,16 +156,16 @@ void take_contacts_of_owners(const Assemblage& a, ContactPairList& list) {
     struct Group {
         std::int32_t node, n_pairs;
     };
-    std::vector<std::vector<Group>> wanted(static_cast<std::size_t>(ranks.size()));
+    std::vector<std::vector<Group>> requested(static_cast<std::size_t>(ranks.size()));
     for_each_group(list.pairs, [&](std::int32_t node, Range group) {
-        if (!a.part.owns(node)) wanted[a.part.owner_of_node(node)].push_back({node, group.size()});
+        if (!a.part.owns(node)) requested[a.part.owner_of_node(node)].push_back({node, group.size()});
     });
     struct Shared {
         CandidatePair pair;
         NodeEdgeContact contact;
     };
-    std::vector<std::vector<Shared>> replies(wanted.size());
-    const std::vector<std::vector<Group>> asked = ranks.exchange(wanted);
+    std::vector<std::vector<Shared>> replies(requested.size());
+    const std::vector<std::vector<Group>> asked = ranks.exchange(requested);
     for (std::size_t rank = 0; rank < asked.size(); ++rank) {
         for (const auto& [node, n_pairs] : asked[rank]) {
             const auto begin = std::lower_bound(list.pairs.begin(), list.pairs.end(), CandidatePair{node, 0});

@@ -11,10 +11,10 @@ namespace graincrack {
 namespace {
 
 /// η: what node–edge contacts may add to ω² Δt².
-constexpr double stiffness_share = 0.5;
-/// A new contact may have this share of the load of a cluster even where others have taken all of it: the next update reduces
+constexpr double stiffness_fraction = 0.5;
+/// A new contact may have this fraction of the load of a cluster even where others have taken all of it: the next update reduces
 /// their areas.
-constexpr double share_of_new_contact = 0.125;
+constexpr double fraction_of_new_contact = 0.125;
 
 /// What a contact of unit area adds to the loads of the clusters of its nodes.
 struct UnitLoads {
@@ -38,7 +38,7 @@ UnitLoads unit_loads(const Assemblage& a, const StepParameters& p, const Candida
 
 /// Largest load of a cluster, N/m.
 double max_load(const StepParameters& p, std::int32_t cluster) {
-    return stiffness_share * p.mass_scaling.cluster_mass[cluster] / (p.time_step * p.time_step);
+    return stiffness_fraction * p.mass_scaling.cluster_mass[cluster] / (p.time_step * p.time_step);
 }
 
 void add_load(const UnitLoads& unit, double area, std::vector<double>& cluster_load) {
@@ -46,23 +46,23 @@ void add_load(const UnitLoads& unit, double area, std::vector<double>& cluster_l
 }
 
 /// Share of its area that the loads of its clusters leave a contact.
-double share_left(const StepParameters& p, const UnitLoads& unit, const std::vector<double>& cluster_load) {
-    double share = 1;
+double fraction_left(const StepParameters& p, const UnitLoads& unit, const std::vector<double>& cluster_load) {
+    double fraction = 1;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (unit.load[k] > 0) share = std::min(share, max_load(p, unit.cluster[k]) / cluster_load[unit.cluster[k]]);
+        if (unit.load[k] > 0) fraction = std::min(fraction, max_load(p, unit.cluster[k]) / cluster_load[unit.cluster[k]]);
     }
-    return share;
+    return fraction;
 }
 
-/// Reduces the area of a contact to a share of it, at the same energy.
-void reduce_area(double share, std::size_t pair, ContactPairList& list) {
+/// Reduces the area of a contact to a fraction of it, at the same energy.
+void reduce_area(double fraction, std::size_t pair, ContactPairList& list) {
     NodeEdgeContact& contact = list.contacts[pair];
-    const double growth = 1 / std::sqrt(share);
-    contact.area *= share;
+    const double growth = 1 / std::sqrt(fraction);
+    contact.area *= fraction;
     contact.initial_overlap -= (growth - 1) * contact.overlap;
     contact.overlap *= growth;
     contact.elastic_slip *= growth;
-    for (std::size_t k = 3 * pair; k < 3 * pair + 3; ++k) list.forces[k] = std::sqrt(share) * list.forces[k];
+    for (std::size_t k = 3 * pair; k < 3 * pair + 3; ++k) list.forces[k] = std::sqrt(fraction) * list.forces[k];
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s)
     for (std::size_t i = 0; i < list.pairs.size(); ++i) {
         if (list.contacts[i].active) {
             const UnitLoads unit = unit_loads(a, p, list.pairs[i], s);
-            reduce_area(share_left(p, unit, cluster_load), i, list);
+            reduce_area(fraction_left(p, unit, cluster_load), i, list);
             add_load(unit, list.contacts[i].area, list.cluster_load);
         }
     }
@@ -91,29 +91,30 @@ void limit_contact_areas(const Assemblage& a, const StepParameters& p, State& s)
 void limit_new_areas(const Assemblage& a, const StepParameters& p, std::vector<NewContact>& contacts, State& s) {
     if (!p.mass_scaling.is_on()) return;
     std::vector<double>& cluster_load = s.contact_pairs.cluster_load;
-    std::unordered_map<std::int32_t, double> share_of;  // first what contacts want of a cluster's load, then what share each gets
+    std::unordered_map<std::int32_t, double>
+        fraction_of;  // first what contacts want of a cluster's load, then what fraction each gets
     std::vector<UnitLoads> units;
     for (const NewContact& contact : contacts) {
         units.push_back(unit_loads(a, p, contact.pair, s));
-        for (std::size_t k = 0; k < 3; ++k) share_of[units.back().cluster[k]] += contact.area * units.back().load[k];
+        for (std::size_t k = 0; k < 3; ++k) fraction_of[units.back().cluster[k]] += contact.area * units.back().load[k];
     }
-    for (auto& [cluster, share] : share_of) {
+    for (auto& [cluster, fraction] : fraction_of) {
         const double most = max_load(p, cluster);
-        share = std::max(most - cluster_load[cluster], share_of_new_contact * most) / share;
+        fraction = std::max(most - cluster_load[cluster], fraction_of_new_contact * most) / fraction;
     }
     if (s.ghosts) {  // the owner of a cluster knows all contacts that want load of it
-        const auto of_node = [&](std::int32_t node) { return share_of.find(a.cluster_of_node[node]); };
-        s.ghosts->update([&](std::int32_t node) { return of_node(node) != share_of.end() ? of_node(node)->second : 1; },
-                         [&](std::int32_t node, double share) {
-                             if (of_node(node) != share_of.end()) of_node(node)->second = share;
+        const auto of_node = [&](std::int32_t node) { return fraction_of.find(a.cluster_of_node[node]); };
+        s.ghosts->update([&](std::int32_t node) { return of_node(node) != fraction_of.end() ? of_node(node)->second : 1; },
+                         [&](std::int32_t node, double fraction) {
+                             if (of_node(node) != fraction_of.end()) of_node(node)->second = fraction;
                          });
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        double share = 1;
+        double fraction = 1;
         for (std::size_t k = 0; k < 3; ++k) {
-            if (units[i].load[k] > 0) share = std::min(share, share_of[units[i].cluster[k]]);
+            if (units[i].load[k] > 0) fraction = std::min(fraction, fraction_of[units[i].cluster[k]]);
         }
-        contacts[i].area *= share;
+        contacts[i].area *= fraction;
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) add_load(units[i], contacts[i].area, cluster_load);
 }

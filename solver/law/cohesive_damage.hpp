@@ -60,7 +60,7 @@ inline double damaged_energy(const ContactLaw& law, const ContactHistory& h) {
     const double shear = law.ks * m.sliding * m.sliding;
     if (m.opening >= 0) return 0.5 * h.integrity * (law.kt * m.opening * m.opening + shear);
     const double elastic = m.sliding - h.slip;
-    return 0.5 * (law.kt * m.opening * m.opening + h.integrity * shear + h.friction_share * law.ks * elastic * elastic);
+    return 0.5 * (law.kt * m.opening * m.opening + h.integrity * shear + h.friction_fraction * law.ks * elastic * elastic);
 }
 /// In pure opening, the energy to the peak. A direction whose path to the peak takes more than Gf has no softening and takes
 /// that.

@@ -118,7 +118,7 @@ private:
         ContactHistory& h = r.history;
         const bool closed = to.opening < 0;
         mark_failed(h, closed ? CrackMode::shear : CrackMode::tensile);
-        h.friction_share = 1;
+        h.friction_fraction = 1;
         if (!closed) return;
         h.slip = to.sliding;
         if (integrity_at(law, to.opening, to.sliding) == 0) {

@@ -31,7 +31,7 @@ namespace graincrack::contact_law {
 /// J0 = (1 − e^(−k))/k, k = (a+6b)/((a+b)(a+b−1)).
 inline constexpr double softening_area = 0.386307294743942625;
 
-/// z(D): remaining share of the strengths at a damage D ≥ 0.
+/// z(D): remaining fraction of the strengths at a damage D ≥ 0.
 inline double munjiza_softening(double damage) {
     constexpr double a = 0.63;
     constexpr double b = 1.8;

@@ -1,7 +1,7 @@
 // The variant `consistent`: the curves of Kazerani & Zhao (2014) with one damage variable, an energy, and a dissipation that is
 // never negative.
 //
-// Of the cohesion of a point the share β remains (1 at first), and a share a carries friction (0 at first):
+// Of the cohesion of a point the fraction β remains (1 at first), and a fraction a carries friction (0 at first):
 //
 //   ψ = ½ β (kt⟨δn⟩² + ks δs²) + ½ kt⟨−δn⟩² + ½ a ks (δs − slip)²          the last term while closed only
 //   open     (σn, τ) = β (kt δn, ks δs)
@@ -13,7 +13,7 @@
 // too.
 //
 // A point that failed closed carries friction on all of its area, starting from the traction it had (Eq 12). One that failed open
-// carries friction on the share D of the area that it has lost, starting from zero when it closes (Alfano & Sacco 2006, Int J
+// carries friction on the fraction D of the area that it has lost, starting from zero when it closes (Alfano & Sacco 2006, Int J
 // Numer Meth Engng 68: friction on the damaged part). When a point fails while closed, both shares continue with their mean slip;
 // the energy is convex in the slip, so the loss is never negative. On crossing δn = 0 β can only fall, which dissipates energy:
 // the law has a potential. Failure in one mode always weakens the other.
@@ -48,7 +48,7 @@ struct Consistent {
             const ResidualResponse friction = residual_response(law, residual_point(h, to));
             frictional_shear = friction.shear;
             h.slip = friction.slip;
-            r.dissipation.friction += h.friction_share * friction.friction;
+            r.dissipation.friction += h.friction_fraction * friction.friction;
         }
         if (load <= 1) {
             const IntactResponse cohesion = intact(law, intact_point(h, to));
@@ -61,42 +61,42 @@ struct Consistent {
         }
         const double shear = h.integrity * law.ks * to.sliding;
         r.traction = open ? ContactTraction{h.integrity * law.kt * to.opening, shear}
-                          : ContactTraction{law.kt * to.opening, shear + h.friction_share * frictional_shear};
+                          : ContactTraction{law.kt * to.opening, shear + h.friction_fraction * frictional_shear};
         h.separated = h.separated || (open && h.integrity == 0);
         h.motion = to;
     }
     /// A contact closes: the normal traction is zero there, so friction starts from zero.
     static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) { return damaged_energy(law, h); }
-    static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.friction_share; }
+    static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.friction_fraction; }
     static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) {
-        return h.failed() && h.integrity == 0 && h.friction_share == 1;
+        return h.failed() && h.integrity == 0 && h.friction_fraction == 1;
     }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
 
 private:
-    /// Past the peak of the open branch: β follows the softening curve, and the lost share of the area will carry friction.
+    /// Past the peak of the open branch: β follows the softening curve, and the lost fraction of the area will carry friction.
     static void soften(const ContactLaw& law, const ContactMotion& to, double load, ContactResponse& r) {
         ContactHistory& h = r.history;
         const double lost = open_damage(law, load, cohesive_form(law, to.opening, to.sliding) / (load * load));
         const double integrity = std::min(h.integrity, (1 - lost) / (std::numbers::e * load));
         mark_failed(h, CrackMode::tensile);
-        h.friction_share = std::max(h.friction_share, lost);
+        h.friction_fraction = std::max(h.friction_fraction, lost);
         r.dissipation.fracture += energy_of_fall(law, intact_point(h, to), h.integrity - integrity);
         h.integrity = integrity;
     }
-    /// Past the peak of the closed branch: the cohesive share continues with friction, from the traction it had.
+    /// Past the peak of the closed branch: the cohesive fraction continues with friction, from the traction it had.
     /// \return the traction of friction on the whole area, Pa
     static double lose_cohesion(const ContactLaw& law, const ContactMotion& to, double old_friction, ContactResponse& r) {
         ContactHistory& h = r.history;
         const double limit = friction_limit(law, to);
-        const double share = 1 - h.friction_share;
-        const double carried = std::clamp(h.integrity * law.ks * to.sliding / share, -limit, limit);
+        const double fraction = 1 - h.friction_fraction;
+        const double carried = std::clamp(h.integrity * law.ks * to.sliding / fraction, -limit, limit);
         const double stored =
-            h.integrity * law.ks * to.sliding * to.sliding + h.friction_share * old_friction * old_friction / law.ks;
-        h.slip = h.friction_share * h.slip + share * (to.sliding - carried / law.ks);
+            h.integrity * law.ks * to.sliding * to.sliding + h.friction_fraction * old_friction * old_friction / law.ks;
+        h.slip = h.friction_fraction * h.slip + fraction * (to.sliding - carried / law.ks);
         h.integrity = 0;
-        h.friction_share = 1;
+        h.friction_fraction = 1;
         mark_failed(h, CrackMode::shear);
         const double friction = law.ks * (to.sliding - h.slip);
         r.dissipation.fracture += 0.5 * (stored - friction * friction / law.ks);

@@ -106,8 +106,8 @@ void move_point(const ContactLaw& law, const ContactMotion& to, ContactResponse&
     const bool was_open = from.opening >= 0;
     const bool is_open = to.opening >= 0;
     if (was_open != is_open) {
-        const double share = from.opening / (from.opening - to.opening);
-        const double sliding = from.sliding + share * (to.sliding - from.sliding);
+        const double fraction = from.opening / (from.opening - to.opening);
+        const double sliding = from.sliding + fraction * (to.sliding - from.sliding);
         Law::advance(law, {was_open ? 0.0 : -std::numeric_limits<double>::denorm_min(), sliding}, r);
         cross<Law>(law, is_open, r);
     }
@@ -159,7 +159,7 @@ inline double damage(const ContactLaw& law, const ContactHistory& history) {
 }
 
 /// Share of the peak of its cohesive traction that a contact point can still bear, 0 to 1: 1 up to its failure. Below the last of
-/// `cohesion_marks` the point is broken.
+/// `damage_levels` the point is broken.
 inline double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant,
                                  [&](auto kind) { return contact_law::remaining_cohesion<decltype(kind)>(law, history); });

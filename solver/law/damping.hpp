@@ -1,4 +1,4 @@
-// Damping of a step: a share α of the unbalanced force, component by component, in one of two forms.
+// Damping of a step: a fraction α of the unbalanced force, component by component, in one of two forms.
 //
 //   local      Fd = −α |F| sign(v)                        against the motion
 //   combined   Fd = ½ α |F| (sign(Ḟ) − sign(v))           half against the motion, half with the rate of the unbalanced force

@@ -10,7 +10,8 @@
 // - `close(law, history)`: an open point has arrived at δn = 0 (as history.motion says) and is about to be closed
 // - `stored_energy(law, history)`: recoverable energy per area, a function of state
 // - `damage(law, history)`: 0 to 1
-// - `remaining_cohesion(law, history)`, if it is not 1 − `damage`: share of its peak that the cohesion of a failed point can bear
+// - `remaining_cohesion(law, history)`, if it is not 1 − `damage`: fraction of its peak that the cohesion of a failed point can
+// bear
 // - `intact(law, point)`: the response of a point that has not failed, without a branch
 // - `is_residual(law, history)`: true if friction while closed is all that is left, as in `residual_response`; a law may always
 //   answer false

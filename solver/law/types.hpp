@@ -81,7 +81,7 @@ struct ContactHistory {
     double largest_slid = 0;                    ///< largest |δs|/s_p once past 1, else 0 (combined)
     double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m
     double integrity = 1;                       ///< β (consistent, cohesive-frictional)
-    double friction_share = 0;                  ///< a (consistent, cohesive-frictional)
+    double friction_fraction = 0;               ///< a (consistent, cohesive-frictional)
     bool failed_open = false;                   ///< passed the peak of the open branch
     bool failed_closed = false;                 ///< passed the peak of the closed branch
     bool separated = false;                     ///< past δut, or open after a failure that left nothing
@@ -110,7 +110,7 @@ inline ContactHistory broken_contact() {
     h.failed_open = h.failed_closed = h.separated = true;
     h.max_displacement = h.largest_open = h.largest_slid = std::numeric_limits<double>::max();  // nothing is left
     h.integrity = 0;
-    h.friction_share = 1;
+    h.friction_fraction = 1;
     return h;
 }
 
@@ -122,13 +122,13 @@ inline PointState point_state(const ContactHistory& h) {
 }
 
 /// What remains of its cohesion when a point is damaged by 10, 50 and 90 %. A point below the last one is broken.
-inline constexpr std::array<double, 3> cohesion_marks{0.9, 0.5, 0.1};
+inline constexpr std::array<double, 3> damage_levels{0.9, 0.5, 0.1};
 /// The next mark of a point that has passed so many; 0, which no point falls below, after the last.
-constexpr double cohesion_mark(std::size_t passed) { return passed < cohesion_marks.size() ? cohesion_marks[passed] : 0; }
+constexpr double damage_level(std::size_t passed) { return passed < damage_levels.size() ? damage_levels[passed] : 0; }
 /// Number of marks that lie above what remains of the cohesion of a point.
-constexpr std::size_t count_marks_above(double remaining) {
+constexpr std::size_t count_levels_above(double remaining) {
     std::size_t count = 0;
-    while (remaining < cohesion_mark(count)) ++count;
+    while (remaining < damage_level(count)) ++count;
     return count;
 }
 

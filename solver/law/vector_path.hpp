@@ -40,7 +40,7 @@ struct SofteningResponse {
     double fracture;            ///< dissipated, J/m²
     double friction;            ///< dissipated, J/m²
     double holds;               ///< 1 if it stays open or stays closed, passes no further peak and cohesion is left, else 0
-    double remaining_cohesion;  ///< share of the peak that its cohesion can bear, 0 to 1
+    double remaining_cohesion;  ///< fraction of the peak that its cohesion can bear, 0 to 1
     double largest_open = 0;
     double largest_slid = 0;
 };

@@ -8,7 +8,7 @@ namespace graincrack {
 
 /// Travel of the platens in a block over their speed and the duration of the block: they accelerate in the first interval and
 /// decelerate in the last.
-inline constexpr double moving_share_of_block = 1 - 1.0 / parts_of_block;
+inline constexpr double moving_fraction_of_block = 1 - 1.0 / parts_of_block;
 
 class BlockControl {
 public:

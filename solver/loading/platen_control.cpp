@@ -111,8 +111,8 @@ std::int64_t PlatenControl::interval_steps(double time_step) const {
         return std::max<std::int64_t>(min_steps_per_row / 2,
                                       static_cast<std::int64_t>(speed == 0 ? at_most : travel / speed / time_step));
     }
-    const double wanted = speed_ == 0 ? at_most : std::min(at_most, travel / std::abs(speed_) / time_step);
-    return std::max(min_steps_per_row, static_cast<std::int64_t>(wanted));
+    const double requested = speed_ == 0 ? at_most : std::min(at_most, travel / std::abs(speed_) / time_step);
+    return std::max(min_steps_per_row, static_cast<std::int64_t>(requested));
 }
 
 double PlatenControl::mean_speed(double time) const {
@@ -136,7 +136,7 @@ double PlatenControl::final_speed() const {
 
 double PlatenControl::slowest_speed(double strain) const {
     if (const auto* const rate = as<AutomaticRate>()) return rate_.min_speed(strain, rate->tolerance);
-    if (const auto* const blocks = as<LoadingBlocks>()) return std::abs(blocks->speed) * moving_share_of_block;
+    if (const auto* const blocks = as<LoadingBlocks>()) return std::abs(blocks->speed) * moving_fraction_of_block;
     return final_speed();
 }
 

@@ -19,12 +19,12 @@ constexpr double smoothing_transits = 1;   // over which measures are smoothed
 
 double RateControl::allowed(double near_failure) const {
     const double relaxed = tolerance_ / std::max(near_failure, 1e-9);
-    return share_ * std::clamp(relaxed, tolerance_, std::max(tolerance_, max_inertia));
+    return fraction_ * std::clamp(relaxed, tolerance_, std::max(tolerance_, max_inertia));
 }
 
 double RateControl::max_speed(double strain, double near_failure) const {
     const double rise = std::clamp(damage_rise * first_damage / std::max(near_failure, 1e-9), damage_rise, elastic_rise);
-    return share_ * 0.5 * scales_.height / scales_.transit_time * rise * std::max(strain, scales_.min_strain);
+    return fraction_ * 0.5 * scales_.height / scales_.transit_time * rise * std::max(strain, scales_.min_strain);
 }
 
 double RateControl::min_speed(double strain, double allowed) const {
@@ -33,20 +33,20 @@ double RateControl::min_speed(double strain, double allowed) const {
 }
 
 double RateControl::next(const Feedback& now, double strain, double duration) {
-    const double share = std::min(1.0, duration / (smoothing_transits * scales_.transit_time));
+    const double fraction = std::min(1.0, duration / (smoothing_transits * scales_.transit_time));
     // ½ m v(n−½)·v(n+½) of nodes that turn back within the step is below zero.
     const double kinetic = std::max(now.kinetic_energy, 0.0);
     const double inertia = std::sqrt(12 * kinetic / std::max(now.stored_energy, scales_.min_energy));
-    inertia_ += share * (inertia - inertia_);
-    unbalanced_ratio_ += share * (now.unbalanced_ratio - unbalanced_ratio_);
-    force_difference_ += share * (now.force_difference - force_difference_);
+    inertia_ += fraction * (inertia - inertia_);
+    unbalanced_ratio_ += fraction * (now.unbalanced_ratio - unbalanced_ratio_);
+    force_difference_ += fraction * (now.force_difference - force_difference_);
     near_failure_ = std::max(near_failure_, now.near_failure);
     const double limit = allowed(near_failure_);
-    const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / (share_ * tolerance_),
-                                   now.damping_load / (share_ * max_damping_load)});
-    const double wanted = -std::log(std::max(worst, 1e-12));  // e-folds of speed
+    const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / (fraction_ * tolerance_),
+                                   now.damping_load / (fraction_ * max_damping_load)});
+    const double change = -std::log(std::max(worst, 1e-12));  // e-folds of speed
     const double follow = duration / (follow_transits * scales_.transit_time);
-    speed_ *= std::exp(std::clamp(wanted * follow, -follow, follow));
+    speed_ *= std::exp(std::clamp(change * follow, -follow, follow));
     speed_ = std::min(std::max(speed_, min_speed(strain, limit)), max_speed(strain, near_failure_));
     return speed_;
 }

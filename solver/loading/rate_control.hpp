@@ -32,9 +32,9 @@ struct RateScales {
 
 class RateControl {
 public:
-    /// \param share of all that the measures may reach and of the slowest and fastest speed: half of it is half the speed
-    RateControl(double tolerance, const RateScales& scales, double share = 1)
-        : tolerance_(tolerance), scales_(scales), share_(share) {}
+    /// \param fraction of all that the measures may reach and of the slowest and fastest speed: half of it is half the speed
+    RateControl(double tolerance, const RateScales& scales, double fraction = 1)
+        : tolerance_(tolerance), scales_(scales), fraction_(fraction) {}
     /// Speed of each platen at the end of the next `duration` seconds, m/s. \param strain platen travel over height since axial
     /// loading began, in the sense of the test
     double next(const Feedback& feedback, double strain, double duration);
@@ -58,7 +58,7 @@ public:
 private:
     double tolerance_;
     RateScales scales_;
-    double share_;
+    double fraction_;
     double near_failure_ = 0;  ///< the largest so far: the speed does not rise again once damage has begun
     double inertia_ = 0;       ///< this and the next two: means over about a transit
     double unbalanced_ratio_ = 0;

@@ -106,61 +106,32 @@ void StageController::take_over(const StageControllerState& state) {
     platens_.take_over(program_.platens ? state.platen_speed : 0, state.mean_compression);
 }
 
-const TimeFunction* StageController::function_of(std::size_t amplitude) const {
-    const TimeFunction* function = nullptr;
+TimeFunction StageController::function_of(std::size_t amplitude) const {
+    TimeFunction function;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t each) {
         if (each != amplitude) return;
         const BoundaryCondition& c = program_.boundary_conditions[condition];
-        if (origins_[amplitude] == at_start) {
-            function = c.start[action] ? &*c.start[action] : nullptr;
-            return;
-        }
-        const auto& settings = program_.stages[origins_[amplitude]].settings;
-        const auto setting = settings.find(c.name);
-        function = setting != settings.end() && setting->second[action] ? &*setting->second[action] : nullptr;
+        function = origins_[amplitude] == at_start ? *c.start[action]
+                                                   : *program_.stages[origins_[amplitude]].settings.at(c.name)[action];
     });
     return function;
 }
 
 void StageController::resume(const StageControllerState& state) {
-    const auto require = [](bool holds, const char* what) {
-        if (!holds) throw InputError(fmt::format("the saved state of the loading does not fit this program: {}", what));
-    };
-    // A whole number between two others.
-    const auto index = [&](const std::string& name, int low, std::size_t high) {
-        const double value = value_of(state.progress, name);
-        require(value == std::floor(value) && value >= low && value <= static_cast<double>(high), name.c_str());
-        return static_cast<int>(value);
-    };
-    at_ = static_cast<std::size_t>(index("stage", 0, program_.order.size()));
-    require(state.stages_end_by.size() == at_, "the stages that have been");
+    const auto index_of = [&](const std::string& name) { return static_cast<int>(value_of(state.progress, name)); };
+    at_ = static_cast<std::size_t>(index_of("stage"));
     for (std::size_t i = 0; i < at_; ++i) records_.push_back({program_.order[i], 0, 0, state.stages_end_by[i]});
     offsets_.resize(finished() ? 0 : now().until.size());
     for (std::size_t i = 0; i < amplitudes_.size(); ++i) {
-        const std::string name = fmt::format("amplitude{}.origin", i);
-        origins_[i] = index(name, nowhere, program_.stages.size() - 1);
-        if (origins_[i] != nowhere) {
-            const TimeFunction* const function = function_of(i);
-            require(function != nullptr, name.c_str());
-            amplitudes_[i].function = *function;
-        }
+        origins_[i] = index_of(fmt::format("amplitude{}.origin", i));
+        if (origins_[i] != nowhere) amplitudes_[i].function = function_of(i);
     }
-    platens_origin_ = index("platens.origin", nowhere, program_.stages.size() - 1);
+    platens_origin_ = index_of("platens.origin");
     platens_.take_over(state.platen_speed, state.mean_compression);
-    if (platens_origin_ != nowhere) {
-        require(platens_origin_ >= 0 && program_.stages[platens_origin_].platens.has_value(), "platens.origin");
-        platens_.set(*program_.stages[platens_origin_].platens, 0);
-    }
+    if (platens_origin_ != nowhere) platens_.set(*program_.stages[platens_origin_].platens, 0);
     visit_state(*this, [&](const std::string& name, auto& member) {
-        using Value = std::decay_t<decltype(member)>;
-        const double value = value_of(state.progress, name);
-        const bool may_be_free = name.ends_with(".from") || name.ends_with(".value");  // of a velocity that nothing prescribes
-        constexpr double most = 1e9;                                                   // of a number of rows or parts
-        const bool is_count = value == std::floor(value) && std::abs(value) <= most;
-        require(std::is_integral_v<Value> ? is_count : std::isfinite(value) || (may_be_free && std::isnan(value)), name.c_str());
-        member = static_cast<Value>(value);
+        member = static_cast<std::decay_t<decltype(member)>>(value_of(state.progress, name));
     });
-    require(!state.progress.names.empty() && rows_at_rest_ >= 0, "rows_at_rest");
 }
 
 StageControllerState StageController::state() const {

@@ -46,7 +46,7 @@ public:
     /// Takes over what another program left, before `begin`: its boundary conditions, those of the same name, start from its
     /// values.
     void take_over(const StageControllerState& state);
-    /// Resumes where the same program was. \throws InputError if the state is not of the same program
+    /// Resumes where the same program was.
     void resume(const StageControllerState& state);
     [[nodiscard]] StageControllerState state() const;
 
@@ -92,8 +92,8 @@ private:
     [[nodiscard]] std::string end_reason(const Rows& rows);
     [[nodiscard]] bool is_at_rest(double tolerance);
     [[noreturn]] void refuse_end(const std::string& reason) const;
-    /// Null where the present origin of an amplitude has no function for it.
-    [[nodiscard]] const TimeFunction* function_of(std::size_t amplitude) const;
+    /// The function that the present origin of an amplitude gives it.
+    [[nodiscard]] TimeFunction function_of(std::size_t amplitude) const;
 
     const Program& program_;
     AmplitudeNumbers numbers_;

@@ -36,7 +36,7 @@ TimeFunction starting_from(TimeFunction function, double present);
 struct Amplitude {
     TimeFunction function;
     double start = 0;          ///< s
-    bool of_velocity = false;  ///< wanted half a step after a step's time; loads are wanted at it
+    bool of_velocity = false;  ///< requested half a step after a step's time; loads are requested at it
     [[nodiscard]] double at(double time) const { return function(time - start); }
 };
 

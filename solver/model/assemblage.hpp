@@ -219,8 +219,9 @@ std::vector<Range> ranges_by_chunk(const Assemblage& a, const std::vector<Item>&
     return ranges;
 }
 
-/// Square of the share of its length below which the mean of two facing edges has no direction any more: the grains have turned
-/// by more than 157° to each other. The contact is broken then; what cohesion it had left counts as dissipated, without work.
+/// Square of the fraction of its length below which the mean of two facing edges has no direction any more: the grains have
+/// turned by more than 157° to each other. The contact is broken then; what cohesion it had left counts as dissipated, without
+/// work.
 inline constexpr double lost_frame = 0.04;
 
 }  // namespace graincrack

@@ -1,11 +1,11 @@
-// The share of the load that damping carries: damping forces that oppose the mean motion of the specimen, as in sliding, take a
-// part of the load of the platens, and a strength is too high by it.
+// The fraction of the load that damping carries: damping forces that oppose the mean motion of the specimen, as in sliding, take
+// a part of the load of the platens, and a strength is too high by it.
 //
-//   share = ⟨−Σ Fd·v̄⟩ / ⟨Σ P·w⟩
+//   fraction = ⟨−Σ Fd·v̄⟩ / ⟨Σ P·w⟩
 //
 // v̄ is the mean velocity of each node over some wave transits, P and w are forces and velocities of the platens, and ⟨⟩ is the
 // mean over the same time. It is the power of damping on the mean motion over that of the platens, and by virtual work along this
-// motion the share of the load that damping carries. Damping of waves, which are no part of the mean motion, does not count: a
+// motion the fraction of the load that damping carries. Damping of waves, which are no part of the mean motion, does not count: a
 // brittle specimen emits them at any rate.
 //
 // All means are exponential, with the time constant `mean_transits`: (u − ū)/τ is that of v if ū is that of u.
@@ -24,6 +24,18 @@ struct DampingLoad {
     double platen_power = 0;                 ///< ⟨Σ P·w⟩, W
     double time = 0;                         ///< of the last update, s
     /// Of the load of the platens; 0 while they do no work.
-    [[nodiscard]] double share() const { return platen_power > 0 ? damping_power / platen_power : 0; }
+    [[nodiscard]] double fraction() const { return platen_power > 0 ? damping_power / platen_power : 0; }
 };
+
+struct Assemblage;
+struct State;
+
+/// Wave transits over which motion and power are averaged.
+inline constexpr double mean_transits = 4;
+
+/// Takes the means on to the time of the state, after `measure`, by `state.damping_force` and the present displacements.
+/// \param platen_power of both platens now, W \param time_constant of the means, s
+void follow_damping_load(const Assemblage& assemblage, const State& state, double platen_power, double time_constant,
+                         DampingLoad& load);
+
 }  // namespace graincrack

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/arithmetic/sums.hpp"
 #include "solver/model/range.hpp"
 #include "solver/ranks/ranks.hpp"
 

@@ -19,14 +19,14 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.slip.resize(2 * a.contacts.size());
     s.failed.resize(2 * a.contacts.size());
     s.residual.resize(2 * a.contacts.size());
-    s.next_mark.assign(2 * a.contacts.size(), cohesion_mark(0));
+    s.next_level.assign(2 * a.contacts.size(), damage_level(0));
     s.integrity.assign(2 * a.contacts.size(), 1);
     for_each_contact(a, [&](std::int32_t place, std::int32_t /*contact_class*/) {
         const std::uint8_t kind = specimen.contact_kind[a.specimen_contact[place]];
         for (const std::size_t point : points_of(place)) {
             if (starts_broken(kind)) {
                 store_point(broken_contact(), false, point, s);  // residual from the first step on, when the law has seen it
-                s.next_mark[point] = 0;
+                s.next_level[point] = 0;
             }
         }
     });

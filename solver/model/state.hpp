@@ -20,7 +20,7 @@ namespace graincrack {
 /// What happens to a contact point, in this order if several things happen in one step.
 enum class ContactEventKind : std::uint8_t {
     failure,     ///< it passes its peak
-    damaged_10,  ///< it falls below the first of `cohesion_marks`
+    damaged_10,  ///< it falls below the first of `damage_levels`
     damaged_50,
     broken,
     separation  ///< it loses all tensile strength
@@ -48,13 +48,7 @@ struct ContactSums {
     double fracture_shear = 0;
     double friction = 0;
     double non_conservative_work = 0;
-    ContactSums& operator+=(const ContactSums& other) {
-        fracture_tension += other.fracture_tension;
-        fracture_shear += other.fracture_shear;
-        friction += other.friction;
-        non_conservative_work += other.non_conservative_work;
-        return *this;
-    }
+    using IsSum = void;
 };
 /// Energies summed over the nodes of a chunk since the start, J.
 struct NodeSums {
@@ -63,14 +57,7 @@ struct NodeSums {
     double load_work = 0;      ///< of gravity and loaded edges, and initial kinetic energy
     double reaction_work = 0;  ///< of nodes with prescribed motion
     double platen_friction = 0;
-    NodeSums& operator+=(const NodeSums& other) {
-        damping += other.damping;
-        platen_work += other.platen_work;
-        load_work += other.load_work;
-        reaction_work += other.reaction_work;
-        platen_friction += other.platen_friction;
-        return *this;
-    }
+    using IsSum = void;
 };
 
 /// Histories of contact points beyond what `State` keeps in arrays. They exist for chunks of contacts of which a point has needed
@@ -115,8 +102,8 @@ struct State {
     std::vector<double> slip;               ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;       ///< [2 c] 1 once the point has passed its peak
     std::vector<std::uint8_t> residual;     ///< [2 c] 1 once nothing but friction is left (`is_residual`)
-    std::vector<double> next_mark;  ///< [2 c] the first of `cohesion_marks` that the point has not fallen below; 0 if broken
-    PointHistories points;          ///< [2 c] the rest of their histories; see `point_history`
+    std::vector<double> next_level;       ///< [2 c] the first of `damage_levels` that the point has not fallen below; 0 if broken
+    PointHistories points;                ///< [2 c] the rest of their histories; see `point_history`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
     std::vector<PlatenPoint> platen_points;

@@ -53,12 +53,7 @@ struct ClusterSums {
     double damping = 0;
     double platen_loss = 0;  ///< kinetic energy lost where clusters met or left a platen
     double platen_work = 0;  ///< done on the added mass that platens constrain
-    ClusterSums& operator+=(const ClusterSums& other) {
-        damping += other.damping;
-        platen_loss += other.platen_loss;
-        platen_work += other.platen_work;
-        return *this;
-    }
+    using IsSum = void;
 };
 
 /// A cluster that a platen constrains.

@@ -1,4 +1,4 @@
-// Reading of loading programs.
+// Reading and writing of loading programs.
 #pragma once
 
 #include <string>
@@ -11,5 +11,7 @@ namespace graincrack {
 Program read_program(const std::string& file);
 /// The same from text; `name` stands for the file in messages.
 Program parse_program(const std::string& text, const std::string& name);
+/// The program as its file: reading that gives the same program, number by number. Values are in SI units.
+std::string program_text(const Program& program);
 
 }  // namespace graincrack

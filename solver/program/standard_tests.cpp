@@ -156,10 +156,10 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
 }
 
 void require_shape(TestKind test, const Specimen& specimen, const std::string& file) {
-    const auto refuse = [&](const char* wanted, const char* command) {
+    const auto refuse = [&](const char* requested, const char* command) {
         throw InputError(
             fmt::format("{}: is a {}, and a {} test loads {}; make one by graincrack-mesh {}, or load this one by {}", file,
-                        specimen.shape, name_of(test), wanted, command, tests_of(specimen)));
+                        specimen.shape, name_of(test), requested, command, tests_of(specimen)));
     };
     const std::string& shape = specimen.shape;
     switch (test) {

@@ -19,14 +19,14 @@ public:
     /// Asks the owners for nodes. \param ghosts that this rank reads, ascending \param owner_of (node): its rank
     template <class OwnerOf>
     GhostNodes(const Ranks& ranks, const std::vector<std::int32_t>& ghosts, const OwnerOf& owner_of) : n_ghosts_(ghosts.size()) {
-        std::vector<std::vector<std::int32_t>> wanted(static_cast<std::size_t>(ranks.size()));
-        for (const std::int32_t node : ghosts) wanted[static_cast<std::size_t>(owner_of(node))].push_back(node);
-        const std::vector<std::vector<std::int32_t>> asked = ranks.exchange(wanted);
+        std::vector<std::vector<std::int32_t>> requested(static_cast<std::size_t>(ranks.size()));
+        for (const std::int32_t node : ghosts) requested[static_cast<std::size_t>(owner_of(node))].push_back(node);
+        const std::vector<std::vector<std::int32_t>> asked = ranks.exchange(requested);
         std::vector<ChannelEnd> motion;
         std::vector<ChannelEnd> number;
         for (int rank = 0; rank < ranks.size(); ++rank) {
             const auto& out = asked[static_cast<std::size_t>(rank)];
-            const auto& in = wanted[static_cast<std::size_t>(rank)];
+            const auto& in = requested[static_cast<std::size_t>(rank)];
             if (out.empty() && in.empty()) continue;
             neighbours_.push_back({rank, out, in});
             motion.push_back({rank, n_motion * out.size(), n_motion * in.size()});

@@ -40,7 +40,7 @@ void visit_members(T& v, Act&& act) {
 template <Is<ContactHistory> T, class Act>
 void visit_members(T& h, Act&& act) {
     visit_all(act, h.motion.opening, h.motion.sliding, h.max_displacement, h.largest_open, h.largest_slid, h.slip, h.integrity,
-              h.friction_share, h.failed_open, h.failed_closed, h.separated);
+              h.friction_fraction, h.failed_open, h.failed_closed, h.separated);
     act(h.first_mode);
 }
 template <Is<NodeEdgeContact> T, class Act>
@@ -97,7 +97,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("cluster_load", s.contact_pairs.cluster_load);
     visit("active_pairs", s.contact_pairs.active.pair);
     visit("active_counts", s.contact_pairs.active.count);
-    visit("next_mark", s.next_mark);
+    visit("next_mark", s.next_level);
     visit("cluster_near_platen", s.clusters.near_platen);
     visit("cluster_energies", s.clusters.sums);
 }

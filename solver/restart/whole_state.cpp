@@ -109,7 +109,7 @@ State gather_state(const Assemblage& a, const State& state) {
     gather_nodes(part, s.clusters.near_platen);
     gather_chunks(part, part.contacts, slot_stride, s.contact_force);
     constexpr std::size_t points_per_chunk = 2UL * contacts_per_chunk;
-    for (auto* of_points : {&s.opening, &s.sliding, &s.integrity, &s.slip, &s.fracture_energy, &s.next_mark}) {
+    for (auto* of_points : {&s.opening, &s.sliding, &s.integrity, &s.slip, &s.fracture_energy, &s.next_level}) {
         gather_chunks(part, part.contacts, points_per_chunk, *of_points);
     }
     for (auto* of_points : {&s.failed, &s.residual}) gather_chunks(part, part.contacts, points_per_chunk, *of_points);

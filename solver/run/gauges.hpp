@@ -24,12 +24,7 @@ struct Gauge {
 
 struct GaugeStrains {
     double axial = 0, lateral = 0, widening = 0;
-    GaugeStrains& operator+=(const GaugeStrains& other) {
-        axial += other.axial;
-        lateral += other.lateral;
-        widening += other.widening;
-        return *this;
-    }
+    using IsSum = void;
 };
 
 /// The strain measures of the history besides that of the platens.

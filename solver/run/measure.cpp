@@ -50,15 +50,7 @@ struct NodeShare {
     Energies energies;
     std::array<double, 2> platen_force{};  ///< by motion, N
     double platen_power = 0, confining_force = 0, own_kinetic = 0, unbalanced = 0;
-    NodeShare& operator+=(const NodeShare& other) {
-        energies += other.energies;
-        for (std::size_t motion = 0; motion < 2; ++motion) platen_force[motion] += other.platen_force[motion];
-        platen_power += other.platen_power;
-        confining_force += other.confining_force;
-        own_kinetic += other.own_kinetic;
-        unbalanced += other.unbalanced;
-        return *this;
-    }
+    using IsSum = void;
 };
 
 void add_motion(const Assemblage& a, const StepParameters& parameters, Range nodes, const State& s, NodeShare& share) {
@@ -128,11 +120,7 @@ NodeShare sum_over_nodes(const Assemblage& a, const Boundary& boundary, const St
 /// Strain energy (J) and Σ |force on a node| over the nodes (N) of elements.
 struct ElementSums {
     double energy = 0, force = 0;
-    ElementSums& operator+=(const ElementSums& other) {
-        energy += other.energy;
-        force += other.force;
-        return *this;
-    }
+    using IsSum = void;
 };
 ElementSums sum_over_elements(const Assemblage& a, const State& s) {
     return sum_over_chunks(a.part, a.part.elements, [&](std::int32_t chunk) {
@@ -149,11 +137,7 @@ ElementSums sum_over_elements(const Assemblage& a, const State& s) {
 struct ContactEnergies {
     ContactSums sums;
     double stored = 0;
-    ContactEnergies& operator+=(const ContactEnergies& other) {
-        sums += other.sums;
-        stored += other.stored;
-        return *this;
-    }
+    using IsSum = void;
 };
 ContactEnergies sum_over_contacts(const Assemblage& a, const ContactLaws& laws, const State& s) {
     return sum_over_chunks(a.part, a.part.contacts, [&](std::int32_t chunk) {

@@ -20,20 +20,7 @@ struct Energies {
                            non_conservative_work + numerical);
     }
     [[nodiscard]] double stored() const { return strain + contact; }
-    Energies& operator+=(const Energies& other) {
-        external += other.external;
-        kinetic += other.kinetic;
-        strain += other.strain;
-        contact += other.contact;
-        fracture_tension += other.fracture_tension;
-        fracture_shear += other.fracture_shear;
-        friction += other.friction;
-        damping += other.damping;
-        platen += other.platen;
-        non_conservative_work += other.non_conservative_work;
-        numerical += other.numerical;
-        return *this;
-    }
+    using IsSum = void;
 };
 
 struct Measurement {

@@ -12,10 +12,10 @@
 namespace graincrack {
 namespace {
 
-constexpr double near_growth = 1.25;       // of the jumps, under which an intact point that would fail is near it
-constexpr double near_friction = 0.5;      // of its limit, from which on a point is near sliding: friction gives no other sign
-constexpr double scattered_share = 0.035;  // of all points: so many intact ones may be near failure and are scattered still
-constexpr double involving_share = 0.5;    // of the width: a chain as long as that involves the section
+constexpr double near_growth = 1.25;          // of the jumps, under which an intact point that would fail is near it
+constexpr double near_friction = 0.5;         // of its limit, from which on a point is near sliding: friction gives no other sign
+constexpr double scattered_fraction = 0.035;  // of all points: so many intact ones may be near failure and are scattered still
+constexpr double involving_share = 0.5;       // of the width: a chain as long as that involves the section
 
 /// Vertex clusters that sliding contacts join, with the rectangle that each chain of them fills.
 class SlidingChains {
@@ -89,7 +89,7 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
     SlidingChains chains(a);
     for (const auto& [node, other] : a.part.ranks->concatenate(joined)) chains.join(node, other);
     const double points = 2.0 * std::max(a.n_contacts(), 1);
-    const double scattered = std::max(0.5 * std::sqrt(points), scattered_share * points);
+    const double scattered = std::max(0.5 * std::sqrt(points), scattered_fraction * points);
     return std::min(1.0, std::max(static_cast<double>(intact.front()) / scattered, chains.longest() / (involving_share * width)));
 }
 

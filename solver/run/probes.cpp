@@ -66,11 +66,7 @@ Vector2 force_of_control(const Assemblage& a, std::int32_t condition, const Pres
 struct StressSum {
     std::array<double, 4> stress{};
     double area = 0;
-    StressSum& operator+=(const StressSum& other) {
-        for (std::size_t k = 0; k < stress.size(); ++k) stress[k] += other.stress[k];
-        area += other.area;
-        return *this;
-    }
+    using IsSum = void;
 };
 std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
     const auto elements_of = [&a](std::int32_t chunk) { return a.element_chunks[chunk]; };

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "share/base/error.hpp"
+#include "solver/model/damping_load.hpp"
 #include "solver/model/transit_time.hpp"
-#include "solver/run/damping_load.hpp"
 #include "solver/run/near_failure.hpp"
 
 namespace graincrack {
@@ -48,7 +48,7 @@ Feedback Recorder::record(double platen_speed, State& state) {
     feedback.kinetic_energy = m.own_kinetic;
     feedback.stored_energy = m.energies.stored();
     feedback.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
-    feedback.damping_load = state.damping_load.share();
+    feedback.damping_load = state.damping_load.fraction();
     feedback.near_failure = near_failure(a, setup_.parameters.laws, state, specimen_.width);
     return feedback;
 }
@@ -99,7 +99,7 @@ void Recorder::push_row(const Measurement& m, double strain, double speed_of_pla
     push(tensile_cracks, 0.5 * static_cast<double>(crack_log_.tensile_points()));
     push(shear_cracks, 0.5 * static_cast<double>(crack_log_.shear_points()));
     push(platen_speed, speed_of_platens);
-    push(damping_load, state.damping_load.share());
+    push(damping_load, state.damping_load.fraction());
     push(energy_numerical, e.numerical);
 }
 

@@ -18,7 +18,7 @@ struct RankSummary {
     int ranks = 1;
     std::int64_t own_nodes = 0, ghost_nodes = 0, neighbours = 0;  ///< of the rank with most of each
     double bytes_a_step = 0, messages_a_step = 0;                 ///< mean of the ranks
-    double waited = 0;                                            ///< share of the time, mean of the ranks
+    double waited = 0;                                            ///< fraction of the time, mean of the ranks
 };
 
 /// What a finished run tells its user.

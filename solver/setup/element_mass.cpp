@@ -35,34 +35,34 @@ std::vector<double> squared_frequencies(const Assemblage& a) {
     return squared;
 }
 
-/// The ω² that no element is above once `share` of all mass has been added to those that were.
-double level(const Assemblage& a, const std::vector<double>& squared, double share) {
-    const auto added = [&](double wanted) {
+/// The ω² that no element is above once `fraction` of all mass has been added to those that were.
+double level(const Assemblage& a, const std::vector<double>& squared, double fraction) {
+    const auto added = [&](double requested) {
         double mass = 0;
         double sum = 0;
         for (std::size_t e = 0; e < squared.size(); ++e) {
             mass += a.element_mass[e];
-            sum += (std::max(1.0, squared[e] / wanted) - 1) * a.element_mass[e];
+            sum += (std::max(1.0, squared[e] / requested) - 1) * a.element_mass[e];
         }
         return sum / mass;
     };
     double high = *std::max_element(squared.begin(), squared.end());
-    double low = high / (1 + share);  // which adds no more than that
-    while (added(low) < share) low *= 0.5;
+    double low = high / (1 + fraction);  // which adds no more than that
+    while (added(low) < fraction) low *= 0.5;
     constexpr int halvings = 30;
     for (int i = 0; i < halvings; ++i) {
         const double middle = 0.5 * (low + high);
-        (added(middle) > share ? low : high) = middle;
+        (added(middle) > fraction ? low : high) = middle;
     }
     return high;
 }
 
 }  // namespace
 
-double scale_mass_of_stiffest_elements(Assemblage& a, double share) {
-    if (a.element_nodes.empty() || share <= 0) return 0;
+double scale_mass_of_stiffest_elements(Assemblage& a, double fraction) {
+    if (a.element_nodes.empty() || fraction <= 0) return 0;
     const std::vector<double> squared = squared_frequencies(a);
-    const double common = level(a, squared, share);
+    const double common = level(a, squared, fraction);
     double before = 0;
     double added = 0;
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {

@@ -13,8 +13,8 @@ inline constexpr double max_added_mass = 0.02;
 /// rock. No frequency of an assembly of elements is above the highest of its elements (B. M. Irons, 1970, Int J Numer Methods Eng
 /// 2). The stable step itself is found as ever, by `stable_time_step`.
 ///
-/// \param share of the mass of the specimen to be added at most, ≥ 0
-/// \return share that was added
-double scale_mass_of_stiffest_elements(Assemblage& assemblage, double share);
+/// \param fraction of the mass of the specimen to be added at most, ≥ 0
+/// \return fraction that was added
+double scale_mass_of_stiffest_elements(Assemblage& assemblage, double fraction);
 
 }  // namespace graincrack

@@ -23,7 +23,7 @@ struct RegionContent {
     std::vector<std::size_t> edges;
 };
 /// \param where what a message names, such as "shear.toml: boundary.upper"
-/// \throws InputError if the specimen has no part of a wanted name, or nothing there
+/// \throws InputError if the specimen has no part of a requested name, or nothing there
 RegionContent content_of_region(const Region& region, const Assemblage& assemblage, const Specimen& specimen,
                                 const std::string& where);
 

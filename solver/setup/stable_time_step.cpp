@@ -11,8 +11,8 @@ namespace {
 
 constexpr int max_iterations = 400;
 constexpr int check_every = 10;
-constexpr double wanted_residual = 0.001;  // of the eigenvalue: half of it in the step
-constexpr double unseen = 0.002;           // of the eigenvalue: for a larger one close by that the iteration has not met yet
+constexpr double requested_residual = 0.001;  // of the eigenvalue: half of it in the step
+constexpr double unseen = 0.002;              // of the eigenvalue: for a larger one close by that the iteration has not met yet
 
 void add_elements(const Assemblage& a, const std::vector<Vector2>& x, std::vector<Vector2>& y) {
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
@@ -164,7 +164,7 @@ double largest_eigenvalue(const Assemblage& a, Stiffness&& stiffness) {
                                           Eigen::Map<Eigen::VectorXd>(beside.data(), k - 1));
             const double eigenvalue = solver.eigenvalues()(k - 1);
             const double residual = beta * std::abs(solver.eigenvectors()(k - 1, k - 1));
-            if (residual < wanted_residual * eigenvalue || exhausted) return (1 + unseen) * eigenvalue + residual;
+            if (residual < requested_residual * eigenvalue || exhausted) return (1 + unseen) * eigenvalue + residual;
         }
         beside.push_back(beta);
         std::swap(previous, current);

@@ -167,7 +167,7 @@ struct Points {
     double* integrity;
     double* slip;
     double* fracture_energy;
-    const double* next_mark;
+    const double* next_level;
 };
 
 /// The intact response of all points, right where it holds.
@@ -206,7 +206,7 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
     const double* const old_sliding = points.old_sliding;
     double* __restrict const integrity = points.integrity;
     double* __restrict const slip = points.slip;
-    const double* const next_mark = points.next_mark;
+    const double* const next_level = points.next_level;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         const SofteningResponse r = Law::softening(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k],
                                                          slip[k], b.largest_open[k], b.largest_slid[k]});
@@ -223,7 +223,7 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
         b.remaining[k] = r.remaining_cohesion;
     }
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const double below = b.remaining[k] < next_mark[k] ? 1.0 : 0.0;
+        const double below = b.remaining[k] < next_level[k] ? 1.0 : 0.0;
         b.passes[k] = b.fracture[k] > 0 ? below : 0.0;
     }
     b.passing = sum_values_by_lanes(2 * count, b.passes);
@@ -339,11 +339,11 @@ ContactEvent make_event(const Assemblage& a, const PointIndex& at, ContactEventK
     return event;
 }
 
-/// Notes which of `cohesion_marks` a failed point falls below.
-void record_marks(const Assemblage& a, const PointIndex& at, double remaining, const ContactMotion& motion,
-                  const Vector2& tangent, std::int64_t step, State& s) {
-    double& next = s.next_mark[at.point()];
-    for (std::size_t passed = count_marks_above(next); remaining < next; next = cohesion_mark(++passed)) {
+/// Notes which of `damage_levels` a failed point falls below.
+void record_levels(const Assemblage& a, const PointIndex& at, double remaining, const ContactMotion& motion,
+                   const Vector2& tangent, std::int64_t step, State& s) {
+    double& next = s.next_level[at.point()];
+    for (std::size_t passed = count_levels_above(next); remaining < next; next = damage_level(++passed)) {
         const auto kind = static_cast<ContactEventKind>(static_cast<std::size_t>(ContactEventKind::damaged_10) + passed);
         s.events[at.chunk].push_back(make_event(a, at, kind, motion, tangent, step, s));
     }
@@ -367,8 +367,8 @@ void record_events(const Assemblage& a, const ContactLaw& law, const PointIndex&
     }
     const bool loses_cohesion =
         r.dissipation.fracture > 0 || now.failed_open != old.failed_open || now.failed_closed != old.failed_closed;
-    if (loses_cohesion && s.next_mark[at.point()] > 0) {
-        record_marks(a, at, contact_law::remaining_cohesion<Law>(law, now), now.motion, tangent, step, s);
+    if (loses_cohesion && s.next_level[at.point()] > 0) {
+        record_levels(a, at, contact_law::remaining_cohesion<Law>(law, now), now.motion, tangent, step, s);
     }
     if (now.separated && !old.separated) {
         s.events[at.chunk].push_back(make_event(a, at, ContactEventKind::separation, now.motion, tangent, step, s));
@@ -380,8 +380,8 @@ void record_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step
     const Range range = a.contact_chunks[chunk].contacts;
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.passes[k] != 0) {
-            record_marks(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
-                         {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+            record_levels(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
+                          {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
         }
     }
 }
@@ -425,7 +425,7 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
     const std::int32_t count = range.size();
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     const Points points{&s.opening[first], &s.sliding[first],         &s.integrity[first],
-                        &s.slip[first],    &s.fracture_energy[first], &s.next_mark[first]};
+                        &s.slip[first],    &s.fracture_energy[first], &s.next_level[first]};
     ContactSums& sums = s.contact_sums[chunk];
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
         find_motions(count, b);

@@ -25,9 +25,10 @@ void LoadingClock::tick() {
 }
 
 void LoadingClock::prepare() {
-    const double share = (static_cast<double>(k_) + 0.5) / static_cast<double>(n_steps_);
+    const double fraction = (static_cast<double>(k_) + 0.5) / static_cast<double>(n_steps_);
     for (std::size_t p = 0; p < 2; ++p) {
-        const double velocity = interval_.velocity_begin[p] + share * (interval_.velocity_end[p] - interval_.velocity_begin[p]);
+        const double velocity =
+            interval_.velocity_begin[p] + fraction * (interval_.velocity_end[p] - interval_.velocity_begin[p]);
         now_.increment_after[p] = time_step_ * velocity;
     }
     const double time = origin_time_ + static_cast<double>(steps_since_origin_ + k_) * time_step_;

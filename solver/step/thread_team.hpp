@@ -72,8 +72,8 @@ private:
 };
 
 /// Threads worth having: each must have at least `elements_per_thread` elements to work on.
-inline int worthwhile_threads(int wanted, std::size_t n_elements, std::size_t elements_per_thread) {
-    return std::max(1, std::min(wanted, static_cast<int>(n_elements / std::max<std::size_t>(elements_per_thread, 1))));
+inline int worthwhile_threads(int requested, std::size_t n_elements, std::size_t elements_per_thread) {
+    return std::max(1, std::min(requested, static_cast<int>(n_elements / std::max<std::size_t>(elements_per_thread, 1))));
 }
 
 /// Share of thread `thread` of `n` items.

@@ -63,7 +63,7 @@ void expect_marks_at(const ContactLaw& law, const ContactMotion& direction, cons
     std::size_t passed = 0;
     for (int k = 1; k <= 10000; ++k) {
         walk.to({direction.opening * k * step - (direction.opening == 0 ? 1e-30 : 0), direction.sliding * k * step});
-        const std::size_t now = count_marks_above(remaining_cohesion(law, walk.history()));
+        const std::size_t now = count_levels_above(remaining_cohesion(law, walk.history()));
         for (; passed < now; ++passed) {
             const double expected = place(law, marks[passed]);
             EXPECT_GT(k * step, expected * (1 - 1e-9));
@@ -72,7 +72,7 @@ void expect_marks_at(const ContactLaw& law, const ContactMotion& direction, cons
         }
         EXPECT_EQ(passed, now);  // nothing heals
     }
-    EXPECT_EQ(passed, cohesion_marks.size());
+    EXPECT_EQ(passed, damage_levels.size());
 }
 
 TEST(BrokenPoint, PureOpeningPassesTheMarksWhereTheClosedFormSays) {
@@ -138,11 +138,11 @@ void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
         for (std::size_t point = 0; point < expected.size(); ++point) {
             const ContactHistory now = point_history(run.state, point);
             if (run.state.fracture_energy[point] > released[point] || run.state.failed[point] != failed[point]) {
-                expected[point] = std::max(expected[point], count_marks_above(remaining_cohesion(run.parameters.laws[0], now)));
+                expected[point] = std::max(expected[point], count_levels_above(remaining_cohesion(run.parameters.laws[0], now)));
             }
         }
         for (std::size_t point = 0; point < expected.size(); ++point) {
-            ASSERT_EQ(run.state.next_mark[point], cohesion_mark(expected[point])) << "step " << k;
+            ASSERT_EQ(run.state.next_level[point], damage_level(expected[point])) << "step " << k;
         }
         for (const std::vector<ContactEvent>& chunk : run.state.events) {
             for (const ContactEvent& event : chunk) {
@@ -155,7 +155,7 @@ void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
         for (std::vector<ContactEvent>& chunk : run.state.events) chunk.clear();
     }
     EXPECT_GT(passed, 20U);
-    EXPECT_EQ(passed, static_cast<std::size_t>(std::count(expected.begin(), expected.end(), cohesion_marks.size())));
+    EXPECT_EQ(passed, static_cast<std::size_t>(std::count(expected.begin(), expected.end(), damage_levels.size())));
 }
 
 // Points take the full law in some steps and the vector path in others.

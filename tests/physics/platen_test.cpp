@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/run/frame.hpp"
+#include "solver/run/frame_output.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"

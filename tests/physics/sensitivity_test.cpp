@@ -11,7 +11,6 @@
 #include "share/file/specimen_validation.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/program/program_file.hpp"
-#include "solver/run/refinement.hpp"
 #include "solver/setup/setup.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"

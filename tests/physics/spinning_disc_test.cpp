@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "mesher/mesh.hpp"
-#include "solver/run/frame.hpp"
+#include "solver/run/frame_output.hpp"
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
 

@@ -114,7 +114,7 @@ bool same(const SmallRun& l, const SmallRun& r) {
     };
     return bytes(l.state.displacement) == bytes(r.state.displacement) && bytes(l.state.velocity) == bytes(r.state.velocity) &&
            l.state.opening == r.state.opening && l.state.integrity == r.state.integrity && l.state.slip == r.state.slip &&
-           l.state.next_mark == r.state.next_mark && events_of(l) == events_of(r);
+           l.state.next_level == r.state.next_level && events_of(l) == events_of(r);
 }
 
 // Stronger than what the design asks for (1e-9): no target contracts or reorders anything. With six classes of contacts, from

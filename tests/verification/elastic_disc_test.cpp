@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "mesher/mesh.hpp"
-#include "solver/run/frame.hpp"
+#include "solver/run/frame_output.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"

@@ -16,7 +16,7 @@ ContactHistory slipped_history() {
     h.largest_slid = 2.5;
     h.slip = 1e-6;
     h.integrity = 0.25;
-    h.friction_share = 0.5;
+    h.friction_fraction = 0.5;
     h.failed_closed = true;
     h.first_mode = CrackMode::shear;
     return h;
@@ -54,7 +54,7 @@ TEST(MakeState, NotchesAndOpenBoundariesAreBrokenFromTheStart) {
         const auto contact = run.assemblage.specimen_contact[static_cast<std::size_t>(place)];
         for (const std::size_t point : points_of(place)) {
             EXPECT_EQ(point_history(run.state, point) == broken_contact(), contact == 1 || contact == 3) << contact;
-            EXPECT_EQ(run.state.next_mark[point] == 0, contact == 1 || contact == 3) << "no event of theirs counts";
+            EXPECT_EQ(run.state.next_level[point] == 0, contact == 1 || contact == 3) << "no event of theirs counts";
         }
     });
 }

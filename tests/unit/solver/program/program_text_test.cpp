@@ -1,9 +1,8 @@
 // Programs as text.
-#include "solver/program/program_text.hpp"
+#include "solver/program/program_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "solver/program/program_file.hpp"
 #include "solver/program/standard_tests.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/specimens.hpp"

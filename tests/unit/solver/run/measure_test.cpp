@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "solver/run/frame.hpp"
+#include "solver/run/frame_output.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 

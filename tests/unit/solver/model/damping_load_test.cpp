@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "solver/run/damping_load.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
@@ -32,7 +31,7 @@ double share_of(Velocity&& velocity, DampingForce&& damping_force) {
         s.time = t;
         follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
     }
-    return s.damping_load.share() / static_cast<double>(s.damping_force.size());
+    return s.damping_load.fraction() / static_cast<double>(s.damping_force.size());
 }
 
 TEST(DampingLoad, IsThePowerOfDampingOnSteadyMotionOverThatOfThePlatens) {
@@ -57,10 +56,10 @@ TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
     s.damping_force.assign(s.damping_force.size(), {-1, 0});
     s.time = transit;
     follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
-    const double once = s.damping_load.share();
+    const double once = s.damping_load.fraction();
     EXPECT_GT(once, 0);
     follow_damping_load(run.assemblage, s, 1, time_constant, s.damping_load);
-    EXPECT_EQ(s.damping_load.share(), once);
+    EXPECT_EQ(s.damping_load.fraction(), once);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Frames of states set by hand.
-#include "solver/run/frame.hpp"
+#include "solver/run/frame_output.hpp"
 
 #include <gtest/gtest.h>
 
