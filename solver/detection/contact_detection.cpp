@@ -280,8 +280,8 @@ void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& param
     if (contacts.empty() && !s.ghosts) return;
     for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
         for (const std::int32_t occupied : {node, end}) {
-            if (const auto found = requested.find(occupied); found != requested.end())
-                found->second.occupied += list.active.area[i];
+            const auto found = requested.find(occupied);
+            if (found != requested.end()) found->second.occupied += list.active.area[i];
         }
     });
     for (auto& [node, area] : requested) area.fraction = available_area(a, list, node, area.occupied) / area.requested;

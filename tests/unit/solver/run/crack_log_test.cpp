@@ -166,7 +166,7 @@ TEST(CrackLog, ARowIsOfTheStepsItNames) {
 TEST(CrackLog, OfARunThatIsPulledApart) {
     SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
                                           {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
-                 test::augig_law());
+                 test::augig_law(LawVariant::literal));
     ASSERT_EQ(run.assemblage.contacts.size(), 1U);
     run.set_velocity([](const Vector2&) { return Vector2{}; });
     for (std::int32_t i = 4; i < 8; ++i) run.state.velocity[static_cast<std::size_t>(i)] = {0, 5};

@@ -34,7 +34,7 @@ TEST(Measure, KineticEnergyOfAFlight) {
 TEST(Measure, EnergyOfAnOpenedContact) {
     SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
                                           {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
-                 test::augig_law());
+                 test::augig_law(LawVariant::literal));
     const ContactLaw& law = run.parameters.laws[0];
     const double opening = 0.5 * law.dct;
     for (std::size_t i = 4; i < 8; ++i) run.state.displacement[i].y = opening;
