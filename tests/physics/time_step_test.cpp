@@ -80,7 +80,7 @@ Vector2 noise(const Vector2& p, double speed) {
 
 /// How much faster the fastest node is after 2000 steps at a share of the exact stable step.
 double growth(double share_of_exact, double damping, DampingForm form = DampingForm::combined) {
-    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law());
+    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law(LawVariant::coulomb_slip));
     run.parameters.time_step = share_of_exact * exact_stable_step(run);
     run.parameters.damping = damping;
     run.parameters.damping_form = form;
