@@ -194,7 +194,6 @@ Command surface_plot();
 /// Which curves of the laws are drawn.
 struct LawPlotOptions {
     std::vector<std::string> laws;  ///< names; empty: all
-    std::string coupling = "full";
     double normal_stress = 20e6;                          ///< compression under which a contact is sheared, Pa
     std::string own = std::string(name_of(default_law));  ///< of the material, whose curve is black
 };
