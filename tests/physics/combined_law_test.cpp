@@ -94,24 +94,6 @@ TEST(CombinedLaw, AreasAreTheFractureEnergies) {
     expect_close(c.mode_ii_fracture_energy, 4 * c.fracture_energy, 1e-12, c.fracture_energy);  // (K_IIC/K_IC)² = 4
 }
 
-TEST(CombinedLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
-    const ContactParameters c = parameters();
-    const ContactLaw law = combined_law(c);
-    const auto booked = [&](const ContactMotion& end, int steps) {
-        ContactWalk walk(law);
-        walk.go(end, steps);
-        EXPECT_EQ(walk.stored(), 0);
-        return walk.fracture();
-    };
-    const ContactMotion open{1.01 * last_opening(law), 0};
-    const ContactMotion slid{0, 1.01 * last_combined_sliding(law)};
-    verify("law: combined, booked in opening over G_I", booked(open, 8000) / c.fracture_energy, 1, 1e-6, "1, trapezia");
-    verify("law: combined, booked in sliding over G_II", booked(slid, 8000) / c.mode_ii_fracture_energy, 1, 1e-6, "1, trapezia");
-    const double coarse = std::abs(booked(slid, 500) - c.mode_ii_fracture_energy);
-    const double fine = std::abs(booked(slid, 4000) - c.mode_ii_fracture_energy);
-    EXPECT_LT(fine, coarse / 32);  // 1/64: second order
-}
-
 // Where the largest opening and sliding are the present ones, the tractions are z of the joint D.
 TEST(CombinedLaw, TheModesInteract) {
     const ContactParameters c = parameters();
@@ -127,25 +109,6 @@ TEST(CombinedLaw, TheModesInteract) {
         verify("law: combined, tractions under both modes over strength", walk.traction().shear / c.cohesion, -z, 1e-12, "z(D)",
                1);
         EXPECT_EQ(walk.history().first_mode, CrackMode::tensile);
-    }
-}
-
-// Nothing jumps at δn = 0, whether intact or failed.
-TEST(CombinedLaw, NoJumpWhereAPointOpens) {
-    const ContactParameters c = parameters();
-    const ContactLaw law = combined_law(c);
-    const double tiny = 1e-12 * law.op;
-    for (const double y : {0.3, 0.9, 2.5}) {
-        ContactHistory start;
-        start.motion.opening = -tiny;
-        ContactWalk walk(law, start);
-        const double closed = walk.go({-tiny, y * law.sp}, 1000).shear;
-        const double booked = walk.fracture() + walk.friction();
-        const double limit = tiny * law.kt * law.tan_phi;
-        expect_close(walk.to({tiny, y * law.sp}).shear, closed, 1e-10, closed + limit);
-        expect_close(walk.to({-tiny, y * law.sp}).shear, closed, 1e-10, closed + limit);
-        expect_close(walk.fracture() + walk.friction(), booked, 1e-10, c.fracture_energy);
-        EXPECT_EQ(walk.history().failed(), y > 1);
     }
 }
 

@@ -55,26 +55,6 @@ TEST(CoulombSlip, ShearUnderPressurePeaksAtCohesionAndFrictionAndFallsToTheResid
     }
 }
 
-TEST(CoulombSlip, LoopsAtTheResidualDissipateTractionTimesSlip) {
-    const ContactLaw law = slip_law(with_residual());
-    const double closure = -20 * MPa / law.kt;
-    const double residual = 10 * MPa + 20 * MPa * std::tan(30 * degree);
-    const double reach = 5e-6;
-    ContactWalk walk(law);
-    walk.to({closure, 0});
-    walk.go({closure, reach}, 2000);
-    const double friction = walk.friction();
-    const double work = walk.work();
-    walk.go({closure, -reach}, 4000);
-    expect_close(walk.traction().shear, -residual, 1e-12, residual);
-    walk.go({closure, reach}, 4000);
-    const double slip = 2 * (2 * reach - 2 * residual / law.ks);
-    // trapezia at the corners of the loop: the square of a step's elastic traction
-    verify("law: coulomb-slip, loop at the residual, dissipation (J/m2)", walk.friction() - friction, residual * slip, 1e-5,
-           "traction times slip");
-    expect_close(walk.work() - work, walk.friction() - friction, 1e-12, residual * slip);
-}
-
 TEST(CoulombSlip, TensionIsLinearAndThenGone) {
     const ContactParameters c = augig_contact();
     const ContactLaw law = slip_law(c);
@@ -143,17 +123,6 @@ TEST(CoulombSlip, ResidualTensionIsBorneOnceAndNothingAfter) {
     EXPECT_EQ(walk.traction().normal, 0);
     EXPECT_EQ(walk.traction().shear, 0);
     expect_close(walk.non_conservative(), 0, 1e-12, fracture);
-}
-
-// Stiffness of the user's: it is what the law has.
-TEST(CoulombSlip, StiffnessAsGiven) {
-    Material granite = test::augig_granite();
-    granite.contact.normal_stiffness = 4e14;
-    granite.contact.shear_stiffness = 1e14;
-    const ContactLaw law = slip_law(contact_parameters(granite, PlaneCondition::strain, {}));
-    const ContactTraction t = update_contact(law, {-1e-8, 2e-8}, {}).traction;
-    EXPECT_EQ(t.normal, -1e-8 * 4e14);
-    EXPECT_EQ(t.shear, 2e-8 * 1e14);
 }
 
 }  // namespace

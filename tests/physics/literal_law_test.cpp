@@ -38,16 +38,6 @@ TEST(LiteralLaw, AreaUnderOpeningIsTheFractureEnergy) {
     EXPECT_TRUE(walk.history().separated);
 }
 
-TEST(LiteralLaw, WhatIsBookedOnTheWayIsTheFractureEnergyToo) {
-    for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
-        const ContactParameters c = augig_contact(PlaneCondition::strain, kind);
-        ContactWalk walk(literal_law(c));
-        walk.go({1.01 * c.ultimate_opening, 0}, 40000);
-        expect_close(walk.fracture(), c.fracture_energy, 1e-12, c.fracture_energy);
-        expect_close(walk.stored(), 0, 1e-15, c.fracture_energy);
-    }
-}
-
 TEST(LiteralLaw, ShearUnderPressurePeaksAtTheCohesion) {
     const ContactParameters c = augig_contact();
     const ContactLaw law = literal_law(c);
