@@ -42,7 +42,7 @@ void print_plan(const SimulationPlan& plan) {
     fmt::print("estimated_time_at_most_s\t{:.0f}\n", seconds(plan.max_steps));
 }
 
-/// What `graincrack-solve program` runs as this very test.
+/// Prints the program that `graincrack-solve program` runs as this very test.
 void print_program(const SolveOptions& options, const Specimen& specimen) {
     Program program = program_of(options.request, specimen);
     program.damping = options.request.damping;
@@ -99,7 +99,7 @@ void print_summary(const SimulationSummary& s, double width) {
     }
 }
 
-/// What the ranks of a run have told each other.
+/// The messages between the ranks of a run.
 void print_ranks(const SimulationSummary& s) {
     const RankSummary& r = s.ranks;
     fmt::print(

@@ -19,7 +19,7 @@ enum class VectorTarget : std::uint8_t { plain, avx2, avx512 };
 inline constexpr std::array<std::string_view, 3> vector_target_names{"plain", "avx2", "avx512"};
 constexpr std::string_view name_of(VectorTarget target) { return vector_target_names[static_cast<std::size_t>(target)]; }
 
-/// Whether this machine can run it.
+/// True if this machine can run it.
 inline bool is_available(VectorTarget target) {
 #if defined(__x86_64__)
     switch (target) {

@@ -75,17 +75,17 @@ struct NodePairs {
     [[nodiscard]] double depth(std::int32_t i) const { return data.scratch.geometry.depth(index_in_chunk(i)); }
 };
 
-/// Whether a node is over an edge lengthened by `extension` (of its length) at either end.
+/// True if a node is over an edge lengthened by `extension` (of its length) at either end.
 bool is_over(const PairGeometry& g, double extension) { return g.place >= -extension && g.place <= 1 + extension; }
 
-/// Whether the outline of a grain has a convex corner between an edge and the next one, or the previous one.
+/// True if the outline of a grain has a convex corner between an edge and the next one, or the previous one.
 bool is_convex_corner(const Vector2& tangent, const Vector2& neighbour_tangent, bool neighbour_is_next) {
     const double turn = tangent.x * neighbour_tangent.y - tangent.y * neighbour_tangent.x;
     return neighbour_is_next ? turn > sin_corner : turn < -sin_corner;
 }
 
-/// Of the two edges next to edge `i` around a convex corner of the grain, the one to whose face the node is nearest, if nearer
-/// than `depth` (m); −1 if there is none among the watched pairs.
+/// The one of the two edges next to edge `i` around a convex corner of the grain to whose face the node is nearest, if
+/// nearer than `depth` (m); −1 if there is none among the watched pairs.
 std::int32_t nearer_face(const NodePairs& pairs, std::int32_t i, double depth) {
     const SurfaceEdge& edge = pairs.edge(i);
     const Vector2 tangent = pairs.geometry(i).tangent;
@@ -185,7 +185,7 @@ void continue_contacts(NodePairs& pairs) {
     }
 }
 
-/// Whether a contact may begin: the node is behind the edge and over it but for its corner zones, belongs to this edge and not to
+/// True if a contact may begin: the node is behind the edge and over it but for its corner zones, belongs to this edge and not to
 /// a neighbouring face, and has no other contact with this grain or with the same surface. A node deep inside the grain is kept
 /// out even in a corner zone, and even where it has a contact with the same surface of another grain.
 bool may_begin(const NodePairs& pairs, std::int32_t i) {
@@ -215,7 +215,7 @@ void begin_contacts(NodePairs& pairs) {
     }
 }
 
-/// Whether an edge belongs to a contact that has not been released and is not one of the node.
+/// True if an edge belongs to a contact that has not been released and is not one of the node.
 bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, const SurfaceEdge& edge) {
     if (edge.contact < 0 || s.contact_pairs.released[edge.contact] != 0) return false;
     const auto& nodes = a.contacts[edge.contact].nodes;
@@ -234,7 +234,7 @@ double available_area(const Assemblage& a, const ContactPairList& list, std::int
     return area;
 }
 
-/// What new contacts want of the area of a node, and what of it each gets.
+/// The area of a node that new contacts request, and the fraction of it that each gets.
 struct RequestedArea {
     double requested = 0, occupied = 0;  ///< m²
     double fraction = 1;

@@ -11,7 +11,7 @@
 
 namespace graincrack {
 
-/// Where contacts begin and when they are transferred, as far as the choice of watched pairs has to know it; see
+/// The places at which contacts begin and are transferred, as far as the choice of watched pairs has to know it; see
 /// share/doc/laws.md.
 namespace detection_rule {
 /// How far beyond the ends of its edge a contact stays on it, in lengths of the edge, so that a node at a joint does not go to
@@ -25,7 +25,7 @@ inline constexpr double corner_zone = 5e-3;
 inline constexpr double deep_node_depth = 6e-3;
 }  // namespace detection_rule
 
-/// Whether the contact of a node belongs to a neighbouring face and not to the edge of the pair: around a convex corner, the node
+/// True if the contact of a node belongs to a neighbouring face and not to the edge of the pair: around a convex corner, the node
 /// is nearer to that face or in front of it, by more than `margin` (m). A face bonded to a third grain counts only while the node
 /// is in front of it or less than the width of a bond (0.3 % of a mean edge) behind it.
 bool belongs_to_neighbour(const Assemblage& assemblage, const State& state, const CandidatePair& pair,

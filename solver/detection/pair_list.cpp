@@ -36,7 +36,7 @@ constexpr int histogram_bits = 15;
 constexpr std::int64_t histogram_bins = 1024;
 /// After debonding a search waits until nodes of that speed may have moved so far.
 constexpr double rebuild_delay_distance = 1e-3;
-/// What nodes of that speed, and the fastest, may move between two updates, if steps are short enough.
+/// The distance that nodes of that speed, and the fastest, may move between two updates, if steps are short enough.
 constexpr double max_travel_p95 = 1e-3;
 constexpr double max_travel_fastest = 1e-2;
 /// A pair is watched if it is nearer than the first times the travel of its node and edge up to the next update plus the second
@@ -49,7 +49,7 @@ constexpr std::int64_t detections_between_updates = 8;
 /// Groups of pairs, of one node each, whose geometry is found side by side.
 constexpr std::size_t groups_at_a_time = 32;
 
-/// Whether a contact point has no cohesion left.
+/// True if a contact point has no cohesion left.
 template <class Law>
 bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
     return s.failed[point] != 0 && contact_law::damage<Law>(law, point_history(s, point)) >= 1;
@@ -198,13 +198,13 @@ private:
         return (g.depth < overlap_ + near && is_beside_active(pair)) ||
                (distance_along(g, 0) < margin && is_at_depth_of_active(g, margin));
     }
-    /// Whether the edge is the previous or next one of its grain to an edge that the node is in contact with.
+    /// True if the edge is the previous or next one of its grain to an edge that the node is in contact with.
     [[nodiscard]] bool is_beside_active(std::int32_t pair) const {
         const SurfaceEdge& edge = edge_of(pair);
         return std::any_of(active_.begin(), active_.end(),
                            [&edge](const Active& active) { return active.edge == edge.previous || active.edge == edge.next; });
     }
-    /// Whether the node is about as deep behind the edge as behind one that it is in contact with.
+    /// True if the node is about as deep behind the edge as behind one that it is in contact with.
     [[nodiscard]] bool is_at_depth_of_active(const PairGeometry& g, double margin) const {
         return std::any_of(active_.begin(), active_.end(),
                            [&](const Active& active) { return std::abs(active.depth - g.depth) < margin; });
@@ -304,7 +304,7 @@ void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& 
     for (const ReleasedContact& h : carried) {
         const ContactGeometry& contact = a.contacts[h.contact];
         if (!a.part.owns(contact.nodes[h.point]) && !a.part.owns(contact.nodes[2 + h.point])) continue;
-        // Of the two nodes of the point, the one that is over the edge of the other grain; if both are, the one farther from its
+        // The one of the two nodes of the point that is over the edge of the other grain; if both are, the one farther from its
         // ends.
         std::ptrdiff_t best = -1;
         double inside = -std::numeric_limits<double>::max();
@@ -339,7 +339,7 @@ public:
     explicit SpeedHistogram(std::span<const Vector2> velocity) : velocity_(velocity) {
         for (const Vector2& v : velocity) fastest_ = std::max(fastest_, dot(v, v));
     }
-    /// Of the nodes of this rank, squared.
+    /// The largest of the nodes of this rank, squared.
     [[nodiscard]] double fastest() const { return fastest_; }
     /// \param fastest of all ranks, squared \param n_nodes of all ranks
     [[nodiscard]] Speeds of_all(const Ranks& ranks, double fastest, std::int32_t n_nodes) const {

@@ -16,7 +16,7 @@ constexpr double stiffness_fraction = 0.5;
 /// their areas.
 constexpr double fraction_of_new_contact = 0.125;
 
-/// What a contact of unit area adds to the loads of the clusters of its nodes.
+/// The part of a contact of unit area in the loads of the clusters of its nodes.
 struct UnitLoads {
     std::array<std::int32_t, 3> cluster;
     std::array<double, 3> load{};  ///< kt |a_C| Σ_D |a_D|, Pa/m; 0 where the cluster is that of a node before

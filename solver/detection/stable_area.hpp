@@ -12,7 +12,7 @@
 // contact beside the vertex it came from has small a_C and keeps all of its area; one that has slid to another vertex becomes
 // softer.
 //
-// Where the load is too large, areas are reduced at the next update of the pair list, to c A. Overlap and elastic slip grow by
+// If the load is too large, areas are reduced at the next update of the pair list, to c A. Overlap and elastic slip grow by
 // 1/√c, so that the stored energy ½ A (kt e² + ks q²) stays as it is; forces fall by √c, and the limit of friction with them.
 #pragma once
 

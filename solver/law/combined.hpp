@@ -95,7 +95,8 @@ struct Combined {
         return c.left *
                (law.tc * law.op * rise_energy(at.open, c.largest.open) + law.cc * law.sp * rise_energy(at.slid, c.largest.slid));
     }
-    /// Of the friction angle: φc while all cohesion is there, φ_r when it is gone, between them in proportion to 1 − D.
+    /// The tangent of the friction angle: φc while all cohesion is there, φ_r when it is gone, between them in proportion to 1 −
+    /// D.
     static double tan_friction(const ContactLaw& law, double damage) {
         return law.residual_tan_phi + (law.tan_phi - law.residual_tan_phi) * (1 - std::min(1.0, damage));
     }

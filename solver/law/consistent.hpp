@@ -1,7 +1,7 @@
 // The variant `consistent`: the curves of Kazerani & Zhao (2014) with one damage variable, an energy, and a dissipation that is
 // never negative.
 //
-// Of the cohesion of a point the fraction β remains (1 at first), and a fraction a carries friction (0 at first):
+// The fraction β of the cohesion of a point remains (1 at first), and a fraction a carries friction (0 at first):
 //
 //   ψ = ½ β (kt⟨δn⟩² + ks δs²) + ½ kt⟨−δn⟩² + ½ a ks (δs − slip)²          the last term while closed only
 //   open     (σn, τ) = β (kt δn, ks δs)

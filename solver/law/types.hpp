@@ -97,7 +97,7 @@ struct ContactDissipation {
     double friction = 0;
     double non_conservative_work = 0;  ///< lost (positive) or gained (negative) where the law has no potential
 };
-/// What an update gives for a motion.
+/// The response of an update to a motion.
 struct ContactResponse {
     ContactTraction traction;
     ContactHistory history;
@@ -121,7 +121,7 @@ inline PointState point_state(const ContactHistory& h) {
     return h.first_mode == CrackMode::tensile ? PointState::failed_tension : PointState::failed_shear;
 }
 
-/// What remains of its cohesion when a point is damaged by 10, 50 and 90 %. A point below the last one is broken.
+/// The fraction of its cohesion that remains when a point is damaged by 10, 50 and 90 %. A point below the last one is broken.
 inline constexpr std::array<double, 3> damage_levels{0.9, 0.5, 0.1};
 /// The next mark of a point that has passed so many; 0, which no point falls below, after the last.
 constexpr double damage_level(std::size_t passed) { return passed < damage_levels.size() ? damage_levels[passed] : 0; }

@@ -15,7 +15,7 @@ struct IntactPoint {
     double opening, sliding;          ///< m
     double integrity;                 ///< β before; 1 if the law has no damage before the peak
 };
-/// What `update_contact` gives for it, where `holds`.
+/// The response of `update_contact` to it, where `holds`.
 struct IntactResponse {
     double normal, shear;  ///< Pa
     double holds;          ///< 1 if the point stays intact and this is all that happens to it; 0 if it needs `update_contact`
@@ -32,7 +32,7 @@ struct SofteningPoint {
     double largest_open = 0;          ///< before, as in `ContactHistory`
     double largest_slid = 0;
 };
-/// What `update_contact` gives for it, where `holds`.
+/// The response of `update_contact` to it, where `holds`.
 struct SofteningResponse {
     double normal, shear;  ///< Pa
     double integrity;
@@ -51,7 +51,7 @@ struct ResidualPoint {
     double opening, sliding;          ///< m
     double slip;                      ///< before, m
 };
-/// What `update_contact` gives for it, where `holds`.
+/// The response of `update_contact` to it, where `holds`.
 struct ResidualResponse {
     double normal, shear;  ///< Pa
     double slip;           ///< m

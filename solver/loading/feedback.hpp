@@ -1,4 +1,4 @@
-// What the loading is told of the specimen after each row of the history.
+// The measures of the specimen that the loading takes after each row of the history.
 #pragma once
 
 #include <cstddef>

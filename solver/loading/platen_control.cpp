@@ -36,7 +36,7 @@ PlatenControl::PlatenControl(const Specimen& specimen, const Rock& rock, const P
 
 RateScales PlatenControl::rate_scales(bool apart) const {
     if (span_ > 0) {
-        // Of a beam whose lowest fibre has this stress: its deflection is stress/E S²/(6 H), its energy that of a bar under a
+        // A beam whose lowest fibre has this stress: its deflection is stress/E S²/(6 H), its energy that of a bar under a
         // third of the stress. It answers within waves along it rather than across.
         const double stress = bending_load * rock_.tensile_strength;
         const double slenderness = span_ / height_;

@@ -35,7 +35,7 @@ public:
     /// as many as move the platens by the 8000th part of the travel to it, enough to resolve a brittle peak; at most half a
     /// transit; of a block a part.
     [[nodiscard]] std::int64_t interval_steps(double time_step) const;
-    /// Whether `interval_steps` decides in any case.
+    /// True if `interval_steps` decides in any case.
     [[nodiscard]] bool paces_rows() const;
     /// The longest it takes to the strain limit, s.
     [[nodiscard]] double longest_time() const;

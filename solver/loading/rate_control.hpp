@@ -41,7 +41,7 @@ public:
     /// The slowest the platens ever go at a strain, m/s: a twentieth of what the tolerance means there in an elastic bar.
     /// \param allowed what counts of the tolerance
     [[nodiscard]] double min_speed(double strain, double allowed) const;
-    /// What the first two measures may reach where failure involves so much of the section.
+    /// The first two measures may reach this where failure involves so much of the section.
     [[nodiscard]] double allowed(double near_failure) const;
     /// The fastest the platens ever go at a strain where failure involves so much of the section, m/s.
     [[nodiscard]] double max_speed(double strain, double near_failure) const;

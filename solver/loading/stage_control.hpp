@@ -25,7 +25,7 @@ struct NamedNumbers {
     std::vector<double> values;
 };
 
-/// Where a program is: what another program takes over, and what the same program resumes with.
+/// The position of a program: another program takes it over, the same program resumes with it.
 struct StageControllerState {
     NamedNumbers boundary_conditions;        ///< "boundary.action"; NaN for a free velocity
     double platen_speed = 0;                 ///< m/s
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] std::int64_t interval_steps(double time_step) const;
     [[nodiscard]] LoadingLength longest(double time_step) const;
 
-    /// Whether the stage that is on has an end that it must reach.
+    /// True if the stage that is on has an end that it must reach.
     [[nodiscard]] bool has_required_end() const { return !finished() && !now().must_end_by.empty(); }
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
@@ -76,7 +76,7 @@ public:
     [[nodiscard]] std::vector<double> values(double time) const;
 
 private:
-    /// Where the present function of an amplitude is written: in a stage, at the start of the program, or nowhere.
+    /// The place in which the present function of an amplitude is written: in a stage, at the start of the program, or nowhere.
     static constexpr int nowhere = -2, at_start = -1;
     /// Calls `act(condition, action, amplitude)` with the places of each.
     template <class Act>
@@ -86,7 +86,7 @@ private:
     [[nodiscard]] const Stage& now() const { return program_.stage(program_.order[at_]); }
     [[nodiscard]] int number_of(const Stage& stage) const { return static_cast<int>(&stage - program_.stages.data()); }
     void start_stage(const Rows& rows);
-    /// Whether the load is below an axial stress (absolute, Pa), and without damping has been for longer than a wave would make
+    /// True if the load is below an axial stress (absolute, Pa), and without damping has been for longer than a wave would make
     /// it.
     [[nodiscard]] bool has_fallen_below(double stress, const History& history) const;
     [[nodiscard]] std::string end_reason(const Rows& rows);

@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Where the wavelet has died down to 1e-14 of its peak: a = 36, e^−a (2 a − 1) < 2e-14.
+/// The half-width at which the wavelet has died down to 1e-14 of its peak: a = 36, e^−a (2 a − 1) < 2e-14.
 constexpr double wavelet_reach = 6;
 
 double interpolated(const std::vector<double>& times, const std::vector<double>& values, double t) {

@@ -25,7 +25,7 @@ struct TimeFunction {
     [[nodiscard]] double operator()(double t) const;
     /// Time from which on it changes no more, s; infinite for a sine without end.
     [[nodiscard]] double end() const;
-    /// Whether it makes waves: sine, wavelet or pulse.
+    /// True if it makes waves: sine, wavelet or pulse.
     [[nodiscard]] bool is_wave() const { return kind == Kind::sine || kind == Kind::ricker || kind == Kind::pulse; }
 };
 

@@ -124,7 +124,7 @@ struct Assemblage {
     VectorTarget vector_target = widest_vector_target();  ///< that kernels run on
     Part part;                                            ///< that this rank works on
 
-    /// Of contact forces and of element forces: all chunks, and a slot that stays zero.
+    /// The slots of contact forces, and those of element forces: of all chunks, and one that stays zero.
     [[nodiscard]] std::size_t n_slot_values() const { return contact_chunks.size() * slot_stride + 2UL * contacts_per_chunk; }
     [[nodiscard]] std::size_t n_element_slot_values() const {
         return element_chunks.size() * element_slot_stride + 2UL * elements_per_chunk;

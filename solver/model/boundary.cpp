@@ -28,7 +28,7 @@ SpecimenFaces specimen_faces(const Assemblage& a, const Specimen& s, const Vecto
     return o;
 }
 
-/// Whether a face of this extent and these parts may meet a point.
+/// True if a face of this extent and these parts may meet a point.
 bool is_before(const Platen& platen, const Vector2& position, const std::vector<std::uint8_t>& parts, double slack) {
     const double along = dot(across(platen.axis), position);
     if (!(along >= platen.left - slack && along <= platen.right + slack)) return false;
@@ -42,7 +42,7 @@ Boundary make_boundary(const Assemblage& a, const Specimen& s, const std::vector
     Boundary b;
     b.platens = platens;
     const SpecimenFaces boundary = specimen_faces(a, s, platens.front().axis);
-    // What stands upright or inside can be met only later, by a corner: it stands for half a mean contact on either side.
+    // A node that stands upright or inside can be met only later, by a corner: it stands for half a mean contact on either side.
     const double corner_tributary = a.n_contacts() == 0 ? 0 : a.contact_length / static_cast<double>(a.n_contacts());
     const double slack = 1e-9 * s.height;
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {

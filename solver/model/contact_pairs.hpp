@@ -1,8 +1,8 @@
 // The contact pair list: which nodes may come into contact with which edges, kept between searches, and the state of each pair.
 //
-// Where grains are still bonded nothing is searched. A contact point has debonded when it has lost its cohesion, or failed and
-// moved; an edge is exposed when it is a free face, or a point of its contact or of the one before or after it on the grain has
-// debonded: another grain may have come in at the corner. A node is exposed when an edge of it is. A contact without cohesion
+// Nothing is searched between grains that are still bonded. A contact point has debonded when it has lost its cohesion, or failed
+// and moved; an edge is exposed when it is a free face, or a point of its contact or of the one before or after it on the grain
+// has debonded: another grain may have come in at the corner. A node is exposed when an edge of it is. A contact without cohesion
 // continues as a contact with its original partner (compression and friction) until it has moved by `release_travel` of its
 // length; then it is released: its tractions pass to node–edge contacts, and from then on contacts of its nodes and edges are
 // detected like all others.

@@ -23,7 +23,7 @@ struct DampingLoad {
     double damping_power = 0;                ///< ⟨−Σ Fd·v̄⟩, W
     double platen_power = 0;                 ///< ⟨Σ P·w⟩, W
     double time = 0;                         ///< of the last update, s
-    /// Of the load of the platens; 0 while they do no work.
+    /// The fraction of the load of the platens; 0 while they do no work.
     [[nodiscard]] double fraction() const { return platen_power > 0 ? damping_power / platen_power : 0; }
 };
 

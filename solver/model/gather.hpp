@@ -1,4 +1,4 @@
-// What ranks have of arrays of the whole specimen, brought together on the first.
+// Brings the parts that ranks have of arrays of the whole specimen together on the first.
 #pragma once
 
 #include <cstddef>

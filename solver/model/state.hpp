@@ -17,7 +17,7 @@
 
 namespace graincrack {
 
-/// What happens to a contact point, in this order if several things happen in one step.
+/// Events of a contact point, in this order if several things happen in one step.
 enum class ContactEventKind : std::uint8_t {
     failure,     ///< it passes its peak
     damaged_10,  ///< it falls below the first of `damage_levels`

@@ -16,7 +16,7 @@
 
 namespace graincrack::program_keys {
 
-/// What a table's keys hold: read into, or written from.
+/// The value that a table's keys are read into, or written from.
 template <class Keys, class Value>
 using Content = std::conditional_t<Keys::reads, Value, const Value>;
 
@@ -188,7 +188,7 @@ void visit_until(Keys& keys, Content<Keys, Stage>& stage) {
     keys.given("peak_drop", quantity::peak_drop, stage.peak_drop);
 }
 
-/// What stands at the top.
+/// The keys at the top.
 template <class Keys>
 void visit(Keys& keys, Content<Keys, Program>& program) {
     keys.needed("name", program.name, "a program has a name = \"...\"");

@@ -19,7 +19,7 @@
 
 namespace graincrack {
 
-/// Where a boundary condition acts: named parts of the boundary, a box, or what is in both.
+/// The region in which a boundary condition acts: named parts of the boundary, a box, or what is in both.
 struct Region {
     std::vector<std::string> parts;  ///< none: everywhere
     double left = -std::numeric_limits<double>::infinity(), right = std::numeric_limits<double>::infinity();
@@ -27,7 +27,7 @@ struct Region {
     [[nodiscard]] bool has(const Vector2& p) const { return p.x >= left && p.x <= right && p.y >= bottom && p.y <= top; }
 };
 
-/// What a boundary condition may prescribe.
+/// The quantities that a boundary condition may prescribe.
 enum class Action : std::uint8_t { velocity_x, velocity_y, traction_x, traction_y, pressure, count };
 inline constexpr std::size_t n_actions = static_cast<std::size_t>(Action::count);
 constexpr std::string_view name_of(Action action) {
@@ -117,7 +117,7 @@ struct Condition {
     double value = 0;
 };
 
-/// What ends a stage whose specimen has come to rest, in `must_end_by` and in the record of stages.
+/// The name of the end of a stage whose specimen has come to rest, in `must_end_by` and in the record of stages.
 inline constexpr const char* ended_by_rest = "rest";
 
 /// [stage.NAME]

@@ -91,7 +91,7 @@ std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
     return function ? std::optional<PlatenMotion>(*function) : std::nullopt;
 }
 
-/// Whether the platens come to their strain limit by themselves.
+/// True if the platens come to their strain limit by themselves.
 bool moves_on(const std::optional<PlatenMotion>& motion) {
     if (!motion || std::holds_alternative<PressureServo>(*motion)) return false;
     const auto* const function = std::get_if<TimeFunction>(&*motion);

@@ -18,9 +18,9 @@ namespace {
 
 // Times in transits of a bar wave through the specimen.
 
-/// In which the platens reach a fixed speed, and at least that in which the pressure rises then.
+/// Time in which the platens reach a fixed speed, and at least that in which the pressure rises then.
 constexpr double start_transits = 10;
-/// In which the pressure rises where the rate is not fixed: slowly enough that nothing breaks on the way.
+/// Time in which the pressure rises where the rate is not fixed: slowly enough that nothing breaks meanwhile.
 constexpr double pressure_transits = 40;
 /// That the isotropic stage may take to come to rest.
 constexpr double give_up_transits = 200;

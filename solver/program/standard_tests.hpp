@@ -36,7 +36,7 @@ constexpr std::string_view name_of(RateKind rate) {
     return "?";
 }
 
-/// What a standard test asks of its loading.
+/// The loading of a standard test.
 struct LoadingRequest {
     TestKind test = TestKind::uniaxial;
     RateKind rate = RateKind::fixed;

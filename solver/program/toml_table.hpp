@@ -57,7 +57,7 @@ public:
         given(key, quantity, value);
     }
 
-    /// Whether the value is this word.
+    /// True if the value is this word.
     bool is_word(const std::string& key, const std::string& word);
     std::optional<TomlTable> table(const std::string& key);
     TomlTable needed_table(const std::string& key, const std::string& what);

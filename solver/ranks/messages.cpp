@@ -211,7 +211,7 @@ private:
     MessageCounts counts_;
 };
 
-/// Whether a launcher has begun several ranks, by what launchers leave in the environment. A tool that runs alone inside of an
+/// True if a launcher has begun several ranks, by what launchers leave in the environment. A tool that runs alone inside of an
 /// allocation is none of them, and does not pay for MPI's start.
 bool is_launched() {
     constexpr std::array sizes{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", "MPI_LOCALNRANKS"};

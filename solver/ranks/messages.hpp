@@ -24,7 +24,7 @@ struct ChannelEnd {
 class Channel {
 public:
     virtual ~Channel() = default;
-    /// What goes to, and what has come from, the rank of an end.
+    /// Numbers that go to, and numbers that have come from, the rank of an end.
     [[nodiscard]] virtual std::span<double> to_send(std::size_t end) = 0;
     [[nodiscard]] virtual std::span<const double> received(std::size_t end) const = 0;
     /// Sends what `to_send` holds.
@@ -33,7 +33,7 @@ public:
     virtual void finish() = 0;
 };
 
-/// What has been sent and waited for so far.
+/// The messages sent so far and the time waited for them.
 struct MessageCounts {
     std::int64_t messages = 0, bytes = 0;
     double waited = 0;  ///< s
@@ -45,7 +45,7 @@ public:
     virtual ~Messages() = default;
     [[nodiscard]] virtual int size() const = 0;
     [[nodiscard]] virtual int rank() const = 0;
-    /// What each rank gave, by rank. \param sizes bytes that each gives
+    /// The bytes that each rank gave, by rank. \param sizes bytes that each gives
     virtual std::vector<Bytes> gather_all(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) = 0;
     /// The same for the first rank only; the others get nothing.
     virtual std::vector<Bytes> gather_first(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) = 0;
@@ -59,7 +59,7 @@ public:
 
 /// The messages of the ranks that an MPI launcher has begun; none if it is one rank, or this is built without MPI.
 std::unique_ptr<Messages> messages_of_launcher();
-/// Whether this is built with MPI.
+/// True if this is built with MPI.
 bool is_built_with_mpi();
 
 }  // namespace graincrack

@@ -42,7 +42,7 @@ class Ranks {
 public:
     Ranks() = default;
     explicit Ranks(std::unique_ptr<Messages> messages) : messages_(std::move(messages)) {}
-    /// Of a run alone.
+    /// The ranks of a run alone.
     static const Ranks& alone() {
         static const Ranks one;
         return one;
@@ -127,7 +127,7 @@ public:
         combine(values, [](double l, double r) { return std::max(l, r); });
     }
     void take_sums(std::span<std::int64_t> values) const { combine(values, std::plus<>()); }
-    /// Whether it holds on any rank.
+    /// True if it holds on any rank.
     [[nodiscard]] bool any(bool holds) const { return largest(holds ? 1 : 0) > 0; }
     /// \return none for a run alone
     [[nodiscard]] std::unique_ptr<Channel> open(const std::vector<ChannelEnd>& ends) const {

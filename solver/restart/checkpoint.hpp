@@ -9,7 +9,7 @@
 
 namespace graincrack {
 
-/// Where the checkpoints of a run lie: "run.h5.checkpoint".
+/// The name of the checkpoints of a run: "run.h5.checkpoint".
 inline std::string checkpoint_of(const std::string& output) { return output + ".checkpoint"; }
 
 /// Wall time since something was last done.
@@ -33,13 +33,13 @@ void remove_checkpoint(const std::string& checkpoint);
 
 /// From here on SIGUSR1, by which schedulers warn, asks for a checkpoint and does not end the program.
 void catch_checkpoint_signal();
-/// Whether it has asked since the last call.
+/// True if it has asked since the last call.
 bool take_checkpoint_request() noexcept;
 
-/// Whether a run file is a checkpoint, of a run that has not ended.
+/// True if a run file is a checkpoint, of a run that has not ended.
 bool is_checkpoint(const RunReader& run);
 
-/// Whether a test as in `now` resumes from a checkpoint of one as in `before`: all that decides its course must be the same but
+/// True if a test as in `now` resumes from a checkpoint of one as in `before`: all that decides its course must be the same but
 /// for where it ends. \param name of the checkpoint \throws InputError naming the option that differs, or for a run that has
 /// ended
 void require_same_test(const std::string& name, const RunHeader& before, const RunHeader& now);

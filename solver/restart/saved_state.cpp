@@ -29,7 +29,7 @@ template <class Act, class... Members>
 void visit_all(Act&& act, Members&... content) {
     (visit_members(content, act), ...);
 }
-/// Whether a type is `Of`, constant or not.
+/// True if a type is `Of`, constant or not.
 template <class Type, class Of>
 concept Is = std::is_same_v<std::remove_const_t<Type>, Of>;
 
@@ -248,7 +248,7 @@ void visit_content(Io& io, AnyState& state, Histories& histories, Loading& loadi
     io.attribute("energy_balance_error", energy_balance_error);
 }
 
-/// Of a checkpoint, where its frames were.
+/// The position of the frames of a checkpoint.
 template <class Io, class Frames>
 void visit_frames(Io& io, Frames& frames) {
     io.attribute("next_frame", frames.next);

@@ -17,7 +17,7 @@ namespace graincrack {
 
 class H5Output;
 
-/// Where the choice of frames is, for a run that resumes from a checkpoint.
+/// The position of the choice of frames, for a run that resumes from a checkpoint.
 struct FrameProgress {
     double next = 0;               ///< progress at which the next regular frame is due
     double interval = 0;           ///< from one regular frame to the next
@@ -30,7 +30,7 @@ struct FrameProgress {
 void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error,
                        std::optional<FrameProgress> frames = {});
 
-/// What a run starts with that starts from another.
+/// The start of a run that continues another.
 struct SavedState {
     State state;
     StageControllerState loading;

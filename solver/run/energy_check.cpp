@@ -28,10 +28,10 @@ EnergyCheck::EnergyCheck(const Specimen& specimen, const SimulationRequest& r)
       damping_(r.damping) {}
 
 void EnergyCheck::add(const Energies& energies, std::int64_t step) {
-    // What is dynamic may be all motion, and store next to nothing.
+    // A dynamic run may be all motion, and store next to nothing.
     scale_ = std::max(scale_, energies.stored() + (is_dynamic_ ? energies.kinetic : 0));
     worked_ = std::max(worked_, std::abs(energies.external));
-    // Where next to nothing is stored yet, an error is small or large against what the platens have worked.
+    // While next to nothing is stored, an error is small or large against what the platens have worked.
     const double evaluated = std::max(scale_, worked_);
     const double residual = evaluated > 0 ? energies.balance_error() / evaluated : 0;
     if (!std::isfinite(residual) || (scale_ > least_energy_ && std::abs(residual) > unstable_residual)) {

@@ -1,4 +1,4 @@
-// Whether the energy balance of a run is that of a stable one.
+// The check that the energy balance of a run is that of a stable one.
 #pragma once
 
 #include <cstdint>

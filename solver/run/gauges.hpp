@@ -18,7 +18,7 @@ struct Gauge {
     bool along_y = false;
     std::vector<Term> terms;      ///< ascending by node
     std::vector<Range> of_chunk;  ///< by chunk of nodes: its terms
-    /// What the nodes of a chunk add to the strain.
+    /// The part of the strain from the nodes of a chunk.
     [[nodiscard]] double strain_of(std::int32_t chunk, const std::vector<Vector2>& displacement) const;
 };
 

@@ -30,7 +30,8 @@ void find_damping_forces(const Assemblage& a, const StepParameters& parameters, 
     }
 }
 
-/// What the platens do at a point: energy they keep (J), work of the last half step (J), power (W), force along the axis (N).
+/// The action of the platens at a point: energy they keep (J), work of the last half step (J), power (W), force along the axis
+/// (N).
 struct PlatenShare {
     double energy, half_work, power, force;
     std::size_t motion;
@@ -45,7 +46,7 @@ PlatenShare share_of_platen(const Boundary& boundary, std::int32_t index, double
     return {r.stored + r.friction, 0.5 * force * increment, force * increment / time_step, force, platen.motion};
 }
 
-/// What the nodes of a chunk add to a measurement, and Σ |unbalanced force| (N).
+/// The part of a measurement from the nodes of a chunk, and Σ |unbalanced force| (N).
 struct NodeShare {
     Energies energies;
     std::array<double, 2> platen_force{};  ///< by motion, N

@@ -1,4 +1,4 @@
-// What a run measures at an instant: energies, forces of the platens, strains. Sums are made by chunk and totalled in the order
+// The measures of a run at an instant: energies, forces of the platens, strains. Sums are made by chunk and totalled in the order
 // of chunks.
 #pragma once
 

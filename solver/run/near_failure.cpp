@@ -25,7 +25,7 @@ public:
         sets_.join(static_cast<std::size_t>(a_.cluster_of_node[node]), static_cast<std::size_t>(a_.cluster_of_node[other]));
         nodes_.insert(nodes_.end(), {node, other});
     }
-    /// Of the longest, m.
+    /// The longest, m.
     [[nodiscard]] double longest() {
         struct Rectangle {
             Vector2 low, high;

@@ -1,4 +1,4 @@
-// What a finished test amounts to, found from its header and history alone.
+// The results of a finished test, found from its header and history alone.
 #pragma once
 
 #include <cstddef>

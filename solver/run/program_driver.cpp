@@ -21,7 +21,7 @@ std::vector<T> column_of(const std::vector<StageRecord>& records, T StageRecord:
     return column;
 }
 
-/// What a program began with that started from another run.
+/// The start of a program that continued another run.
 void write_start(H5Output& file, const StageControllerState& start) {
     const std::string group = schema::program_group;
     file.attribute(group, "start_amplitudes", start.boundary_conditions.names);

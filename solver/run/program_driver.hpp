@@ -33,7 +33,7 @@ public:
     void take_over(const StageControllerState& state);
     /// Resumes from a checkpoint of this very program. \throws InputError for one of another program
     void resume(const StageControllerState& state, const RunReader& checkpoint);
-    /// What the run file gets of its rows from `first` on, besides the history; of a standard test nothing.
+    /// Appends to the run file its rows from `first` on, besides the history; of a standard test nothing.
     void append(H5Output& file, std::size_t first) const;
     /// And at the end.
     void write(H5Output& file) const;

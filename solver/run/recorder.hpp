@@ -1,4 +1,4 @@
-// What a run records: history, crack log, energies and the peak of its axial stress.
+// The records of a run: history, crack log, energies and the peak of its axial stress.
 #pragma once
 
 #include "share/file/run_file.hpp"

@@ -17,7 +17,7 @@
 
 namespace graincrack {
 
-/// What a run consists of, as its files keep it.
+/// The parts of a run, as its files keep it.
 struct Run {
     const Specimen& specimen;
     const SimulationRequest& request;
@@ -37,7 +37,7 @@ public:
     RunOutput(const Run& run, const std::string& output, const std::optional<FrameProgress>& frames);
     /// Takes the last row: frames, and from time to time the rows so far.
     void record();
-    /// Whether a checkpoint is due, or was asked for. The first rank decides.
+    /// True if a checkpoint is due, or was asked for. The first rank decides.
     [[nodiscard]] bool wants_checkpoint() const;
     /// Writes a run file of its own, with all rows, cracks and frames so far and the present state. \return its name, "" for a
     /// run that has none

@@ -12,7 +12,7 @@ namespace graincrack {
 /// edge into two. Grains, outline and statistics stay; nodes of the old specimen keep their numbers.
 Specimen refined(const Specimen& specimen);
 
-/// What is changed, one row each, beside the test as it is.
+/// The changes, one row each, beside the test as it is.
 struct SensitivityCase {
     std::string changed;
     SimulationRequest request;
@@ -24,7 +24,7 @@ struct SensitivityCase {
 std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, const Program& program,
                                                double mass_scaling_factor);
 
-/// What a row tells of a test.
+/// The row of a test.
 SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& header, const History& history);
 
 /// Runs the cases. One that becomes unstable or does not settle gives a row of NaN.

@@ -13,7 +13,7 @@
 
 namespace graincrack {
 
-/// What the ranks of a run have told each other.
+/// The messages between the ranks of a run.
 struct RankSummary {
     int ranks = 1;
     std::int64_t own_nodes = 0, ghost_nodes = 0, neighbours = 0;  ///< of the rank with most of each
@@ -21,7 +21,7 @@ struct RankSummary {
     double waited = 0;                                            ///< fraction of the time, mean of the ranks
 };
 
-/// What a finished run tells its user.
+/// The summary of a finished run for its user.
 struct SimulationSummary {
     RunHeader header;
     std::size_t tensile_cracks = 0;  ///< contacts

@@ -125,7 +125,7 @@ RegionContent content_of_region(const Region& region, const Assemblage& a, const
 
 namespace {
 
-/// Where the face of a platen lies along its axis: where it first meets the boundary, m.
+/// The position of the face of a platen along its axis, at which it first meets the boundary, m.
 double position_of(const Platen& platen, const Assemblage& a, const Specimen& s, const std::string& where) {
     double outermost = -std::numeric_limits<double>::infinity();
     const double slack = 1e-9 * s.height;

@@ -1,4 +1,4 @@
-// What is asked of a run, besides the specimen.
+// The request of a run, besides the specimen.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@
 
 namespace graincrack {
 
-/// What the machine's clock that is never set shows, s.
+/// The time of the machine's clock that is never set, s.
 inline double steady_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

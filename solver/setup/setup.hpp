@@ -1,4 +1,4 @@
-// What a run computes with, found once from specimen and request.
+// The constants of a run, found once from specimen and request.
 #pragma once
 
 #include "solver/model/assemblage.hpp"
@@ -8,7 +8,7 @@
 
 namespace graincrack {
 
-/// What a run runs: the program that is asked for, or that of the standard test.
+/// The program of a run: the one that is asked for, or that of the standard test.
 Program program_of(const SimulationRequest& request, const Specimen& specimen);
 
 struct Setup {

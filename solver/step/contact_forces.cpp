@@ -191,7 +191,7 @@ GRAINCRACK_INLINE void apply_intact_response(const ContactLaw& constants, const 
     }
 }
 
-/// Whether a law has a softening response.
+/// True if a law has a softening response.
 template <class Law>
 constexpr bool has_softening = requires(const ContactLaw& law, const SofteningPoint& p) {
     Law::softening(law, p);
@@ -261,7 +261,7 @@ GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, cons
     }
 }
 
-/// What friction dissipates at the points of a chunk, J.
+/// The energy that friction dissipates at the points of a chunk, J.
 GRAINCRACK_INLINE double sum_friction(std::int32_t count, ContactLanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         b.friction[2 * i] = b.energy_area[i] * b.friction[2 * i];

@@ -79,7 +79,7 @@ void change_constraint(const Assemblage& a, const MassScaling& scaling, const Pl
     });
 }
 
-/// Whether a node has met or left a platen.
+/// True if a node has met or left a platen.
 bool changes(std::int32_t node, const State& s) { return s.clusters.near_platen[node] != s.near_platen[node]; }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct Means {
     alignas(64) double relative[size];  ///< mean of the damping forces of the relative motion, per mass
 };
 
-/// What is found for each node of a chunk, x and y in turn.
+/// The values found for each node of a chunk, x and y in turn.
 struct NodeLanes {
     static constexpr std::int32_t size = 2 * nodes_per_chunk;
     alignas(64) double relative_damping[size];  ///< damping force of the relative motion, of which the mean is to be subtracted
@@ -119,7 +119,7 @@ GRAINCRACK_INLINE double whole_damping(const Means& means, std::int32_t k, doubl
     return relative_damping + mass * (means.damping[k] - means.relative[k]);
 }
 
-/// Where the platen that constrains a cluster stands in the means of its chunk.
+/// The index, in the means of its chunk, of the platen that constrains a cluster.
 void set_mean(double* values, std::int32_t cluster, const Vector2& mean) {
     values[2 * cluster] = mean.x;
     values[2 * cluster + 1] = mean.y;

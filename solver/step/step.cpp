@@ -28,7 +28,7 @@ Chunks chunks_of(Chunks chunks, int thread, int n_threads) {
     return chunks.subspan(static_cast<std::size_t>(share.begin), static_cast<std::size_t>(share.size()));
 }
 
-/// Whether the last detection found other active contacts than there were before.
+/// True if the last detection found other active contacts than there were before.
 bool have_changed(const ContactPairList& list) {
     for (std::size_t chunk = 0; chunk < list.chunks.size(); ++chunk) {
         if (list.active.changed[chunk] != 0) return true;
