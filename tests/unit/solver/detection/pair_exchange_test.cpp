@@ -105,107 +105,13 @@ TEST(PairExchange, EachRankFindsThePairsThatActOnItsNodes) {
     }
 }
 
-TEST(PairExchange, ARankWithoutNodesFindsNone) {
-    on_thread_ranks(2, [&](const Ranks& ranks) {
-        SmallRun run(test::jittered_grid(1, 2, 0.04, 0.08, 0.25), test::augig_law());
-        std::fill(run.state.contact_pairs.debonded.begin(), run.state.contact_pairs.debonded.end(), std::uint8_t{1});
-        std::fill(run.state.contact_pairs.released.begin(), run.state.contact_pairs.released.end(), std::uint8_t{1});
-        run.share(ranks);
-        EXPECT_EQ(find_pairs(run.assemblage, margin_of(run), run.state).empty(), run.assemblage.part.own_nodes().size() == 0);
-    });
-}
-
-TEST(PairExchange, KeepsThePairsOfOwnNodesOfAList) {
-    SmallRun alone = loose_grains(Ranks::alone());
-    const Pairs all = find_pairs(alone.assemblage, margin_of(alone), alone.state);
-    on_thread_ranks(3, [&](const Ranks& ranks) {
-        const SmallRun run = loose_grains(ranks);
-        Pairs kept = all;
-        keep_pairs_of_own_nodes(run.assemblage, kept);
-        EXPECT_EQ(kept, pairs_near_own_nodes(run, all));
-    });
-    Pairs kept = all;
-    keep_pairs_of_own_nodes(alone.assemblage, kept);
-    EXPECT_EQ(kept, all);
-}
-
-// Of pairs whose nodes all belong to others too: their motion, and that of the edges beside them.
-TEST(PairExchange, GhostsAreAllNodesThatPairsAndThePartRead) {
-    on_thread_ranks(4, [](const Ranks& ranks) {
-        SmallRun run = loose_grains(ranks, far_from_their_places);
-        State& s = run.state;
-        const std::vector<SurfaceEdge>& edges = run.assemblage.surface.edges;
-        s.contact_pairs.pairs = find_pairs(run.assemblage, margin_of(run), s);
-        std::set<std::int32_t> read(run.assemblage.part.ghosts.begin(), run.assemblage.part.ghosts.end());
-        for (const CandidatePair& pair : s.contact_pairs.pairs) {
-            read.insert(pair.node);
-            for (const std::int32_t e : {pair.edge, edges[pair.edge].previous, edges[pair.edge].next}) {
-                if (e >= 0) read.insert(edges[e].nodes.begin(), edges[e].nodes.end());
-            }
-        }
-        for (const std::int32_t node : read) {
-            if (!run.assemblage.part.owns(node)) s.displacement[node] = s.velocity[node] = {-1, -1};
-        }
-        for (std::int32_t i = run.assemblage.part.own_nodes().begin; i < run.assemblage.part.own_nodes().end; ++i) {
-            s.velocity[i] = {static_cast<double>(i), 0};
-        }
-        find_ghosts(run.assemblage, s);
-        std::size_t n_others = 0;
-        for (const std::int32_t node : read) {
-            const Vector2 expected = shift_of_grain(run, run.assemblage.surface.grain_of_node[node], far_from_their_places);
-            EXPECT_EQ(s.displacement[node].x, expected.x);
-            EXPECT_EQ(s.displacement[node].y, expected.y);
-            EXPECT_EQ(s.velocity[node].x, node);
-            n_others += run.assemblage.part.owns(node) ? 0U : 1U;
-        }
-        EXPECT_EQ(s.ghosts->n_ghosts(), n_others);
-        EXPECT_GT(n_others, run.assemblage.part.ghosts.size());  // some are those of pairs alone
-    });
-}
-
-/// A contact of its own for each pair; of every third there is none, and of some a correction in the step after their end.
-NodeEdgeContact contact_of(const CandidatePair& pair) {
-    NodeEdgeContact contact;
-    const std::int32_t number = 1000 * pair.node + pair.edge;
-    if (number % 3 == 0) return contact;
-    contact.active = number % 3 == 1;
-    contact.near_first = number % 2 == 0;
-    contact.area = number;
-    contact.overlap = 0.5 * number;
-    contact.elastic_slip = -number;
-    contact.release_correction = contact.active ? 0 : 2;
-    return contact;
-}
-bool is_same(const NodeEdgeContact& l, const NodeEdgeContact& r) {
-    return l.active == r.active && l.near_first == r.near_first && l.area == r.area && l.initial_overlap == r.initial_overlap &&
-           l.overlap == r.overlap && l.elastic_slip == r.elastic_slip && l.release_correction == r.release_correction;
-}
-/// The pairs of a rank, with the contacts of own nodes; those of other nodes are in a state that nobody has.
-SmallRun grains_in_contact(const Ranks& ranks) {
+/// The pairs of a rank, without contacts.
+SmallRun grains_with_pairs(const Ranks& ranks) {
     SmallRun run = loose_grains(ranks);
     ContactPairList& list = run.state.contact_pairs;
     list.pairs = find_pairs(run.assemblage, margin_of(run), run.state);
-    NodeEdgeContact wrong;
-    wrong.active = true;
-    wrong.area = -1;
-    for (const CandidatePair& pair : list.pairs) {
-        list.contacts.push_back(run.assemblage.part.owns(pair.node) ? contact_of(pair) : wrong);
-    }
+    list.contacts.resize(list.pairs.size());
     return run;
-}
-
-TEST(PairExchange, ContactsOfOtherNodesAreThoseOfTheirOwners) {
-    std::size_t n_taken = 0;
-    on_thread_ranks(3, [&](const Ranks& ranks) {
-        SmallRun run = grains_in_contact(ranks);
-        ContactPairList& list = run.state.contact_pairs;
-        take_contacts_of_owners(run.assemblage, list);
-        for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-            EXPECT_TRUE(is_same(list.contacts[i], contact_of(list.pairs[i]))) << list.pairs[i].node << " " << list.pairs[i].edge;
-            n_taken += run.assemblage.part.owns(list.pairs[i].node) ? 0U : 1U;
-        }
-    });
-    EXPECT_GT(n_taken, 20U);
 }
 
 /// Nodes of other ranks with several pairs.
@@ -222,7 +128,7 @@ TEST(PairExchange, RefusesPairsThatAnOwnerAndAReaderDoNotShare) {
     for (const int lacking : {0, 1}) {
         const auto run_without_a_pair = [lacking] {
             on_thread_ranks(2, [lacking](const Ranks& ranks) {
-                SmallRun run = grains_in_contact(ranks);
+                SmallRun run = grains_with_pairs(ranks);
                 ContactPairList& list = run.state.contact_pairs;
                 const std::int32_t node = ranks.gather_all(other_nodes_with_pairs(run))[1].front();  // owned by rank 0
                 const auto at = std::lower_bound(list.pairs.begin(), list.pairs.end(), CandidatePair{node, 0});
