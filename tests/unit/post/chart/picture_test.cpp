@@ -132,7 +132,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1\n"});
     expect(cracks("first,peak,last"), {"(b) peak", "plane strain"});
     expect(draw_strengths({data}, std::nullopt), {"uniaxial", "plane strain: uniaxial"});
-    EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, "full", 0}), UsageError);
+    EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, 0}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
     test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});
 }
