@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "mesher/plane/fields.hpp"
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/region/region_files.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/quantities.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 #include "share/options/command_line.hpp"
 
@@ -212,7 +212,7 @@ void add_cuts(OptionSet set, CutOptions& options) {
 
 /// The fields of a text. \throws UsageError naming `where` unless there are as many as requested
 std::vector<std::string_view> parts_of(std::string_view text, std::size_t n, const std::string& where, const char* requested) {
-    std::vector<std::string_view> parts = fields_of(text);
+    std::vector<std::string_view> parts = split(text, ',');
     if (parts.size() == n) return parts;
     throw UsageError(where + ": \"" + std::string(text.substr(0, 60)) + "\" is not understood; give " + requested);
 }

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <utility>
 
-#include "mesher/plane/fields.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::mesher {
@@ -83,14 +83,13 @@ std::vector<std::size_t> grown_clusters(const std::vector<int>& order, std::size
 
 std::vector<PhaseFraction> parse_phases(std::string_view text) {
     std::vector<PhaseFraction> fractions;
-    for (const std::string_view field : fields_of(text)) {
-        const KeyValue phase(field);
-        if (phase.key.size() == field.size()) {
-            refuse("--phases", fmt::format("\"{}\" is not a phase with its fraction", field),
+    for (const std::string_view item : split(text, ',')) {
+        const auto [name, value] = sides_of_equals(item);
+        if (name.size() == item.size()) {
+            refuse("--phases", fmt::format("\"{}\" is not a phase with its fraction", item),
                    "quartz=0.32,feldspar=0.62,mica=0.06");
         }
-        const std::string name(phase.key);
-        fractions.push_back({name, parse_quantity(phase.value, quantity::phase_fraction, "--phases: " + name)});
+        fractions.push_back({name, parse_quantity(value, quantity::phase_fraction, "--phases: " + name)});
     }
     return fractions;
 }

@@ -11,9 +11,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "mesher/plane/fields.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher {
 
@@ -40,12 +40,6 @@ constexpr std::array abaqus_elements{
     AbaqusElement{"B22", 2, true},     AbaqusElement{"B32", 2, true},
 };
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 std::string upper(std::string_view text) {
     std::string result(text);
     for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -54,7 +48,7 @@ std::string upper(std::string_view text) {
 
 /// The fields of a line, without those behind a comma at its end.
 std::vector<std::string_view> fields_of_line(std::string_view line) {
-    std::vector<std::string_view> fields = fields_of(line);
+    std::vector<std::string_view> fields = split(line, ',');
     for (std::string_view& field : fields) field = trimmed(field);
     while (!fields.empty() && fields.back().empty()) fields.pop_back();
     return fields;

@@ -16,6 +16,7 @@
 #include "mesher/import/neper_tess.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher {
 
@@ -77,10 +78,8 @@ std::string read_bytes(const std::string& file) {
         return bytes;
     }
     if (std::filesystem::is_directory(file)) throw InputError(fmt::format("{}: is a folder; {}", file, known_formats));
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
-    std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (stream.bad() || bytes.empty()) throw InputError(fmt::format("{}: is empty; {}", file, known_formats));
+    std::string bytes = text_of_file(file);
+    if (bytes.empty()) throw InputError(fmt::format("{}: is empty; {}", file, known_formats));
     return bytes;
 }
 

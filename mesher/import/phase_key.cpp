@@ -8,9 +8,9 @@
 #include <fstream>
 #include <system_error>
 
-#include "mesher/plane/fields.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher {
 
@@ -37,7 +37,7 @@ std::string without_quotes(std::string_view field) {
 
 std::vector<std::string> key_fields(std::string_view line) {
     std::vector<std::string> fields;
-    for (const std::string_view field : fields_of(line, '\t')) fields.push_back(without_quotes(field));
+    for (const std::string_view field : split(line, '\t')) fields.push_back(without_quotes(field));
     return fields;
 }
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <optional>
 
-#include "mesher/plane/fields.hpp"
 #include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::mesher {
@@ -42,12 +42,11 @@ Grading parse_grading(std::string_view text, const std::string& name) {
     std::optional<double> from;
     std::optional<double> to;
     std::optional<double> distance;
-    for (const std::string_view field : fields_of(text)) {
-        const auto [item, key, value] = KeyValue(field);
-        const std::string where = name + ": " + std::string(key);
-        const auto* direction =
-            std::find_if(directions.begin(), directions.end(),
-                         [&, key = key, value = value](const Direction& d) { return d.key == key && d.value == value; });
+    for (const std::string_view item : split(text, ',')) {
+        const auto [key, value] = sides_of_equals(item);
+        const std::string where = name + ": " + key;
+        const auto* direction = std::find_if(directions.begin(), directions.end(),
+                                             [&, k = key, v = value](const Direction& d) { return d.key == k && d.value == v; });
         if (direction != directions.end() && !kind) {
             kind = direction->kind;
         } else if (key == "from") {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "mesher/plane/fields.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/quantities.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::mesher {
@@ -28,11 +28,11 @@ JointSet parse_joint_set(std::string_view text, const std::string& name) {
     std::optional<double> spacing;
     std::optional<double> dip;
     std::optional<double> length;
-    std::string_view contact_class;
-    std::string_view state;
-    for (const std::string_view field : fields_of(text)) {
-        const auto [item, key, value] = KeyValue(field);
-        const std::string where = name + ": " + std::string(key);
+    std::string contact_class;
+    std::string state;
+    for (const std::string_view item : split(text, ',')) {
+        const auto [key, value] = sides_of_equals(item);
+        const std::string where = name + ": " + key;
         if (key == "spacing") {
             spacing = parse_quantity(value, quantity::joint_length, where);
         } else if (key == "dip") {

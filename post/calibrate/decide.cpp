@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
@@ -616,13 +617,7 @@ void Calibration::run() {
 }  // namespace
 
 std::string label_of(Ending ending) {
-    switch (ending) {
-        case Ending::calibrated: return "calibrated";
-        case Ending::not_reached: return "not reached";
-        case Ending::contradictory: return "contradictory";
-        case Ending::undecided: return "undecided";
-        default: return "runs are needed";
-    }
+    return name_in({"runs are needed", "calibrated", "not reached", "contradictory", "undecided"}, ending);
 }
 
 Decision decide(const Problem& problem, const FindRun& find) {

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "post/calibrate/report.hpp"
-#include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
+#include "share/base/table_file.hpp"
 #include "share/file/output_file.hpp"
 #include "share/rock/incomplete_material.hpp"
 

@@ -9,10 +9,10 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
@@ -206,13 +206,10 @@ Study read_study(const Material& rock, const TomlFile& file, const std::vector<s
         }
     }
     for (const std::string& setting : settings) {
-        const std::size_t at = setting.find('=');
-        if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: KEY=VALUE is needed", setting));
-        std::vector<std::string> texts;
-        std::istringstream list(setting.substr(at + 1));
-        for (std::string text; std::getline(list, text, ',');) texts.push_back(text);
+        const auto [key, values] = key_and_value(setting, "--set", "KEY=VALUE");
         const std::string where = "--set " + setting;
-        set(known_key(setting.substr(0, at), where), texts, where);
+        const auto texts = split(values, ',');
+        set(known_key(key, where), {texts.begin(), texts.end()}, where);
     }
     return study;
 }

@@ -8,6 +8,7 @@
 
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::calibrate {

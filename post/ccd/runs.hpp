@@ -6,7 +6,7 @@
 
 #include "post/ccd/design.hpp"
 #include "post/ccd/model.hpp"
-#include "post/table/table_file.hpp"
+#include "share/base/table_file.hpp"
 
 namespace graincrack::ccd {
 

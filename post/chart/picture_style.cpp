@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 
@@ -50,11 +51,11 @@ AxisLimits parse_limits(const std::string& text, const std::string& option) {
 }
 
 RunLabel parse_run_label(const std::string& text) {
-    const std::size_t sign = text.find('=');
-    if (sign == 0 || sign == std::string::npos || sign + 1 == text.size()) {
+    const auto [run, label] = sides_of_equals(text);
+    if (run.empty() || label.empty()) {
         throw UsageError("--label " + text + ": needs a run and its text; --label uniaxial.h5=dry fits");
     }
-    return {text.substr(0, sign), text.substr(sign + 1)};
+    return {run, label};
 }
 
 std::string PictureStyle::label_of(const std::string& file) const {

@@ -8,6 +8,7 @@
 
 #include "post/options/command.hpp"
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 #include "share/file/output_file.hpp"
 #include "share/options/option_set.hpp"
@@ -21,17 +22,12 @@ namespace {
 
 std::vector<MaterialSetting> settings_of(const std::vector<std::string>& texts) {
     std::vector<MaterialSetting> settings;
-    for (const std::string& text : texts) {
-        const std::size_t at = text.find('=');
-        if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: KEY=VALUE is needed", text));
-        settings.emplace_back(text.substr(0, at), text.substr(at + 1));
-    }
+    for (const std::string& text : texts) settings.push_back(key_and_value(text, "--set", "KEY=VALUE"));
     return settings;
 }
 
 void write_kinds(std::ostream& out) {
     for (const RockKind& kind : rock_kinds()) fmt::print(out, "{:<10} {}\n", kind.name, kind.description);
-    fmt::print(out, "{:<10} no kind of rock: every key with its unit and default\n", every_key);
 }
 
 void write_new_material(const std::string& kind, const std::string& name, const std::vector<MaterialSetting>& settings) {
@@ -96,7 +92,7 @@ void write_value(const Call& call, const std::string& key, const std::string& na
     if (value == read.values.end()) {
         throw InputError(fmt::format("{}: has no {}; it is the {}", read.material.file.string(), key, quantity.meaning));
     }
-    const std::vector<Unit>& units = units_of(quantity.dimension);
+    const std::vector<Unit> units = units_of(quantity.dimension);
     const auto fits = [&](const Unit& each) { return each.symbol == unit; };
     if (!unit.empty() && std::none_of(units.begin(), units.end(), fits)) {
         std::vector<std::string_view> symbols;

@@ -20,7 +20,6 @@
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/file/output_file.hpp"
-#include "share/file/output_lock.hpp"
 
 namespace graincrack {
 

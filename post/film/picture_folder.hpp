@@ -6,7 +6,7 @@
 
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture.hpp"
-#include "share/file/output_lock.hpp"
+#include "share/file/output_file.hpp"
 
 namespace graincrack {
 

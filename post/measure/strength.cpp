@@ -13,6 +13,7 @@
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 
@@ -190,13 +191,7 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
 
 }  // namespace
 
-std::string name_of(StrengthKind kind) {
-    switch (kind) {
-        case StrengthKind::first_peak: return "first-peak";
-        case StrengthKind::residual: return "residual";
-        default: return "largest";
-    }
-}
+std::string name_of(StrengthKind kind) { return name_in({"largest", "first-peak", "residual"}, kind); }
 
 std::optional<double> Strength::value(StrengthKind kind) const {
     if (kind == StrengthKind::largest) return value();

@@ -15,8 +15,8 @@
 #include "post/measure/first_peak.hpp"
 #include "post/options/command.hpp"
 #include "post/run/test_label.hpp"
-#include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
+#include "share/base/table_file.hpp"
 
 namespace graincrack {
 

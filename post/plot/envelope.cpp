@@ -13,7 +13,7 @@
 #include "post/fit/fit_options.hpp"
 #include "post/options/command.hpp"
 #include "post/table/column.hpp"
-#include "post/table/table_file.hpp"
+#include "share/base/table_file.hpp"
 
 namespace graincrack {
 

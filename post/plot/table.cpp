@@ -6,7 +6,7 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/labels.hpp"
 #include "post/options/command.hpp"
-#include "post/table/table_file.hpp"
+#include "share/base/table_file.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {

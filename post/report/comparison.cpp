@@ -10,6 +10,7 @@
 #include "post/report/html.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 
@@ -232,15 +233,7 @@ std::optional<double> value_of(const TestReport& test, const Target& target) {
     return found == values_by_kind().end() ? std::nullopt : found->second(test);
 }
 
-std::string name_of(Agreement agreement) {
-    switch (agreement) {
-        case Agreement::within: return "within";
-        case Agreement::outside: return "outside";
-        case Agreement::undecided: return "undecided";
-        case Agreement::unknown: break;
-    }
-    return "";
-}
+std::string name_of(Agreement agreement) { return name_in({"", "within", "outside", "undecided"}, agreement); }
 
 Agreement agreement_of(const Target& target, const Sample& computed) {
     const double off = std::abs(computed.mean.value - target.value);

@@ -12,6 +12,7 @@
 #include "post/report/html.hpp"
 #include "post/table/number.hpp"
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 
@@ -111,15 +112,7 @@ std::string rounded(const std::string& text) {
 
 }  // namespace
 
-std::string name_of(PropertyOrigin origin) {
-    switch (origin) {
-        case PropertyOrigin::to_fit: return "to be fitted";
-        case PropertyOrigin::fitted: return "fitted";
-        case PropertyOrigin::predicted: return "predicted";
-        case PropertyOrigin::unknown: break;
-    }
-    return "";
-}
+std::string name_of(PropertyOrigin origin) { return name_in({"", "to be fitted", "fitted", "predicted"}, origin); }
 
 bool LaboratoryProperty::is_measured() const { return std::isfinite(target.value); }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "post/run/run_state.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 
@@ -18,11 +19,7 @@ CrackMoment moment_of(const Crack& crack, CrackEvent event) {
 }
 
 std::string words_of(CrackEvent event) {
-    switch (event) {
-        case CrackEvent::failed: return "points past their peak";
-        case CrackEvent::half_damaged: return "< 50 % of cohesion left";
-        default: return "< 10 % of cohesion left";
-    }
+    return name_in({"points past their peak", "< 50 % of cohesion left", "< 10 % of cohesion left"}, event);
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include "post/run/load_curve.hpp"
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 
@@ -86,12 +86,10 @@ std::size_t choose_frame(const RunReader& run, const std::string& word, const st
 
 std::vector<std::size_t> choose_frames(const RunReader& run, const std::string& names, const std::optional<double>& time) {
     std::vector<std::size_t> frames;
-    std::istringstream stream(names);
-    for (std::string word; std::getline(stream, word, ',');) {
-        const std::size_t frame = choose_frame(run, word, time);
+    for (const std::string_view word : split(names, ',')) {
+        const std::size_t frame = choose_frame(run, std::string(word), time);
         if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
     }
-    if (frames.empty()) throw UsageError("--frame: empty; first, before, peak, after, last or a number from 0");
     return frames;
 }
 

@@ -12,8 +12,8 @@
 
 #include "post/summary/functions.hpp"
 #include "post/table/number.hpp"
-#include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
+#include "share/base/table_file.hpp"
 
 namespace graincrack::summary {
 

@@ -3,31 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include "post/summary/database.hpp"
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::summary {
 
 namespace {
 
-std::string content(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::map<std::string, std::string> settings_of(const SummaryOptions& options) {
     std::map<std::string, std::string> settings;
     for (const std::string& text : options.settings) {
-        const std::size_t at = text.find('=');
-        if (at == 0 || at == std::string::npos) throw UsageError(fmt::format("--set {}: NAME=VALUE is needed", text));
-        settings[text.substr(0, at)] = text.substr(at + 1);
+        const auto [name, value] = key_and_value(text, "--set", "NAME=VALUE");
+        settings[name] = value;
     }
     return settings;
 }
@@ -77,7 +67,7 @@ Answer pivoted(const Answer& answer) {
 void write_summary(std::ostream& out, const std::vector<std::string>& files, const SummaryOptions& options) {
     const Database database(files, options.label);
     const bool is_file = options.sql.ends_with(".sql");
-    const std::string sql = is_file               ? content(options.sql)
+    const std::string sql = is_file               ? text_of_file(options.sql)
                             : options.sql.empty() ? fmt::format("SELECT * FROM \"{}\"", database.tables().front())
                                                   : options.sql;
     Answer answer = database.query(sql, is_file ? options.sql : "--sql", settings_of(options));

@@ -3,8 +3,10 @@
 // Options, HDF5 names, table headers and plots take their names from here. Values are SI; angles are radians.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <limits>
-#include <string>
+#include <numbers>
 #include <string_view>
 
 namespace graincrack {
@@ -28,27 +30,44 @@ enum class Dimension {
     frequency,        ///< Hz
 };
 
+/// A unit a user may write, with its factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
+struct Unit {
+    std::string_view symbol = {};
+    double to_si = 1;
+};
+
+/// What is known of a dimension.
+struct DimensionRow {
+    std::string_view name;                  ///< in messages
+    std::string_view option_type;           ///< of the value of an option, in help
+    std::array<Unit, 5> units;              ///< that a user may write, the SI unit first
+    std::array<std::string_view, 5> shown;  ///< units in which values are shown, smallest first
+};
+// clang-format off
+inline constexpr std::array<DimensionRow, 15> dimension_rows{{
+    {"pure number", "NUMBER", {{{"1"}, {"%", 1e-2}}}, {"1"}},
+    {"length", "LENGTH", {{{"m"}, {"mm", 1e-3}, {"cm", 1e-2}, {"um", 1e-6}, {"km", 1e3}}}, {"um", "mm", "m", "km"}},
+    {"surface", "AREA", {{{"m2"}, {"mm2", 1e-6}, {"cm2", 1e-4}}}, {"mm2", "m2"}},
+    {"plane angle", "ANGLE", {{{"rad"}, {"deg", std::numbers::pi / 180}}}, {"deg"}},
+    {"time", "TIME", {{{"s"}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}}}, {"us", "ms", "s", "min", "h"}},
+    {"speed", "SPEED", {{{"m/s"}, {"mm/s", 1e-3}, {"um/s", 1e-6}, {"mm/min", 1e-3 / 60}}}, {"mm/s", "m/s"}},
+    {"stress", "STRESS", {{{"Pa"}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}}}, {"Pa", "kPa", "MPa", "GPa"}},
+    {"force", "FORCE", {{{"N"}, {"kN", 1e3}, {"MN", 1e6}}}, {"N", "kN", "MN"}},
+    {"work", "ENERGY", {{{"J"}, {"mJ", 1e-3}, {"kJ", 1e3}}}, {"mJ", "J", "kJ"}},
+    {"contact stiffness", "STIFFNESS", {{{"Pa/m"}, {"MPa/m", 1e6}, {"GPa/m", 1e9}, {"MPa/mm", 1e9}, {"GPa/mm", 1e12}}}, {"MPa/mm"}},
+    {"fracture toughness", "TOUGHNESS", {{{"Pa.m^0.5"}, {"kPa.m^0.5", 1e3}, {"MPa.m^0.5", 1e6}}}, {"MPa.m^0.5"}},
+    {"fracture energy", "ENERGY/AREA", {{{"J/m2"}, {"kJ/m2", 1e3}, {"N/m"}}}, {"J/m2"}},
+    {"mass density", "DENSITY", {{{"kg/m3"}, {"g/cm3", 1e3}, {"t/m3", 1e3}}}, {"kg/m3"}},
+    {"acceleration", "ACCELERATION", {{{"m/s2"}, {"mm/s2", 1e-3}}}, {"m/s2"}},
+    {"frequency", "FREQUENCY", {{{"Hz"}, {"kHz", 1e3}, {"MHz", 1e6}}}, {"Hz", "kHz", "MHz"}},
+}};
+// clang-format on
+/// The row of a dimension: rows stand in the order of `Dimension`.
+constexpr const DimensionRow& row_of(Dimension dimension) { return dimension_rows[static_cast<std::size_t>(dimension)]; }
 /// SI unit as written in files: "m", "Pa", "rad", "1", …
-constexpr std::string_view si_unit(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::one: return "1";
-        case Dimension::length: return "m";
-        case Dimension::area: return "m2";
-        case Dimension::angle: return "rad";
-        case Dimension::time: return "s";
-        case Dimension::speed: return "m/s";
-        case Dimension::stress: return "Pa";
-        case Dimension::force: return "N";
-        case Dimension::energy: return "J";
-        case Dimension::stiffness: return "Pa/m";
-        case Dimension::toughness: return "Pa.m^0.5";
-        case Dimension::fracture_energy: return "J/m2";
-        case Dimension::density: return "kg/m3";
-        case Dimension::acceleration: return "m/s2";
-        case Dimension::frequency: return "Hz";
-    }
-    return "?";
-}
+constexpr std::string_view si_unit(Dimension dimension) { return row_of(dimension).units.front().symbol; }
+/// Name of a dimension for a message: "length", "stress", "pure number" …
+constexpr std::string_view name_of(Dimension dimension) { return row_of(dimension).name; }
 
 /// A physical quantity. A value is admissible if lower ≤ value ≤ upper (strictly above `lower` if `open_below`).
 struct Quantity {
@@ -159,10 +178,5 @@ inline constexpr Quantity time_step_fraction{
     "time_step_fraction", Dimension::one, 0, 1.5, "time step over the stable step", true};
 
 }  // namespace quantity
-
-/// Name of a table column or option value in a stated unit: column_name(young_modulus, "GPa") = "young_modulus_GPa",
-/// (fracture_energy, "J/m2") = "fracture_energy_J_per_m2", (mode_i_toughness, "MPa.m^0.5") = "mode_i_toughness_MPa_sqrt_m";
-/// the unit "1" (or "") adds nothing. \throws std::invalid_argument for a unit of another dimension.
-std::string column_name(const Quantity& quantity, std::string_view unit);
 
 }  // namespace graincrack

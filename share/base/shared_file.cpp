@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/toml_file.hpp"
 
 namespace graincrack {

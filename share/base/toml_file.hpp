@@ -41,9 +41,4 @@ TomlFile read_toml(const std::string& file);
 /// The same from text; `name` stands for the file in messages.
 TomlFile parse_toml(const std::string& text, const std::string& name);
 
-/// The word of `known` nearest to `word`, or "" if none is near.
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
-/// " (did you mean …?)" with the nearest of the known words, or nothing.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
-
 }  // namespace graincrack

@@ -1,13 +1,11 @@
-// Tables of a TOML file whose keys hold quantities, each bound to where its value goes.
+// What tables of a TOML file hold: keys bound to where their values go.
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "share/base/quantities.hpp"
-#include "share/base/toml_file.hpp"
 
 namespace graincrack {
 
@@ -18,7 +16,6 @@ struct TomlKey {
     Quantity quantity;
     std::function<void(double)> set;
     bool needed = false;
-    bool found = false;
     std::vector<std::string> words = {};                         ///< that a key of a word may have; none: any
     std::function<void(const std::string&)> set_word = nullptr;  ///< of a key of a word
 
@@ -31,13 +28,6 @@ struct TomlKey {
 struct TomlKeys {
     std::string path;
     std::vector<TomlKey> keys;
-
-    [[nodiscard]] std::vector<std::string> names() const;
-    /// The key of a name, or null.
-    [[nodiscard]] TomlKey* find(const std::string& name);
-    /// Sets the value of an entry of the table. \return the value, SI; nothing for a word
-    /// \throws InputError with file, line, path and key: unknown key, no quantity, value out of bounds
-    std::optional<double> read(const std::string& file, const TomlEntry& entry);
 };
 
 }  // namespace graincrack

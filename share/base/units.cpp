@@ -6,22 +6,15 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-constexpr std::array all_dimensions{Dimension::one,     Dimension::length,       Dimension::area,      Dimension::angle,
-                                    Dimension::time,    Dimension::speed,        Dimension::stress,    Dimension::force,
-                                    Dimension::energy,  Dimension::stiffness,    Dimension::toughness, Dimension::fracture_energy,
-                                    Dimension::density, Dimension::acceleration, Dimension::frequency};
 
 /// Alternative spellings, which are read but not listed, and the symbol that each stands for.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_spellings{{
@@ -44,31 +37,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_sp
     {"m/s^2", "m/s2"},
 }};
 
-/// Units in which values are shown, smallest first.
-struct DisplayUnits {
-    std::array<std::string_view, 5> symbols{};
-};
-constexpr DisplayUnits display_units(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::one: return {{"1"}};
-        case Dimension::length: return {{"um", "mm", "m", "km"}};
-        case Dimension::area: return {{"mm2", "m2"}};
-        case Dimension::angle: return {{"deg"}};
-        case Dimension::time: return {{"us", "ms", "s", "min", "h"}};
-        case Dimension::speed: return {{"mm/s", "m/s"}};
-        case Dimension::stress: return {{"Pa", "kPa", "MPa", "GPa"}};
-        case Dimension::force: return {{"N", "kN", "MN"}};
-        case Dimension::energy: return {{"mJ", "J", "kJ"}};
-        case Dimension::stiffness: return {{"MPa/mm"}};
-        case Dimension::toughness: return {{"MPa.m^0.5"}};
-        case Dimension::fracture_energy: return {{"J/m2"}};
-        case Dimension::density: return {{"kg/m3"}};
-        case Dimension::acceleration: return {{"m/s2"}};
-        case Dimension::frequency: return {{"Hz", "kHz", "MHz"}};
-    }
-    return {};
-}
-
 std::optional<Unit> find_unit(std::string_view symbol, Dimension dimension) {
     for (const auto& [spelling, meant] : other_spellings) {
         if (symbol == spelling) symbol = meant;
@@ -87,18 +55,11 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 /// "a length in m, mm, cm, um or km (a bare number is m)"
 std::string what_fits(Dimension dimension) {
     if (dimension == Dimension::one) return "a pure number, or one in %, fits";
     std::string list;
-    const auto& units = units_of(dimension);
+    const std::vector<Unit> units = units_of(dimension);
     for (std::size_t i = 0; i < units.size(); ++i) {
         if (i > 0) list += i + 1 < units.size() ? ", " : " or ";
         list += units[i].symbol;
@@ -118,7 +79,8 @@ std::string quoted(std::string_view text) {
 }
 
 [[noreturn]] void refuse_unit(std::string_view text, std::string_view symbol, Dimension dimension, std::string_view where) {
-    for (const Dimension other : all_dimensions) {
+    for (std::size_t i = 0; i < dimension_rows.size(); ++i) {
+        const auto other = static_cast<Dimension>(i);
         if (other == dimension || !find_unit(symbol, other)) continue;
         refuse(where, fmt::format("{} has the unit of a {}, a {} is needed", quoted(text), name_of(other), name_of(dimension)),
                what_fits(dimension));
@@ -160,61 +122,9 @@ std::optional<double> scaled_number(std::string_view text, double factor) {
 
 }  // namespace
 
-const std::vector<Unit>& units_of(Dimension dimension) {
-    static const std::vector<Unit> one{{"1", 1}, {"%", 1e-2}};
-    static const std::vector<Unit> length{{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"um", 1e-6}, {"km", 1e3}};
-    static const std::vector<Unit> area{{"m2", 1}, {"mm2", 1e-6}, {"cm2", 1e-4}};
-    static const std::vector<Unit> angle{{"rad", 1}, {"deg", degree}};
-    static const std::vector<Unit> time{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}};
-    static const std::vector<Unit> speed{{"m/s", 1}, {"mm/s", 1e-3}, {"um/s", 1e-6}, {"mm/min", 1e-3 / 60}};
-    static const std::vector<Unit> stress{{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
-    static const std::vector<Unit> force{{"N", 1}, {"kN", 1e3}, {"MN", 1e6}};
-    static const std::vector<Unit> energy{{"J", 1}, {"mJ", 1e-3}, {"kJ", 1e3}};
-    static const std::vector<Unit> stiffness{{"Pa/m", 1}, {"MPa/m", 1e6}, {"GPa/m", 1e9}, {"MPa/mm", 1e9}, {"GPa/mm", 1e12}};
-    static const std::vector<Unit> toughness{{"Pa.m^0.5", 1}, {"kPa.m^0.5", 1e3}, {"MPa.m^0.5", 1e6}};
-    static const std::vector<Unit> fracture_energy{{"J/m2", 1}, {"kJ/m2", 1e3}, {"N/m", 1}};
-    static const std::vector<Unit> density{{"kg/m3", 1}, {"g/cm3", 1e3}, {"t/m3", 1e3}};
-    static const std::vector<Unit> acceleration{{"m/s2", 1}, {"mm/s2", 1e-3}};
-    static const std::vector<Unit> frequency{{"Hz", 1}, {"kHz", 1e3}, {"MHz", 1e6}};
-    switch (dimension) {
-        case Dimension::one: return one;
-        case Dimension::length: return length;
-        case Dimension::area: return area;
-        case Dimension::angle: return angle;
-        case Dimension::time: return time;
-        case Dimension::speed: return speed;
-        case Dimension::stress: return stress;
-        case Dimension::force: return force;
-        case Dimension::energy: return energy;
-        case Dimension::stiffness: return stiffness;
-        case Dimension::toughness: return toughness;
-        case Dimension::fracture_energy: return fracture_energy;
-        case Dimension::density: return density;
-        case Dimension::acceleration: return acceleration;
-        case Dimension::frequency: return frequency;
-    }
-    throw std::invalid_argument("no such dimension");
-}
-
-std::string_view name_of(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::one: return "pure number";
-        case Dimension::length: return "length";
-        case Dimension::area: return "surface";
-        case Dimension::angle: return "plane angle";
-        case Dimension::time: return "time";
-        case Dimension::speed: return "speed";
-        case Dimension::stress: return "stress";
-        case Dimension::force: return "force";
-        case Dimension::energy: return "work";
-        case Dimension::stiffness: return "contact stiffness";
-        case Dimension::toughness: return "fracture toughness";
-        case Dimension::fracture_energy: return "fracture energy";
-        case Dimension::density: return "mass density";
-        case Dimension::acceleration: return "acceleration";
-        case Dimension::frequency: return "frequency";
-    }
-    return "quantity";
+std::vector<Unit> units_of(Dimension dimension) {
+    const auto& units = row_of(dimension).units;
+    return {units.begin(), std::find_if(units.begin(), units.end(), [](const Unit& unit) { return unit.symbol.empty(); })};
 }
 
 double parse_quantity(std::string_view text, const Quantity& quantity, std::string_view where) {
@@ -309,12 +219,11 @@ double rounded(double value, int digits) {
 
 std::string format_quantity(double value, Dimension dimension, int digits) {
     if (dimension == Dimension::one) return format_number(value, digits);
-    const DisplayUnits shown = display_units(dimension);
-    std::string_view chosen = shown.symbols.front();
+    std::string_view chosen = row_of(dimension).shown.front();
     if (value == 0 || !std::isfinite(value)) {
         if (dimension != Dimension::angle) chosen = si_unit(dimension);
     } else {
-        for (const std::string_view symbol : shown.symbols) {
+        for (const std::string_view symbol : row_of(dimension).shown) {
             if (!symbol.empty() && std::abs(in_unit(value, dimension, symbol)) >= 1) chosen = symbol;
         }
     }

@@ -9,17 +9,9 @@
 
 namespace graincrack {
 
-/// A unit a user may write, with its factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
-struct Unit {
-    std::string_view symbol;
-    double to_si;
-};
 /// The units of a dimension, the SI unit first. Symbols are case-sensitive. Other spellings are read but not listed:
 /// "µm", "°", "MPa√m", "MPa*m^0.5", "J/m^2", "kg/m^3".
-const std::vector<Unit>& units_of(Dimension dimension);
-
-/// Name of a dimension for a message: "length", "stress", "pure number" …
-std::string_view name_of(Dimension dimension);
+std::vector<Unit> units_of(Dimension dimension);
 
 /// Reads "4mm", "4 mm", "48.76deg", "5 mm/s", "1.5MPa.m^0.5", "90J/m2" or a bare SI number.
 /// Decimal units are exact: "5.13mm" and "0.00513" give the same double.

@@ -18,15 +18,6 @@ Handle fixed_string_type(std::size_t size) {
     return type;
 }
 
-void replace_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* data) {
-    if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
-    const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    const bool is_empty = H5Sget_simple_extent_npoints(space) == 0;  // HDF5 cannot write an empty list of texts
-    if (!attribute.valid() || (!is_empty && H5Awrite(attribute.get(), type, data) < 0)) {
-        throw OutputError(fmt::format("attribute {} cannot be written", name));
-    }
-}
-
 }  // namespace
 
 Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose}; }
@@ -35,40 +26,31 @@ Handle vector_space(std::size_t n) {
     return {H5Screate_simple(1, &extent, nullptr), H5Sclose};
 }
 
-void write_attribute(hid_t object, const std::string& name, double value) {
-    replace_attribute(object, name, H5T_IEEE_F64LE, scalar_space().get(), &value);
+Handle type_of_attribute(hid_t attribute) { return {H5Aget_type(attribute), H5Tclose}; }
+Handle space_of_attribute(hid_t attribute) { return {H5Aget_space(attribute), H5Sclose}; }
+Handle space_of_dataset(hid_t dataset) { return {H5Dget_space(dataset), H5Sclose}; }
+
+void write_numbers(hid_t object, const std::string& name, hid_t type, const Handle& space, const void* values) {
+    if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
+    const Handle attribute(H5Acreate2(object, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const bool is_empty = H5Sget_simple_extent_npoints(space.get()) == 0;  // HDF5 cannot write an empty list of texts
+    if (!attribute.valid() || (!is_empty && H5Awrite(attribute.get(), type, values) < 0)) {
+        throw OutputError(fmt::format("attribute {} cannot be written", name));
+    }
 }
-void write_attribute(hid_t object, const std::string& name, std::int64_t value) {
-    replace_attribute(object, name, H5T_STD_I64LE, scalar_space().get(), &value);
-}
-// Fixed-length ASCII/UTF-8 text: what VTK's readers expect of /VTKHDF and everybody else reads too.
-void write_attribute(hid_t object, const std::string& name, const std::string& value) {
-    const Handle type = fixed_string_type(value.size());
-    const std::string padded = value.empty() ? std::string(1, '\0') : value;
-    replace_attribute(object, name, type.get(), scalar_space().get(), padded.data());
-}
-void write_attribute(hid_t object, const std::string& name, const std::vector<double>& values) {
-    replace_attribute(object, name, H5T_IEEE_F64LE, vector_space(values.size()).get(), values.data());
-}
-void write_attribute(hid_t object, const std::string& name, const std::vector<std::int64_t>& values) {
-    replace_attribute(object, name, H5T_STD_I64LE, vector_space(values.size()).get(), values.data());
-}
-void write_attribute(hid_t object, const std::string& name, const std::vector<std::string>& values) {
+
+void write_texts(hid_t object, const std::string& name, const std::vector<std::string>& values, const Handle& space) {
     std::size_t size = 1;
     for (const std::string& value : values) size = std::max(size, value.size());
     std::string padded;
     for (const std::string& value : values) padded += value + std::string(size - value.size(), '\0');
-    replace_attribute(object, name, fixed_string_type(size).get(), vector_space(values.size()).get(), padded.data());
+    write_numbers(object, name, fixed_string_type(size).get(), space, padded.data());
 }
 
-namespace {
-
-/// Reads a string attribute of fixed length, scalar or vector.
-bool read_strings(hid_t attribute, std::vector<std::string>& out) {
-    const Handle type(H5Aget_type(attribute), H5Tclose);
-    const Handle space(H5Aget_space(attribute), H5Sclose);
+bool read_attribute(hid_t attribute, std::vector<std::string>& out) {
+    const Handle type = type_of_attribute(attribute);
     if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) return false;
-    const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
+    const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space_of_attribute(attribute).get()));
     out.clear();
     const std::size_t size = H5Tget_size(type.get());
     std::vector<char> bytes(n * size);
@@ -80,44 +62,10 @@ bool read_strings(hid_t attribute, std::vector<std::string>& out) {
     return true;
 }
 
-template <class T>
-bool read_numbers(hid_t attribute, std::vector<T>& out) {
-    const Handle type(H5Aget_type(attribute), H5Tclose);
-    const H5T_class_t kind = H5Tget_class(type.get());
-    if (kind != H5T_INTEGER && kind != H5T_FLOAT) return false;
-    const Handle space(H5Aget_space(attribute), H5Sclose);
-    out.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
-    return out.empty() || H5Aread(attribute, memory_type<T>(), out.data()) >= 0;
-}
-
-}  // namespace
-
-bool read_attribute(hid_t attribute, double& out) {
-    std::vector<double> values;
-    const bool read = read_numbers(attribute, values) && values.size() == 1;
-    out = read ? values[0] : 0;
-    return read;
-}
-bool read_attribute(hid_t attribute, std::int64_t& out) {
-    std::vector<std::int64_t> values;
-    const bool read = read_numbers(attribute, values) && values.size() == 1;
-    out = read ? values[0] : 0;
-    return read;
-}
-bool read_attribute(hid_t attribute, std::string& out) {
-    std::vector<std::string> values;
-    const bool read = read_strings(attribute, values) && values.size() == 1;
-    out = read ? values[0] : "";
-    return read;
-}
-bool read_attribute(hid_t attribute, std::vector<double>& out) { return read_numbers(attribute, out); }
-bool read_attribute(hid_t attribute, std::vector<std::int64_t>& out) { return read_numbers(attribute, out); }
-bool read_attribute(hid_t attribute, std::vector<std::string>& out) { return read_strings(attribute, out); }
-
 namespace {
 
-herr_t collect_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/, void* data) {
-    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+herr_t collect_link(hid_t /*group*/, const char* name, const H5L_info_t* info, void* data) {
+    static_cast<std::vector<Link>*>(data)->push_back({name, info->type == H5L_TYPE_HARD});
     return 0;
 }
 herr_t collect_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /*info*/, void* data) {
@@ -127,12 +75,19 @@ herr_t collect_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /
 
 }  // namespace
 
-std::vector<std::string> link_names(hid_t object, const std::string& group) {
-    std::vector<std::string> names;
+bool links_of(hid_t file, const std::string& group, std::vector<Link>& links) {
     hsize_t start = 0;
-    const Handle id(H5Gopen2(object, group.c_str(), H5P_DEFAULT), H5Gclose);
-    if (id.valid()) H5Literate(id.get(), H5_INDEX_NAME, H5_ITER_INC, &start, collect_name, &names);
-    std::sort(names.begin(), names.end());
+    const Handle id(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose);
+    if (!id.valid() || H5Literate(id.get(), H5_INDEX_NAME, H5_ITER_INC, &start, collect_link, &links) < 0) return false;
+    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.name < b.name; });
+    return true;
+}
+
+std::vector<std::string> link_names(hid_t file, const std::string& group) {
+    std::vector<Link> links;
+    std::vector<std::string> names;
+    links_of(file, group, links);
+    for (const Link& link : links) names.push_back(link.name);
     return names;
 }
 

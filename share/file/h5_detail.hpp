@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,68 +45,73 @@ private:
 
 inline Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-/// HDF5 type of a C++ type in memory, and in files (little endian on every machine).
+/// HDF5 type of a C++ type in memory.
 template <class T>
-hid_t memory_type();
-template <>
-inline hid_t memory_type<double>() {
-    return H5T_NATIVE_DOUBLE;
-}
-template <>
-inline hid_t memory_type<float>() {
-    return H5T_NATIVE_FLOAT;
-}
-template <>
-inline hid_t memory_type<std::int32_t>() {
-    return H5T_NATIVE_INT32;
-}
-template <>
-inline hid_t memory_type<std::int64_t>() {
-    return H5T_NATIVE_INT64;
-}
-template <>
-inline hid_t memory_type<std::uint8_t>() {
-    return H5T_NATIVE_UINT8;
+hid_t memory_type() {
+    if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
+    if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
+    if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
+    if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
+    if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
 }
 
+/// The same in files, little endian on every machine.
 template <class T>
-hid_t file_type();
-template <>
-inline hid_t file_type<double>() {
-    return H5T_IEEE_F64LE;
-}
-template <>
-inline hid_t file_type<std::int32_t>() {
-    return H5T_STD_I32LE;
-}
-template <>
-inline hid_t file_type<std::int64_t>() {
-    return H5T_STD_I64LE;
-}
-template <>
-inline hid_t file_type<std::uint8_t>() {
-    return H5T_STD_U8LE;
+hid_t file_type() {
+    if constexpr (std::is_same_v<T, double>) return H5T_IEEE_F64LE;
+    if constexpr (std::is_same_v<T, std::int32_t>) return H5T_STD_I32LE;
+    if constexpr (std::is_same_v<T, std::int64_t>) return H5T_STD_I64LE;
+    if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_STD_U8LE;
 }
 
 Handle scalar_space();
 Handle vector_space(std::size_t n);
+Handle type_of_attribute(hid_t attribute);
+Handle space_of_attribute(hid_t attribute);
+Handle space_of_dataset(hid_t dataset);
 
-/// Writes or replaces an attribute. Texts are of fixed length, as VTK's readers expect them of /VTKHDF.
-void write_attribute(hid_t object, const std::string& name, double value);
-void write_attribute(hid_t object, const std::string& name, std::int64_t value);
-void write_attribute(hid_t object, const std::string& name, const std::string& value);
-void write_attribute(hid_t object, const std::string& name, const std::vector<double>& values);
-void write_attribute(hid_t object, const std::string& name, const std::vector<std::int64_t>& values);
-void write_attribute(hid_t object, const std::string& name, const std::vector<std::string>& values);
+/// Writes or replaces an attribute of numbers.
+void write_numbers(hid_t object, const std::string& name, hid_t type, const Handle& space, const void* values);
+/// Writes or replaces an attribute of texts of a fixed length, as VTK's readers expect them of /VTKHDF.
+void write_texts(hid_t object, const std::string& name, const std::vector<std::string>& values, const Handle& space);
+/// Writes or replaces an attribute: a number, a text, or a list of either.
+template <class T>
+void write_attribute(hid_t object, const std::string& name, const T& value) {
+    if constexpr (std::is_arithmetic_v<T>) {
+        write_numbers(object, name, file_type<T>(), scalar_space(), &value);
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        write_texts(object, name, {value}, scalar_space());
+    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+        write_texts(object, name, value, vector_space(value.size()));
+    } else {
+        write_numbers(object, name, file_type<typename T::value_type>(), vector_space(value.size()), value.data());
+    }
+}
 
 /// Reads an attribute; false if its type or size does not fit.
-bool read_attribute(hid_t attribute, double& out);
-bool read_attribute(hid_t attribute, std::int64_t& out);
-bool read_attribute(hid_t attribute, std::string& out);
-bool read_attribute(hid_t attribute, std::vector<double>& out);
-bool read_attribute(hid_t attribute, std::vector<std::int64_t>& out);
 bool read_attribute(hid_t attribute, std::vector<std::string>& out);
+template <class T>
+bool read_attribute(hid_t attribute, std::vector<T>& out) {
+    const H5T_class_t kind = H5Tget_class(type_of_attribute(attribute).get());
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) return false;
+    out.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space_of_attribute(attribute).get())));
+    return out.empty() || H5Aread(attribute, memory_type<T>(), out.data()) >= 0;
+}
+template <class T>
+bool read_attribute(hid_t attribute, T& out) {
+    std::vector<T> values;
+    if (!read_attribute(attribute, values) || values.size() != 1) return false;
+    out = values[0];
+    return true;
+}
 
+/// A link of a group. Files of ours have hard links alone.
+struct Link {
+    std::string name;
+    bool is_hard;
+};
+/// The links of a group, sorted by name; false if they cannot be read.
+bool links_of(hid_t file, const std::string& group, std::vector<Link>& links);
 /// Names of the links in a group, sorted.
 std::vector<std::string> link_names(hid_t file, const std::string& group);
 /// Names of the attributes of an object, sorted; false if one of them is damaged.
@@ -114,8 +120,5 @@ bool attribute_names(hid_t object, std::vector<std::string>& names);
 std::string type_name(hid_t type);
 Extents space_extents(hid_t space);
 std::string extents_text(const Extents& extents);
-
-/// One line for each dataset: path, type, shape, unit, description.
-std::vector<std::string> describe(hid_t file, const std::string& file_name);
 
 }  // namespace graincrack::h5

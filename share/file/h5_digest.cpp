@@ -5,7 +5,7 @@
 #include "share/base/error.hpp"
 #include "share/base/sha256.hpp"
 #include "share/file/h5_detail.hpp"
-#include "share/file/h5_structure.hpp"
+#include "share/file/h5_open.hpp"
 
 namespace graincrack::h5 {
 namespace {
@@ -73,8 +73,7 @@ private:
     /// Type and extents.
     static std::string shape_of(hid_t dataset) {
         const Handle type(H5Dget_type(dataset), H5Tclose);
-        const Handle space(H5Dget_space(dataset), H5Sclose);
-        return type_name(type.get()) + " " + extents_text(space_extents(space.get()));
+        return type_name(type.get()) + " " + extents_text(space_extents(space_of_dataset(dataset).get()));
     }
     void digest_attributes(hid_t object, const std::string& path, Sha256& hash) const {
         std::vector<std::string> names;
@@ -88,8 +87,8 @@ private:
             };
             if (!attribute.valid()) refuse();
             require_readable_attribute(attribute.get(), file_name_, path, name);
-            const Handle type(H5Aget_type(attribute.get()), H5Tclose);
-            const Handle space(H5Aget_space(attribute.get()), H5Sclose);
+            const Handle type = type_of_attribute(attribute.get());
+            const Handle space = space_of_attribute(attribute.get());
             hash.add("@" + name + " " + type_name(type.get()) + " " + extents_text(space_extents(space.get())));
             std::vector<std::string> texts;
             if (read_attribute(attribute.get(), texts)) {

@@ -12,7 +12,6 @@
 #include "share/file/h5_detail.hpp"
 #include "share/file/h5_digest.hpp"
 #include "share/file/h5_open.hpp"
-#include "share/file/h5_structure.hpp"
 #include "share/file/output_file.hpp"
 
 namespace graincrack {
@@ -91,15 +90,13 @@ H5Input::H5Input(const std::string& path, std::string_view kind) : H5Input() {
     }
     state_->name = path;
     state_->file = open_path(path);
-    if (!state_->file.valid()) throw_unreadable(path, file_has_hdf5_signature(path));
     require_kind(kind);
 }
 
 H5Input H5Input::from_image(const std::vector<char>& image, const std::string& name, std::string_view kind) {
     H5Input input;
     input.state_->name = name;
-    input.state_->file = open_image(image);
-    if (!input.state_->file.valid()) throw_unreadable(name, has_hdf5_signature(image.data(), image.size()));
+    input.state_->file = open_image(image, name);
     input.require_kind(kind);
     return input;
 }
@@ -150,12 +147,15 @@ Handle open_dataset(hid_t file, const std::string& file_name, const std::string&
     return id;
 }
 
+[[noreturn]] void refuse_values(const std::string& file_name, const std::string& dataset) {
+    throw InputError(fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", file_name, dataset));
+}
+
 }  // namespace
 
 Extents H5Input::extents(const std::string& dataset) const {
     const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
-    const Handle space(H5Dget_space(id.get()), H5Sclose);
-    return space_extents(space.get());
+    return space_extents(space_of_dataset(id.get()).get());
 }
 
 std::vector<std::string> H5Input::children(const std::string& group) const {
@@ -167,8 +167,7 @@ std::vector<T> H5Input::read(const std::string& dataset) const {
     const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
     std::vector<T> values(require_readable(id.get(), state_->name, dataset));
     if (!values.empty() && H5Dread(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-        throw InputError(
-            fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
+        refuse_values(state_->name, dataset);
     }
     return values;
 }
@@ -186,7 +185,7 @@ template <class T>
 std::vector<T> H5Input::read_rows(const std::string& dataset, std::size_t first, std::size_t count) const {
     const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
     require_readable(id.get(), state_->name, dataset);
-    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    const Handle space = space_of_dataset(id.get());
     std::vector<hsize_t> extents = to_hsize(space_extents(space.get()));
     if (extents.empty() || first > extents[0] || count > extents[0] - first) {
         throw InputError(fmt::format("{}: dataset {} has no rows {} to {}", state_->name, dataset, first, first + count));
@@ -198,8 +197,7 @@ std::vector<T> H5Input::read_rows(const std::string& dataset, std::size_t first,
     const Handle memory(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
     std::vector<T> values(product({extents.begin(), extents.end()}));
     if (!values.empty() && H5Dread(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
-        throw InputError(
-            fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
+        refuse_values(state_->name, dataset);
     }
     return values;
 }
@@ -239,6 +237,11 @@ struct H5Output::State {
 };
 
 namespace {
+
+void write_meaning(hid_t dataset, std::string_view unit, std::string_view description) {
+    write_attribute(dataset, "unit", std::string(unit));
+    write_attribute(dataset, "description", std::string(description));
+}
 
 /// \throws UsageError if an output would replace what is no file of its kind
 void require_kind_of_replaced(const OutputFile& place, std::string_view kind) {
@@ -301,25 +304,45 @@ void H5Output::create_group(const std::string& group) {
     }
 }
 
+void H5Output::create_parents(const std::string& object) {
+    if (const std::size_t slash = object.rfind('/'); slash > 0 && slash != std::string::npos) {
+        create_group(object.substr(0, slash));
+    }
+}
+
+template <class T>
+Handle H5Output::create(const std::string& dataset, const Extents& extents, bool grows) {
+    create_parents(dataset);
+    std::vector<hsize_t> shape = to_hsize(extents);
+    std::vector<hsize_t> limit = shape;
+    Extents row = extents;
+    if (grows) {
+        shape[0] = 0;
+        limit[0] = H5S_UNLIMITED;
+        row[0] = std::max<std::size_t>(row[0], 1);
+    }
+    const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limit.data()), H5Sclose);
+    const Handle properties = creation_properties(row, sizeof(T), grows);
+    Handle id(
+        H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+        H5Dclose);
+    if (!id.valid()) refuse_dataset(dataset, "written");
+    return id;
+}
+
+void H5Output::refuse_dataset(const std::string& dataset, const char* done) const {
+    throw OutputError(fmt::format("{}: dataset {} cannot be {}; is the disk full?", name(), dataset, done));
+}
+
 template <class T>
 void H5Output::write(const std::string& dataset, std::span<const T> values, const Extents& extents, std::string_view unit,
                      std::string_view description) {
     if (values.size() != product(extents)) throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
-    if (const std::size_t slash = dataset.rfind('/'); slash > 0 && slash != std::string::npos) {
-        create_group(dataset.substr(0, slash));
+    const Handle id = create<T>(dataset, extents, false);
+    if (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+        refuse_dataset(dataset, "written");
     }
-    const std::vector<hsize_t> shape = to_hsize(extents);
-    const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-    const Handle properties = creation_properties(extents, sizeof(T), false);
-    const Handle id(
-        H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
-        H5Dclose);
-    if (!id.valid() ||
-        (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)) {
-        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", name(), dataset));
-    }
-    write_attribute(id.get(), "unit", std::string(unit));
-    write_attribute(id.get(), "description", std::string(description));
+    write_meaning(id.get(), unit, description);
 }
 
 template <class T>
@@ -329,41 +352,20 @@ void H5Output::append(const std::string& dataset, std::span<const T> values, con
         throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
     }
     if (H5Lexists(state_->file.get(), dataset.c_str(), H5P_DEFAULT) <= 0) {
-        if (const std::size_t slash = dataset.rfind('/'); slash > 0 && slash != std::string::npos) {
-            create_group(dataset.substr(0, slash));
-        }
-        std::vector<hsize_t> shape = to_hsize(extents);
-        std::vector<hsize_t> limit = shape;
-        shape[0] = 0;
-        limit[0] = H5S_UNLIMITED;
-        Extents row = extents;
-        row[0] = std::max<std::size_t>(row[0], 1);
-        const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limit.data()), H5Sclose);
-        const Handle properties = creation_properties(row, sizeof(T), true);
-        const Handle id(H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT,
-                                   properties.get(), H5P_DEFAULT),
-                        H5Dclose);
-        if (!id.valid()) throw OutputError(fmt::format("{}: dataset {} cannot be created", name(), dataset));
-        write_attribute(id.get(), "unit", std::string(unit));
-        write_attribute(id.get(), "description", std::string(description));
+        write_meaning(create<T>(dataset, extents, true).get(), unit, description);
     }
     const Handle id(H5Dopen2(state_->file.get(), dataset.c_str(), H5P_DEFAULT), H5Dclose);
+    std::vector<hsize_t> shape = to_hsize(space_extents(space_of_dataset(id.get()).get()));
     std::vector<hsize_t> offset(extents.size(), 0);
-    {
-        const Handle space(H5Dget_space(id.get()), H5Sclose);
-        std::vector<hsize_t> shape = to_hsize(space_extents(space.get()));
-        offset[0] = shape[0];
-        shape[0] += extents[0];
-        if (H5Dset_extent(id.get(), shape.data()) < 0) {
-            throw OutputError(fmt::format("{}: dataset {} cannot be extended; is the disk full?", name(), dataset));
-        }
-    }
-    const Handle space(H5Dget_space(id.get()), H5Sclose);
+    offset[0] = shape[0];
+    shape[0] += extents[0];
+    if (H5Dset_extent(id.get(), shape.data()) < 0) refuse_dataset(dataset, "extended");
+    const Handle space = space_of_dataset(id.get());
     const std::vector<hsize_t> count = to_hsize(extents);
     H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
     const Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
     if (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
-        throw OutputError(fmt::format("{}: dataset {} cannot be written; is the disk full?", name(), dataset));
+        refuse_dataset(dataset, "written");
     }
 }
 
@@ -380,7 +382,7 @@ void H5Output::quantity(const std::string& object, const std::string& name, doub
 }
 
 void H5Output::hard_link(const std::string& existing, const std::string& link) {
-    if (const std::size_t slash = link.rfind('/'); slash > 0 && slash != std::string::npos) create_group(link.substr(0, slash));
+    create_parents(link);
     if (H5Lcreate_hard(state_->file.get(), existing.c_str(), state_->file.get(), link.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
         throw OutputError(fmt::format("{}: {} cannot be linked to {}", name(), link, existing));
     }

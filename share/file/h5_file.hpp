@@ -14,6 +14,9 @@
 #include "share/base/error.hpp"
 
 namespace graincrack {
+namespace h5 {
+class Handle;
+}
 
 /// Version of the file layout that this build writes and reads; files of another one are refused.
 inline constexpr int schema_version = 4;
@@ -132,6 +135,11 @@ public:
 
 private:
     struct State;
+    void create_parents(const std::string& object);
+    [[noreturn]] void refuse_dataset(const std::string& dataset, const char* done) const;
+    /// Makes a dataset without values. \param grows whether rows are appended to it, which has none yet
+    template <class T>
+    h5::Handle create(const std::string& dataset, const Extents& extents, bool grows);
     std::unique_ptr<State> state_;
 };
 

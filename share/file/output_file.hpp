@@ -6,13 +6,26 @@
 #include <string>
 #include <string_view>
 
-#include "share/file/output_lock.hpp"
-
 namespace graincrack {
 
 /// Whether bytes are written into an output as they come: "-", which is stdout, and what exists and is neither a file nor a
 /// folder, such as a device, a named pipe or /dev/stdout. It is never replaced or removed.
 bool is_stream(const std::string& output);
+
+/// Holds the file `output`.lock while it lives, then removes it. The system releases the lock of a program that has died; what is
+/// left of its file does not matter. Where the file cannot be made or locked, as on a file system without locks, there is none.
+class OutputLock {
+public:
+    /// \throws OutputError if another program holds it
+    explicit OutputLock(const std::string& output);
+    ~OutputLock();
+    OutputLock(const OutputLock&) = delete;
+    OutputLock& operator=(const OutputLock&) = delete;
+
+private:
+    std::string path_;
+    int file_ = -1;
+};
 
 /// An output of the user's. A file is written at the path that `begin` gives, and has its name from `commit` on; without a commit
 /// nothing is left. Its lock keeps other programs away. A symbolic link to a file stays, and the file it leads to is written.

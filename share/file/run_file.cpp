@@ -56,127 +56,98 @@ void link_last_frame(H5Output& file, const std::string& frame) {
 
 // --- writing ---------------------------------------------------------------------------------------------------------
 
-struct RunWriter::State {
-    struct Slot {
-        std::string group;
-        double time;
-        FrameRole role;
-    };
-    H5Output file;
-    std::size_t rows = 0;        // rows of the history already written
-    std::size_t next_frame = 0;  // running number, until the frames are numbered in time order at the end
-    std::vector<Slot> frames;    // in time order; the frame of a peak may be added after later ones
-};
-
-RunWriter::RunWriter(H5Output file, const Specimen& specimen, const RunHeader& header)
-    : state_(std::make_unique<State>(State{std::move(file), 0, 0, {}})) {
-    write_specimen(state_->file, specimen);
-    write_header(state_->file, header);
-    write_fabric(state_->file, header, specimen);
-    state_->file.create_group(schema::history_group);
-    state_->file.create_group(schema::frames_group);
-    state_->file.flush();
+RunWriter::RunWriter(H5Output file, const Specimen& specimen, const RunHeader& header) : file_(std::move(file)) {
+    write_specimen(file_, specimen);
+    write_header(file_, header);
+    write_fabric(file_, header, specimen);
+    file_.create_group(schema::history_group);
+    file_.create_group(schema::frames_group);
+    file_.flush();
 }
-RunWriter::~RunWriter() = default;
 
 void RunWriter::append_history(const History& history) {
-    const std::size_t n = history.size() - state_->rows;
-    if (n == 0 && state_->rows > 0) return;
-    append_rows(state_->file, history, state_->rows);
-    state_->rows = history.size();
-    state_->file.flush();
+    const std::size_t n = history.size() - rows_;
+    if (n == 0 && rows_ > 0) return;
+    append_rows(file_, history, rows_);
+    rows_ = history.size();
+    file_.flush();
 }
 
+std::string RunWriter::next_group() { return fmt::format("{}/part{:06}", schema::frames_group, n_groups_++); }
+
 void RunWriter::add_frame(const Frame& frame, FrameRole role) {
-    const std::string group = fmt::format("{}/part{:06}", schema::frames_group, state_->next_frame++);
-    H5Output& file = state_->file;
-    file.create_group(group);
-    file.quantity(group, "time", frame.time, "s");
-    file.attribute(group, "step", frame.step);
+    const std::string group = next_group();
+    file_.create_group(group);
+    file_.quantity(group, "time", frame.time, "s");
+    file_.attribute(group, "step", frame.step);
     visit_frame(frame, [&](const schema::Dataset& dataset, const auto& rows, std::size_t split) {
         using T = typename std::decay_t<decltype(rows)>::value_type::value_type;
         const std::size_t width = std::tuple_size_v<typename std::decay_t<decltype(rows)>::value_type>;
         const Extents extents = split == 0 ? Extents{rows.size(), width} : Extents{rows.size(), split, width / split};
-        file.write<T>(group + "/" + dataset.path, flat(rows), extents, dataset.unit, dataset.description);
+        file_.write<T>(group + "/" + dataset.path, flat(rows), extents, dataset.unit, dataset.description);
     });
-    file.attribute(group + "/" + schema::frame_state.path, "names",
-                   std::vector<std::string>{"intact", "failed in tension", "failed in shear", "separated"});
-    std::vector<State::Slot>& frames = state_->frames;
-    const auto after =
-        std::find_if(frames.begin(), frames.end(), [&](const State::Slot& slot) { return slot.time > frame.time; });
-    frames.insert(after, {group, frame.time, role});
-    file.flush();
+    file_.attribute(group + "/" + schema::frame_state.path, "names",
+                    std::vector<std::string>{"intact", "failed in tension", "failed in shear", "separated"});
+    const auto after = std::find_if(frames_.begin(), frames_.end(), [&](const Slot& slot) { return slot.time > frame.time; });
+    frames_.insert(after, {group, frame.time, role});
+    file_.flush();
 }
 
 void RunWriter::add_frames(const RunWriter& other) {
-    for (const State::Slot& slot : other.state_->frames) {
-        const std::string group = fmt::format("{}/part{:06}", schema::frames_group, state_->next_frame++);
-        state_->file.copy(other.state_->file, slot.group, group);
-        state_->frames.push_back({group, slot.time, slot.role});
+    for (const Slot& slot : other.frames_) {
+        const std::string group = next_group();
+        file_.copy(other.file_, slot.group, group);
+        frames_.push_back({group, slot.time, slot.role});
     }
 }
 
 void RunWriter::thin_frames() {
-    std::vector<State::Slot> left;
+    std::vector<Slot> left;
     bool drop = false;
-    for (const State::Slot& slot : state_->frames) {
+    for (const Slot& slot : frames_) {
         const bool is_regular = slot.role == FrameRole::regular;
         if (is_regular && drop) {
-            state_->file.remove(slot.group);
+            file_.remove(slot.group);
         } else {
             left.push_back(slot);
         }
         drop = is_regular ? !drop : drop;
     }
-    state_->frames = std::move(left);
+    frames_ = std::move(left);
 }
 
 std::vector<FrameRole> RunWriter::frame_roles() const {
     std::vector<FrameRole> roles;
-    for (const State::Slot& slot : state_->frames) roles.push_back(slot.role);
+    for (const Slot& slot : frames_) roles.push_back(slot.role);
     return roles;
 }
 
-H5Output& RunWriter::file() { return state_->file; }
-std::size_t RunWriter::n_frames() const { return state_->frames.size(); }
-
 void RunWriter::finish(const RunHeader& header, const std::vector<Crack>& cracks, const Provenance& provenance,
                        const std::vector<SensitivityRow>& sensitivity) {
-    write_header(state_->file, header);
-    write_cracks(state_->file, cracks);
-    if (!sensitivity.empty()) write_sensitivity(state_->file, sensitivity);
-    for (std::size_t i = 0; i < state_->frames.size(); ++i) {
-        std::string& group = state_->frames[i].group;
+    write_header(file_, header);
+    write_cracks(file_, cracks);
+    if (!sensitivity.empty()) write_sensitivity(file_, sensitivity);
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        std::string& group = frames_[i].group;
         const std::string numbered = fmt::format("{}/{:04}", schema::frames_group, i);
-        state_->file.move(group, numbered);
+        file_.move(group, numbered);
         group = numbered;
     }
-    if (!state_->frames.empty()) link_last_frame(state_->file, state_->frames.back().group);
-    write_provenance(state_->file, provenance);
-    state_->file.commit();
+    if (!frames_.empty()) link_last_frame(file_, frames_.back().group);
+    write_provenance(file_, provenance);
+    file_.commit();
 }
 
 // --- reading ---------------------------------------------------------------------------------------------------------
 
-struct RunReader::State {
-    H5Input file;
-    RunHeader header;
-    std::vector<std::string> frames;
-};
-
-RunReader::RunReader(const std::string& path) : state_(std::make_unique<State>(State{H5Input(path, "run"), {}, {}})) {
-    state_->header = read_header(state_->file);
-    for (const std::string& name : state_->file.children(schema::frames_group)) {
-        state_->frames.push_back(std::string(schema::frames_group) + "/" + name);
+RunReader::RunReader(const std::string& path) : file_(path, "run"), header_(read_header(file_)) {
+    for (const std::string& name : file_.children(schema::frames_group)) {
+        frames_.push_back(std::string(schema::frames_group) + "/" + name);
     }
 }
-RunReader::~RunReader() = default;
-RunReader::RunReader(RunReader&&) noexcept = default;
 
-const std::string& RunReader::name() const { return state_->file.name(); }
-const RunHeader& RunReader::header() const { return state_->header; }
 Specimen RunReader::specimen() const {
-    Specimen specimen = read_specimen(state_->file);
+    Specimen specimen = read_specimen(file_);
     if (specimen.phase_names.size() != header().fabric.phases.size()) {
         throw InputError(fmt::format("{}: {} has {} phases, the specimen has {}; as many are needed", name(),
                                      schema::phases_group, header().fabric.phases.size(), specimen.phase_names.size()));
@@ -187,21 +158,17 @@ Specimen RunReader::specimen() const {
     }
     return specimen;
 }
-const H5Input& RunReader::file() const { return state_->file; }
 
 History RunReader::history() const {
-    History history = read_history(state_->file);
+    History history = read_history(file_);
     if (history.size() == 0) throw InputError(fmt::format("{}: {} has no rows", name(), schema::history_group));
     return history;
 }
 
-std::vector<Crack> RunReader::cracks() const { return read_cracks(state_->file); }
-std::size_t RunReader::n_frames() const { return state_->frames.size(); }
-
 std::vector<double> RunReader::frame_times() const {
     std::vector<double> times;
-    for (const std::string& group : state_->frames) {
-        times.push_back(state_->file.attribute<double>(group, "time"));
+    for (const std::string& group : frames_) {
+        times.push_back(file_.attribute<double>(group, "time"));
         if (!std::isfinite(times.back()) || (times.size() > 1 && times.back() < times[times.size() - 2])) {
             throw InputError(
                 fmt::format("{}: time {} of {} does not follow that of the frame before", name(), times.back(), group));
@@ -211,11 +178,11 @@ std::vector<double> RunReader::frame_times() const {
 }
 
 Frame RunReader::frame(std::size_t index) const {
-    if (index >= state_->frames.size()) {
-        throw InputError(fmt::format("{}: there is no frame {}; the run has {}", name(), index, state_->frames.size()));
+    if (index >= frames_.size()) {
+        throw InputError(fmt::format("{}: there is no frame {}; the run has {}", name(), index, frames_.size()));
     }
-    const H5Input& file = state_->file;
-    const std::string& group = state_->frames[index];
+    const H5Input& file = file_;
+    const std::string& group = frames_[index];
     Frame frame;
     frame.time = file.attribute<double>(group, "time");
     frame.step = file.attribute<std::int64_t>(group, "step");
@@ -241,9 +208,9 @@ Frame RunReader::frame(std::size_t index) const {
     return frame;
 }
 
-double RunReader::wall_time() const { return state_->file.attribute_or<double>(schema::provenance_group, "wall_time", 0); }
+double RunReader::wall_time() const { return file_.attribute_or<double>(schema::provenance_group, "wall_time", 0); }
 int RunReader::threads() const {
-    return static_cast<int>(state_->file.attribute_or<std::int64_t>(schema::provenance_group, "threads", 1));
+    return static_cast<int>(file_.attribute_or<std::int64_t>(schema::provenance_group, "threads", 1));
 }
 
 }  // namespace graincrack

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,7 +43,6 @@ class RunWriter {
 public:
     /// \param file an output of kind "run", to which the specimen and the header are written at once
     RunWriter(H5Output file, const Specimen& specimen, const RunHeader& header);
-    ~RunWriter();
 
     /// Appends rows [already written, history.size()) of the history and flushes.
     void append_history(const History& history);
@@ -55,17 +53,26 @@ public:
     void thin_frames();
     /// Roles of the frames in time order.
     [[nodiscard]] std::vector<FrameRole> frame_roles() const;
-    [[nodiscard]] std::size_t n_frames() const;
+    [[nodiscard]] std::size_t n_frames() const { return frames_.size(); }
     /// The open file, for further groups of a run.
-    [[nodiscard]] H5Output& file();
+    [[nodiscard]] H5Output& file() { return file_; }
     /// Writes the final header, the crack log and the sensitivity if there is one, numbers the frames in time order, links the
     /// last frame into /VTKHDF, writes /provenance and commits the file.
     void finish(const RunHeader& header, const std::vector<Crack>& cracks, const struct Provenance& provenance,
                 const std::vector<SensitivityRow>& sensitivity = {});
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct Slot {
+        std::string group;
+        double time;
+        FrameRole role;
+    };
+    std::string next_group();
+
+    H5Output file_;
+    std::size_t rows_ = 0;      ///< of the history already written
+    std::size_t n_groups_ = 0;  ///< of frames so far, until they are numbered in time order at the end
+    std::vector<Slot> frames_;  ///< in time order; the frame of a peak may be added after later ones
 };
 
 /// Reads a run; arrays are read on request.
@@ -73,25 +80,24 @@ class RunReader {
 public:
     /// \param path a run file or "-" \throws InputError
     explicit RunReader(const std::string& path);
-    ~RunReader();
-    RunReader(RunReader&&) noexcept;
 
-    [[nodiscard]] const std::string& name() const;
-    [[nodiscard]] const RunHeader& header() const;
+    [[nodiscard]] const std::string& name() const { return file_.name(); }
+    [[nodiscard]] const RunHeader& header() const { return header_; }
     [[nodiscard]] Specimen specimen() const;
     [[nodiscard]] History history() const;
-    [[nodiscard]] std::vector<Crack> cracks() const;
-    [[nodiscard]] std::size_t n_frames() const;
+    [[nodiscard]] std::vector<Crack> cracks() const { return read_cracks(file_); }
+    [[nodiscard]] std::size_t n_frames() const { return frames_.size(); }
     /// Time of each frame, ascending, s.
     [[nodiscard]] std::vector<double> frame_times() const;
     [[nodiscard]] Frame frame(std::size_t index) const;
     [[nodiscard]] double wall_time() const;  ///< from /provenance, s
     [[nodiscard]] int threads() const;
-    [[nodiscard]] const H5Input& file() const;
+    [[nodiscard]] const H5Input& file() const { return file_; }
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    H5Input file_;
+    RunHeader header_;
+    std::vector<std::string> frames_;  ///< their groups
 };
 
 }  // namespace graincrack

@@ -13,10 +13,10 @@
 
 #include "share/base/error.hpp"
 #include "share/base/processors.hpp"
+#include "share/base/text.hpp"
 #include "share/file/provenance.hpp"
 #include "share/options/completion.hpp"
 #include "share/options/configuration_file.hpp"
-#include "share/options/option_names.hpp"
 
 namespace graincrack {
 namespace {
@@ -185,7 +185,8 @@ std::string leftover_message(const Call& call, const std::vector<std::string>& l
 }
 
 // The type of an exception of CLI11 says what kind of error it is; the option it concerns is only in its English text. Each
-// function below therefore finds the option by the state of all options. It returns the message, or "" without such an option.
+// function below therefore finds the option by the state of all options. It returns the message, or "" without such an
+// option.
 
 /// The first option of what runs, from the top, that fits; nullptr if there is none.
 const CLI::Option* first_option(const Call& call, const std::function<bool(const CLI::Option&)>& fits) {

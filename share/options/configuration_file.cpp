@@ -11,8 +11,8 @@
 #include <set>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
-#include "share/options/option_names.hpp"
 
 namespace graincrack {
 namespace {
@@ -120,8 +120,8 @@ void ConfigurationFile::check_section(const TomlFile& toml, const TomlSection& s
     }
 }
 
-/// Adds the option of an entry, in the subcommand of its section (checked before); keys at the top belong to the subcommand that
-/// runs.
+/// Adds the option of an entry, in the subcommand of its section (checked before); keys at the top belong to the subcommand
+/// that runs.
 void ConfigurationFile::add_item(const TomlFile& toml, const TomlEntry& entry, std::vector<CLI::ConfigItem>& loaded) const {
     const std::vector<CLI::App*> chain = running(app_);
     std::vector<std::string> parents = entry.section;

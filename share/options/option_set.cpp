@@ -17,26 +17,7 @@
 namespace graincrack {
 namespace {
 
-std::string type_name(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::one: return "NUMBER";
-        case Dimension::length: return "LENGTH";
-        case Dimension::area: return "AREA";
-        case Dimension::angle: return "ANGLE";
-        case Dimension::time: return "TIME";
-        case Dimension::speed: return "SPEED";
-        case Dimension::stress: return "STRESS";
-        case Dimension::force: return "FORCE";
-        case Dimension::energy: return "ENERGY";
-        case Dimension::stiffness: return "STIFFNESS";
-        case Dimension::toughness: return "TOUGHNESS";
-        case Dimension::fracture_energy: return "ENERGY/AREA";
-        case Dimension::density: return "DENSITY";
-        case Dimension::acceleration: return "ACCELERATION";
-        case Dimension::frequency: return "FREQUENCY";
-    }
-    return "VALUE";
-}
+std::string type_name(Dimension dimension) { return std::string(row_of(dimension).option_type); }
 
 /// "mean edge [above 0 m and at most 1 km; m, mm, cm, um, km]"
 std::string help_of(const std::string& help, const Quantity& quantity) {

@@ -14,6 +14,10 @@ using Given = GivenContact;
 
 /// The same for every rock and plane condition: zero.
 double nothing(const Values& /*before*/, const Rock& /*rock*/, PlaneCondition /*plane*/) { return 0; }
+double open_shear_strength(const Values& p, const Rock& /*rock*/, PlaneCondition /*plane*/) {
+    return p.tensile_strength * std::sqrt(p.shear_stiffness / p.normal_stiffness);
+}
+double friction_angle(const Values& p, const Rock& /*rock*/, PlaneCondition /*plane*/) { return p.friction_angle; }
 /// A function of the rock and the plane condition alone.
 template <double (*function)(const Rock&, PlaneCondition)>
 double of_rock(const Values& /*before*/, const Rock& rock, PlaneCondition plane) {
@@ -24,87 +28,34 @@ double of_rock(const Values& /*before*/, const Rock& rock, PlaneCondition plane)
 
 std::span<const ContactParameter> all_contact_parameters() {
     using enum Dimension;
-    static const std::array rows{
-        ContactParameter{.quantity = {"contact_tensile_strength", stress, 0, 1e12, "tensile strength t_c of a contact", true},
-                         .value = &Values::tensile_strength,
-                         .given = &Given::tensile_strength,
-                         .example = "24.15 MPa",
-                         .usual = "2 K_IC/sqrt(pi dp), dp the mean edge (`graincrack-post fpz`)",
-                         .every_law = true},
-        ContactParameter{.quantity = {"contact_cohesion", stress, 0, 1e12, "cohesion c_c of a contact", true},
-                         .value = &Values::cohesion,
-                         .given = &Given::cohesion,
-                         .example = "74.57 MPa",
-                         .usual = "half the UCS",
-                         .every_law = true},
-        ContactParameter{.quantity = {"contact_friction_angle", angle, 0, 1.55, "friction angle phi_c of a contact"},
-                         .value = &Values::friction_angle,
-                         .given = &Given::friction_angle,
-                         .example = "48.76 deg",
-                         .usual = "0.7 times that of the rock; with the full angle grains interlock",
-                         .every_law = true},
-        ContactParameter{
-            .quantity = {"contact_normal_stiffness", stiffness, 0, 1e19, "initial normal stiffness k_t of a contact", true},
-            .value = &Values::normal_stiffness,
-            .given = &Given::normal_stiffness,
-            .example = "6.87e5 MPa/mm",
-            .usual = "E / w_I (Eqs 3-5)",
-            .every_law = true,
-            .follows_plane = true,
-            .derive = of_rock<fpz::normal_stiffness>},
-        ContactParameter{
-            .quantity = {"contact_shear_stiffness", stiffness, 0, 1e19, "initial shear stiffness k_s of a contact", true},
-            .value = &Values::shear_stiffness,
-            .given = &Given::shear_stiffness,
-            .example = "6.98e4 MPa/mm",
-            .usual = "G / w_II (Eqs 3-5)",
-            .every_law = true,
-            .follows_plane = true,
-            .derive = of_rock<fpz::shear_stiffness>},
-        ContactParameter{
-            .quantity = {"fracture_energy", fracture_energy, 0, 1e9, "energy to open a unit of contact area fully", true},
-            .value = &Values::fracture_energy,
-            .given = &Given::fracture_energy,
-            .example = "82.6 J/m2",
-            .usual = "K_IC^2/E~ (mode-i)",
-            .follows_plane = true,
-            .derive = of_rock<fpz::mode_i_fracture_energy>},
-        ContactParameter{.quantity = {"mode_ii_fracture_energy", fracture_energy, 0, 1e9,
-                                      "energy to slide a unit of contact area apart", true},
-                         .value = &Values::mode_ii_fracture_energy,
-                         .given = &Given::mode_ii_fracture_energy,
-                         .example = "330 J/m2",
-                         .usual = "K_IIC^2/E~",
-                         .follows_plane = true,
-                         .derive = of_rock<fpz::mode_ii_fracture_energy>},
-        ContactParameter{
-            .quantity = {"contact_open_shear_strength", stress, 0, 1e12, "shear strength of a contact while it is open", true},
-            .value = &Values::open_shear_strength,
-            .given = &Given::open_shear_strength,
-            .example = "7.7 MPa",
-            .usual = "tc sqrt(ks/kt)",
-            .derive = [](const Values& p, const Rock&,
-                         PlaneCondition) { return p.tensile_strength * std::sqrt(p.shear_stiffness / p.normal_stiffness); }},
-        ContactParameter{
-            .quantity = {"contact_residual_tensile_strength", stress, 0, 1e12, "tensile strength of a failed contact"},
-            .value = &Values::residual_tensile_strength,
-            .given = &Given::residual_tensile_strength,
-            .example = "0 MPa",
-            .usual = "0",
-            .derive = nothing},
-        ContactParameter{.quantity = {"contact_residual_cohesion", stress, 0, 1e12, "cohesion of a failed contact"},
-                         .value = &Values::residual_cohesion,
-                         .given = &Given::residual_cohesion,
-                         .example = "0 MPa",
-                         .usual = "0",
-                         .derive = nothing},
-        ContactParameter{.quantity = {"contact_residual_friction_angle", angle, 0, 1.55, "friction angle of a failed contact"},
-                         .value = &Values::residual_friction_angle,
-                         .given = &Given::residual_friction_angle,
-                         .example = "48.76 deg",
-                         .usual = "friction_angle",
-                         .derive = [](const Values& p, const Rock&, PlaneCondition) { return p.friction_angle; }},
-    };
+    // clang-format off
+    static const std::array<ContactParameter, 11> rows{{
+        // quantity: name, dimension, bounds, meaning, open below; members
+        //     example, usual, every law, follows the plane, derivation
+        {{"contact_tensile_strength", stress, 0, 1e12, "tensile strength t_c of a contact", true}, &Values::tensile_strength, &Given::tensile_strength,
+            "24.15 MPa", "2 K_IC/sqrt(pi dp), dp the mean edge (`graincrack-post fpz`)", true, false, nullptr},
+        {{"contact_cohesion", stress, 0, 1e12, "cohesion c_c of a contact", true}, &Values::cohesion, &Given::cohesion,
+            "74.57 MPa", "half the UCS", true, false, nullptr},
+        {{"contact_friction_angle", angle, 0, 1.55, "friction angle phi_c of a contact"}, &Values::friction_angle, &Given::friction_angle,
+            "48.76 deg", "0.7 times that of the rock; with the full angle grains interlock", true, false, nullptr},
+        {{"contact_normal_stiffness", stiffness, 0, 1e19, "initial normal stiffness k_t of a contact", true}, &Values::normal_stiffness, &Given::normal_stiffness,
+            "6.87e5 MPa/mm", "E / w_I (Eqs 3-5)", true, true, of_rock<fpz::normal_stiffness>},
+        {{"contact_shear_stiffness", stiffness, 0, 1e19, "initial shear stiffness k_s of a contact", true}, &Values::shear_stiffness, &Given::shear_stiffness,
+            "6.98e4 MPa/mm", "G / w_II (Eqs 3-5)", true, true, of_rock<fpz::shear_stiffness>},
+        {{"fracture_energy", fracture_energy, 0, 1e9, "energy to open a unit of contact area fully", true}, &Values::fracture_energy, &Given::fracture_energy,
+            "82.6 J/m2", "K_IC^2/E~ (mode-i)", false, true, of_rock<fpz::mode_i_fracture_energy>},
+        {{"mode_ii_fracture_energy", fracture_energy, 0, 1e9, "energy to slide a unit of contact area apart", true}, &Values::mode_ii_fracture_energy, &Given::mode_ii_fracture_energy,
+            "330 J/m2", "K_IIC^2/E~", false, true, of_rock<fpz::mode_ii_fracture_energy>},
+        {{"contact_open_shear_strength", stress, 0, 1e12, "shear strength of a contact while it is open", true}, &Values::open_shear_strength, &Given::open_shear_strength,
+            "7.7 MPa", "tc sqrt(ks/kt)", false, false, open_shear_strength},
+        {{"contact_residual_tensile_strength", stress, 0, 1e12, "tensile strength of a failed contact"}, &Values::residual_tensile_strength, &Given::residual_tensile_strength,
+            "0 MPa", "0", false, false, nothing},
+        {{"contact_residual_cohesion", stress, 0, 1e12, "cohesion of a failed contact"}, &Values::residual_cohesion, &Given::residual_cohesion,
+            "0 MPa", "0", false, false, nothing},
+        {{"contact_residual_friction_angle", angle, 0, 1.55, "friction angle of a failed contact"}, &Values::residual_friction_angle, &Given::residual_friction_angle,
+            "48.76 deg", "friction_angle", false, false, friction_angle},
+    }};
+    // clang-format on
     return rows;
 }
 

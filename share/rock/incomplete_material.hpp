@@ -37,7 +37,4 @@ void take_laboratory(IncompleteMaterial& material);
 /// give \throws InputError if E, ν or σt is in neither table
 Rock rock_of_laboratory(const IncompleteMaterial& material, std::vector<std::string>& notes);
 
-/// A material file with every key as a comment, its unit and default, and what to do where a value was not measured.
-std::string material_template(const std::string& name);
-
 }  // namespace graincrack

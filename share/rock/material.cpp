@@ -12,8 +12,10 @@
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/shared_file.hpp"
+#include "share/base/text.hpp"
 #include "share/base/toml_file.hpp"
 #include "share/base/toml_keys.hpp"
+#include "share/base/toml_table.hpp"
 #include "share/base/units.hpp"
 #include "share/rock/incomplete_material.hpp"
 
@@ -41,11 +43,11 @@ std::optional<Magnitudes> magnitudes_of(const Quantity& quantity) {
     }
 }
 
-/// Adds what a value makes doubtful.
-void note_value(const TomlEntry& entry, const Quantity& quantity, double value, const std::string& where,
+/// Adds what a value makes doubtful. \param text as it stands in the file
+void note_value(const std::string& text, const Quantity& quantity, double value, const std::string& where,
                 std::vector<std::string>& notes) {
     constexpr double far = 1000;
-    const std::string bare = bare_number_note(entry.values.front().text, quantity, where);
+    const std::string bare = bare_number_note(text, quantity, where);
     if (!bare.empty()) notes.push_back("note: " + bare);
     const auto rocks = magnitudes_of(quantity);
     if (!rocks || value == 0 || (value > rocks->low / far && value < rocks->high * far)) return;
@@ -89,21 +91,6 @@ std::optional<TomlKeys> table_at(Material& material, const std::vector<std::stri
     return fabric_table(material.fabric, path);
 }
 
-/// "phases.quartz.fraction" as the path of its table and its name.
-std::pair<std::vector<std::string>, std::string> path_of(const std::string& key) {
-    std::vector<std::string> parts{""};
-    for (const char c : key) {
-        if (c == '.') {
-            parts.emplace_back();
-        } else {
-            parts.back() += c;
-        }
-    }
-    const std::string name = parts.back();
-    parts.pop_back();
-    return {parts, name};
-}
-
 /// Tables that a calibration reads or writes: how it is done, and what was fitted. No property of the rock.
 bool is_of_calibration(const std::string& table) {
     return table == "targets" || table == "parameters" || table == "study" || table == "fitted";
@@ -127,93 +114,94 @@ std::string meaning_of(const std::string& key) {
                        key == grain_size_of_ratio ? ", over which ratios.process_zone is" : "");
 }
 
-/// Adds the phases of a file of phases to those that a material gives itself. \param where the material's file
-void add_phases_of(const std::string& name, MaterialFabric& fabric, const std::string& where) {
+/// Reads a key of a table of a material, if the table has it.
+void read_key(TomlTable& table, const TomlKey& key, IncompleteMaterial& read) {
+    if (key.is_word()) {
+        std::string word;
+        table.given(key.name, word);
+        if (!table.has_value(key.name)) return;
+        key.require_word(word, table.where(key.name));
+        return key.set_word(word);
+    }
+    double value = 0;
+    table.given(key.name, key.quantity, value);
+    if (!table.has_value(key.name)) return;
+    key.set(value);
+    read.values[table.path() + "." + key.name] = value;
+    note_value(table.shown(key.name), key.quantity, value, table.where(key.name), read.material.notes);
+}
+
+/// Reads a table of a material and those in it. \param read lacks the needed keys that tables of the fabric do not have
+void read_table(TomlTable table, IncompleteMaterial& read) {
+    const std::optional<TomlKeys> keys = table_at(read.material, table.section());
+    if (!keys) {
+        std::vector<std::string> known{"phases", "pairs", "flaws", "strength"};
+        for (const TomlKeys& each : tables_of(read.material)) known.push_back(each.path);
+        table.refuse("", fmt::format("unknown table{}; known are {}", did_you_mean(table.name(), known), fmt::join(known, ", ")));
+    }
+    for (const TomlTable& below : table.tables()) read_table(below, read);
+    for (const TomlKey& key : keys->keys) {
+        read_key(table, key, read);
+        if (key.needed && !table.has_value(key.name) && table.section().front() == "phases") {
+            read.missing.push_back(table.path() + "." + key.name);
+        }
+    }
+    table.refuse_others();
+}
+
+/// Adds the phases of a file of phases to those that a material gives itself.
+void add_phases_of(const std::string& name, Material& material) {
     std::error_code ignored;
     for (const fs::path& folder : materials().places()) {
         const fs::path file = folder / "phases" / (name + ".toml");
         if (!fs::is_regular_file(file, ignored)) continue;
-        const TomlFile toml = read_toml(file.string());
-        MaterialFabric read;
-        for (const TomlEntry& entry : toml.entries) {
-            std::optional<TomlKeys> table = entry.section.empty() ? std::nullopt : fabric_table(read, entry.section);
-            if (!table) {
-                throw InputError(fmt::format("{}: line {}: only tables of phases are allowed here", toml.file, entry.line));
-            }
-            table->read(toml.file, entry);
-        }
-        fabric.phases.merge(read.phases);
+        TomlTable toml(read_toml(file.string()));
+        IncompleteMaterial read;
+        if (const auto phases = toml.table("phases")) read_table(*phases, read);
+        toml.refuse_others();
+        material.fabric.phases.merge(read.material.fabric.phases);
         return;
     }
-    throw InputError(fmt::format("{}: phases.from: there is no file phases/{}.toml beside the materials", where, name));
+    throw InputError(
+        fmt::format("{}: phases.from: there is no file phases/{}.toml beside the materials", material.file.string(), name));
 }
 
-/// \param missing gets the needed keys that are not there \param values gets what is there, by key
-Material read_material_file(const fs::path& file, std::vector<std::string>& missing, std::map<std::string, double>& values) {
-    const TomlFile toml = read_toml(file.string());
-    Material material;
-    material.file = file;
-    std::vector<TomlKeys> tables = tables_of(material);
-    std::vector<std::string> table_names;
-    table_names.reserve(tables.size());
-    for (const TomlKeys& table : tables) table_names.push_back(table.path);
-    for (const char* table : {"phases", "pairs", "flaws", "strength"}) table_names.emplace_back(table);
-
-    const auto find_table = [&](const std::vector<std::string>& section) -> TomlKeys* {
-        const std::string path = fmt::format("{}", fmt::join(section, "."));
-        const auto found = std::find_if(tables.begin(), tables.end(), [&](const TomlKeys& t) { return t.path == path; });
-        return found != tables.end() ? &*found : nullptr;
-    };
-    for (const TomlSection& section : toml.sections) {
-        if (find_table(section.name) != nullptr) continue;
-        const std::string& first = section.name.front();
-        if (is_of_calibration(first)) continue;
-        if (std::optional<TomlKeys> table = fabric_table(material.fabric, section.name)) {
-            tables.push_back(*std::move(table));
-            continue;
+/// The needed keys that are not there, in the order of tables_of, before those of phases.
+void find_missing(IncompleteMaterial& read) {
+    const Material& material = read.material;
+    std::vector<std::string> missing;
+    for (const auto& [table, keys] : tables_of(read.material)) {
+        for (const TomlKey& key : keys) {
+            const std::string name = table + "." + key.name;
+            if (!key.needed || read.values.contains(name) || (table == "contact" && is_by_ratio(material, key.name))) continue;
+            missing.push_back(name);
         }
-        throw InputError(
-            fmt::format("{}: line {}: unknown table [{}]{}; known are {}", toml.file, section.line, fmt::join(section.name, "."),
-                        section.name.size() == 1 ? did_you_mean(first, table_names) : "", fmt::join(table_names, ", ")));
     }
+    read.missing.insert(read.missing.begin(), missing.begin(), missing.end());
+    if (material.ratios.fracture_energy && !material.grains.grain_size) read.missing.emplace_back(grain_size_of_ratio);
+}
+
+IncompleteMaterial read_material_file(const fs::path& path) {
+    const TomlFile toml = read_toml(path.string());
+    IncompleteMaterial read;
+    Material& material = read.material;
+    material.file = path;
+    TomlTable file(toml);
+    file.given("name", material.name);
+    for (const TomlTable& table : file.tables()) {
+        if (!is_of_calibration(table.name())) read_table(table, read);
+    }
+    file.refuse_others();
     for (const TomlEntry& entry : toml.entries) {
-        if (!entry.section.empty() && is_of_calibration(entry.section.front())) {
-            if (entry.section.front() == "fitted" && !entry.values.empty()) {
-                material.fitted[entry.key] = entry.values.front().text;
-            }
-            continue;
-        }
-        if (entry.section.empty()) {
-            if (entry.key != "name") {
-                throw InputError(fmt::format("{}: line {}: unknown key {}; known outside of tables is only name", toml.file,
-                                             entry.line, entry.key));
-            }
-            if (entry.is_array || entry.values.front().kind != TomlValue::Kind::text || entry.values.front().text.empty()) {
-                throw InputError(fmt::format("{}: line {}: name: a text is needed", toml.file, entry.line));
-            }
-            material.name = entry.values.front().text;
-            continue;
-        }
-        TomlKeys& table = *find_table(entry.section);  // exists: all sections were checked above
-        if (const std::optional<double> value = table.read(toml.file, entry)) {
-            const std::string name = table.path + "." + entry.key;
-            values[name] = *value;
-            note_value(entry, table.find(entry.key)->quantity, *value,
-                       fmt::format("{}: line {}: {}", toml.file, entry.line, name), material.notes);
-        }
+        const bool is_fitted = !entry.section.empty() && entry.section.front() == "fitted" && !entry.values.empty();
+        if (is_fitted) material.fitted[entry.key] = entry.values.front().text;
     }
     if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
-    for (const auto& [table, keys] : tables) {
-        for (const TomlKey& key : keys) {
-            if (!key.needed || key.found || (table == "contact" && is_by_ratio(material, key.name))) continue;
-            missing.push_back(table + "." + key.name);
-        }
-    }
-    if (material.ratios.fracture_energy && !material.grains.grain_size) missing.emplace_back(grain_size_of_ratio);
-    if (!material.fabric.from.empty()) add_phases_of(material.fabric.from, material.fabric, toml.file);
+    find_missing(read);
+    if (!material.fabric.from.empty()) add_phases_of(material.fabric.from, material);
     require_sound_grains(material.grains, toml.file);
     require_sound_fabric(material.fabric, material.rock, toml.file);
-    return material;
+    return read;
 }
 
 /// All at once, so that a file is completed in one go.
@@ -228,6 +216,11 @@ void refuse_missing(const fs::path& file, const std::vector<std::string>& missin
         fmt::format("{}: {} keys are missing: {}; what [laboratory] has counts for [rock]; graincrack-post material init "
                     "--kind every-key writes a template with every key",
                     file.string(), missing.size(), list));
+}
+
+fs::path find_material(const std::string& name_or_file) {
+    if (name_or_file.empty()) throw InputError("no material given; name one, such as augig-granite, or a TOML file");
+    return materials().find(name_or_file);
 }
 
 }  // namespace
@@ -252,15 +245,6 @@ const std::vector<Quantity>& laboratory_quantities() {
     return quantities;
 }
 
-namespace {
-
-fs::path find_material(const std::string& name_or_file) {
-    if (name_or_file.empty()) throw InputError("no material given; name one, such as augig-granite, or a TOML file");
-    return materials().find(name_or_file);
-}
-
-}  // namespace
-
 Material read_material(const std::string& name_or_file) {
     IncompleteMaterial read = read_incomplete_material(name_or_file);
     take_laboratory(read);
@@ -273,9 +257,7 @@ void write_notes(std::ostream& out, std::string_view program, const Material& ma
 }
 
 IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {
-    IncompleteMaterial read;
-    read.material = read_material_file(find_material(name_or_file), read.missing, read.values);
-    return read;
+    return read_material_file(find_material(name_or_file));
 }
 
 std::vector<std::string> material_keys() {
@@ -289,10 +271,12 @@ std::vector<std::string> material_keys() {
 
 TomlKey material_key(const std::string& key) {
     static Material unused;  // what the key would set
-    const auto [path, name] = path_of(key);
-    if (!path.empty()) {
-        if (std::optional<TomlKeys> table = table_at(unused, path)) {
-            if (const TomlKey* found = table->find(name)) return *found;
+    const auto parts = split(key, '.');
+    const std::vector<std::string> path(parts.begin(), parts.end() - 1);
+    const std::string_view name = parts.back();
+    if (const auto table = path.empty() ? std::nullopt : table_at(unused, path)) {
+        for (const TomlKey& each : table->keys) {
+            if (each.name == name) return each;
         }
     }
     throw UsageError(fmt::format("{}: unknown key{}; known are {}", key, did_you_mean(key, material_keys()),
@@ -317,14 +301,7 @@ FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_vi
     return {Kind::value, parse_quantity(text, contact_parameter(&ContactParameters::fracture_energy).quantity, where)};
 }
 
-std::string_view name_of(FractureEnergyChoice::Kind kind) {
-    switch (kind) {
-        case FractureEnergyChoice::Kind::mixed: return "mixed";
-        case FractureEnergyChoice::Kind::mode_i: return "mode-i";
-        case FractureEnergyChoice::Kind::value: return "value";
-    }
-    return "?";
-}
+std::string_view name_of(FractureEnergyChoice::Kind kind) { return name_in({"mixed", "mode-i", "value"}, kind); }
 
 FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice) {
     if (choice) return *choice;

@@ -4,11 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/toml_file.hpp"
 #include "share/base/units.hpp"
 #include "share/rock/incomplete_material.hpp"
@@ -17,12 +16,6 @@
 namespace graincrack {
 
 namespace {
-
-std::vector<std::string> lines_of(std::istream& stream) {
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
 
 /// "phases.quartz" and "fraction"; the name of the material is in no table.
 std::pair<std::string, std::string> parts_of(const std::string& key) {
@@ -62,7 +55,10 @@ bool is_in(const TomlEntry& entry, const std::string& table) { return fmt::forma
 /// Lines of a file, and those to add behind some of them.
 class Edit {
 public:
-    Edit(TomlFile toml, std::vector<std::string> lines) : toml_(std::move(toml)), lines_(std::move(lines)) {}
+    Edit(const std::string& text, const std::string& name) : toml_(parse_toml(text, name)) {
+        for (const std::string_view line : split(text, '\n')) lines_.emplace_back(line);
+        if (lines_.back().empty()) lines_.pop_back();  // behind the end of the last line
+    }
     /// \throws InputError
     void set(const MaterialSetting& setting) {
         const auto [table, key] = parts_of(setting.first);
@@ -130,10 +126,6 @@ private:
     std::map<std::string, std::vector<std::string>> new_tables_;
 };
 
-}  // namespace
-
-namespace {
-
 std::string with_settings(Edit edit, const std::vector<MaterialSetting>& settings) {
     for (const MaterialSetting& setting : settings) {
         check(setting);
@@ -146,14 +138,11 @@ std::string with_settings(Edit edit, const std::vector<MaterialSetting>& setting
 
 std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings) {
     const std::string file = read_incomplete_material(name_or_file).material.file.string();
-    std::ifstream stream(file, std::ios::binary);
-    return with_settings(Edit(read_toml(file), lines_of(stream)), settings);
+    return with_settings(Edit(text_of_file(file), file), settings);
 }
 
 std::string new_material(const std::string& kind, const std::string& name, const std::vector<MaterialSetting>& settings) {
-    const std::string text = material_of_kind(kind, name);
-    std::istringstream stream(text);
-    return with_settings(Edit(parse_toml(text, name), lines_of(stream)), settings);
+    return with_settings(Edit(material_of_kind(kind, name), name), settings);
 }
 
 }  // namespace graincrack

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack {

@@ -15,13 +15,13 @@ struct RockKind {
 
 /// The kind that a new material has unless another is named.
 inline constexpr const char* usual_kind = "granite";
-/// The name of the template with every key, which is no kind of rock.
+/// The last of the kinds, which is none: a file with every key as a comment, its unit and default.
 inline constexpr const char* every_key = "every-key";
 
 /// All kinds, by name, found beside the materials. \throws InputError if a file cannot be read or does not begin with a comment
 std::vector<RockKind> rock_kinds();
 
-/// The material file that a rock of this kind begins with; of `every_key` that of `material_template`. \param name of the rock
+/// The material file that a rock of this kind begins with; \param name of the rock
 /// \throws UsageError naming --kind for an unknown kind, with the known ones
 std::string material_of_kind(const std::string& kind, const std::string& name);
 

@@ -11,9 +11,10 @@
 #include <set>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
+#include "share/base/toml_table.hpp"
 #include "solver/program/keys.hpp"
 #include "solver/program/toml_entries.hpp"
-#include "solver/program/toml_table.hpp"
 
 namespace graincrack {
 namespace {
@@ -339,11 +340,7 @@ Program parse_program(const std::string& text, const std::string& name) {
     return program;
 }
 
-Program read_program(const std::string& file) {
-    (void)read_toml(file);  // says why it cannot be read
-    std::ifstream stream(file, std::ios::binary);
-    return parse_program({std::istreambuf_iterator<char>(stream), {}}, file);
-}
+Program read_program(const std::string& file) { return parse_program(text_of_file(file, "; a TOML file is needed"), file); }
 
 std::string program_text(const Program& program) {
     std::string text = lines(program);

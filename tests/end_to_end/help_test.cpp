@@ -119,6 +119,7 @@ TEST(Help, ExamplesOfThePostprocessorAndOfEachOfItsCommandsRun) {
                "mkdir -p results/my-rock\ncp " GRAINCRACK_SOURCE
                "/share/materials/augig-granite.toml results/my-rock/material.toml\n"
                "printf 'axial_strain\\tstress_MPa\\n0\\t0\\n0.002\\t60\\n' >measured.tsv");
+    for (const std::string& example : examples_of(shell.must("graincrack-post --help"))) shell.must(example);
     std::vector<std::string> commands;
     for (const std::string& name : subcommands_of(shell.must("graincrack-post --help"))) {
         const auto nested = subcommands_of(shell.must("graincrack-post " + name + " --help"));
@@ -157,6 +158,15 @@ TEST(Help, CompletionOffersWhatFits) {
     const Outcome unknown = shell.run("graincrack-solve --completion fish");
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_EQ(unknown.err, "graincrack-solve: --completion: unknown shell \"fish\"; one of bash|zsh fits\n");
+}
+
+TEST(Help, EverySubcommandOfMesherAndSolverExplainsItself) {
+    const Shell shell;
+    for (const std::string tool : {"graincrack-mesh", "graincrack-solve"}) {
+        for (const std::string& name : subcommands_of(shell.must(tool + " --help"))) {
+            EXPECT_GE(examples_of(shell.must(tool + " " + name + " --help")).size(), 2u) << name;
+        }
+    }
 }
 
 TEST(Help, VersionNamesToolAndLibraries) {

@@ -1,6 +1,5 @@
 // graincrack-mesh from outside: its files, messages and exit codes.
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "share/file/h5_file.hpp"
@@ -86,41 +85,6 @@ TEST(MeshOptions, EveryKindIsWrittenAndRepeated) {
         EXPECT_EQ(has(said, "60 crystals of "), has(arguments, "tessellation")) << said;
         EXPECT_EQ(read_specimen(H5Input(shell.file("a.h5"), "specimen")).shape, shape);
     }
-}
-
-TEST(MeshOptions, BadInputGivesOneLineAndItsCode) {
-    const Shell shell;
-    const std::string out = " -o never.h5";
-    const std::string size = "rectangle --width 80mm --height 160mm ";
-    const std::tuple<std::string, int, std::string> cases[] = {
-        {"", 2, "subcommand"},
-        {"rectangle --width -80mm --height 160mm --edge 4mm" + out, 2, "--width"},
-        {"rectangle --height 160mm --edge 4mm" + out, 2, "--width"},
-        {size + "--edge 4kg" + out, 2, "--edge"},
-        {size + "--grains 4.5" + out, 2, "--grains"},
-        {size + out, 2, "--grains"},
-        {size + "--edge 4mm --grains 1122" + out, 2, "--grains"},
-        {size + "--edge 4mm --spread 0.4" + out, 2, "--spread"},
-        {size + "--edge 4mm --grade along=y" + out, 2, "--grade"},
-        {size + "--edge 4mm --tessellation hexagons" + out, 2, "--tessellation"},
-        {size + "--edge 4mm --tessellation trigon --elements-per-edge 2" + out, 2, "--elements-per-edge"},
-        {size + "--edge 4mm --tessellation voronoi --size-distribution even" + out, 2, "--size-distribution"},
-        {size + "--edge 4mm --element-size 1mm" + out, 2, "--element-size: is for crystals"},
-        {size + "--edge 4mm --phases quartz=0.6,mica=0.5" + out, 2, "--phases"},
-        {size + "--edge 4mm --open-boundaries 120%" + out, 2, "--open-boundaries"},
-        {size + "--edge 4mm", 2, "-o"},
-        {"disc --diameter 80mm --edge 4mm --pole corner" + out, 2, "--pole"},
-        {"disc --diameter 80mm --edge 4mm --material no-such-rock" + out, 3, "no-such-rock"},
-        {"disc --diameter 80mm --edge 4mm -o no/such/folder/a.h5", 5, "a.h5"},
-    };
-    for (const auto& [arguments, code, words] : cases) {
-        const Outcome outcome = shell.run("graincrack-mesh " + arguments);
-        EXPECT_EQ(outcome.exit_code, code) << arguments << "\n" << outcome.err;
-        EXPECT_TRUE(has(outcome.err, words)) << arguments << "\n" << outcome.err;
-        EXPECT_TRUE(outcome.err.starts_with("graincrack-mesh: ")) << outcome.err;
-        EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
-    }
-    EXPECT_EQ(shell.names(), "") << "failed calls leave nothing";
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "post/calibrate/folder.hpp"
-#include "post/table/table_file.hpp"
+#include "share/base/table_file.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

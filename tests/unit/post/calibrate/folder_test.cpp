@@ -12,8 +12,8 @@
 #include <set>
 #include <sstream>
 
-#include "post/table/table_file.hpp"
 #include "share/base/error.hpp"
+#include "share/base/table_file.hpp"
 #include "share/base/units.hpp"
 #include "share/rock/incomplete_material.hpp"
 #include "tests/support/check.hpp"

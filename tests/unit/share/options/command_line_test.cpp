@@ -12,6 +12,7 @@
 
 #include "share/base/error.hpp"
 #include "share/base/processors.hpp"
+#include "share/base/text.hpp"
 #include "share/options/option_set.hpp"
 #include "share/rock/material.hpp"
 
@@ -75,6 +76,10 @@ struct Tool {
         return sub;
     }
 
+    bool parse(const std::string& text) {
+        const auto words = split(text, ' ');
+        return parse(text.empty() ? std::vector<std::string>{} : std::vector<std::string>(words.begin(), words.end()));
+    }
     bool parse(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "graincrack-try");
         std::vector<const char*> argv;
@@ -98,7 +103,7 @@ protected:
         return file.string();
     }
     /// The error message for these arguments.
-    static std::string complaint(const std::vector<std::string>& arguments) {
+    static std::string complaint(const std::string& arguments) {
         try {
             Tool().parse(arguments);
         } catch (const UsageError& error) {
@@ -111,7 +116,7 @@ protected:
     /// The error message for a configuration file, with `FILE` in place of its name.
     std::string complaint_about_file(const std::string& text, const std::string& subcommand = "uniaxial") {
         const std::string file = write(text);
-        std::string message = complaint({subcommand, "a.h5", "-o", "b.h5", "--config", file});
+        std::string message = complaint(subcommand + " a.h5 -o b.h5 --config " + file);
         for (auto at = message.find(file); at != std::string::npos; at = message.find(file)) {
             message.replace(at, file.size(), "FILE");
         }
@@ -123,30 +128,9 @@ protected:
 
 TEST_F(CommandLines, OptionsOfAllKinds) {
     Tool tool;
-    ASSERT_TRUE(tool.parse({"uniaxial",
-                            "a.h5",
-                            "--edge",
-                            "4mm",
-                            "--spread=10%",
-                            "--damping",
-                            "none",
-                            "--fracture-energy",
-                            "90J/m2",
-                            "--plane",
-                            "stress",
-                            "--contact-law",
-                            "literal",
-                            "--seed",
-                            "18446744073709551615",
-                            "--frames",
-                            "7",
-                            "--deep",
-                            "--dry-run",
-                            "-o",
-                            "-",
-                            "--quiet",
-                            "--threads",
-                            "3"}));
+    ASSERT_TRUE(
+        tool.parse("uniaxial a.h5 --edge 4mm --spread=10% --damping none --fracture-energy 90J/m2 --plane stress --contact-law "
+                   "literal --seed 18446744073709551615 --frames 7 --deep --dry-run -o - --quiet --threads 3"));
     EXPECT_EQ(tool.options.files, std::vector<std::string>{"a.h5"});
     EXPECT_EQ(tool.options.edge, 0.004);
     EXPECT_EQ(tool.options.spread, 0.1);
@@ -167,7 +151,7 @@ TEST_F(CommandLines, OptionsOfAllKinds) {
 
 TEST_F(CommandLines, Defaults) {
     Tool tool;
-    ASSERT_TRUE(tool.parse({"triaxial", "-", "a.h5", "-o", "b.h5"}));
+    ASSERT_TRUE(tool.parse("triaxial - a.h5 -o b.h5"));
     EXPECT_EQ(tool.options.files, (std::vector<std::string>{"-", "a.h5"}));
     EXPECT_EQ(tool.options.edge, 0.00513);
     EXPECT_FALSE(tool.options.spread);
@@ -181,13 +165,13 @@ TEST_F(CommandLines, Defaults) {
 
 TEST_F(CommandLines, SubcommandsShareATargetAndKeepTheirOwnDefaults) {
     Tool uniaxial;
-    ASSERT_TRUE(uniaxial.parse({"uniaxial", "a.h5", "-o", "b.h5"}));
+    ASSERT_TRUE(uniaxial.parse("uniaxial a.h5 -o b.h5"));
     EXPECT_EQ(uniaxial.options.max_strain, 0.015);
     Tool triaxial;
-    ASSERT_TRUE(triaxial.parse({"triaxial", "a.h5", "-o", "b.h5"}));
+    ASSERT_TRUE(triaxial.parse("triaxial a.h5 -o b.h5"));
     EXPECT_EQ(triaxial.options.max_strain, 0.05);
     Tool given;
-    ASSERT_TRUE(given.parse({"uniaxial", "a.h5", "-o", "b.h5", "--max-strain", "1%"}));
+    ASSERT_TRUE(given.parse("uniaxial a.h5 -o b.h5 --max-strain 1%"));
     EXPECT_EQ(given.options.max_strain, 0.01);
 }
 
@@ -207,60 +191,57 @@ TEST_F(CommandLines, NotesSayWhatABareNumberWasTakenFor) {
 }
 
 TEST_F(CommandLines, ComplaintsNameOptionFaultAndRemedy) {
-    EXPECT_EQ(complaint({}), "no subcommand given; one of uniaxial, triaxial fits");
-    EXPECT_EQ(complaint({"uniaxal", "a.h5"}),
+    EXPECT_EQ(complaint(""), "no subcommand given; one of uniaxial, triaxial fits");
+    EXPECT_EQ(complaint("uniaxal a.h5"),
               "unknown subcommand \"uniaxal\" (did you mean uniaxial?); one of uniaxial, triaxial fits");
-    EXPECT_EQ(complaint({"uniaxal", "a.h5", "--confining-pressure", "4MPa"}),
+    EXPECT_EQ(complaint("uniaxal a.h5 --confining-pressure 4MPa"),
               "unknown subcommand \"uniaxal\" (did you mean uniaxial?); one of uniaxial, triaxial fits");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5"}), "--output: missing; give the run file");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--egde", "4mm"}),
+    EXPECT_EQ(complaint("uniaxial a.h5"), "--output: missing; give the run file");
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --egde 4mm"),
               "--egde: unknown option (did you mean --edge?); see graincrack-try uniaxial --help");
-    EXPECT_EQ(complaint({"uniaxial", "--egde=4mm"}),
+    EXPECT_EQ(complaint("uniaxial --egde=4mm"),
               "--egde: unknown option (did you mean --edge?); see graincrack-try uniaxial --help");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--confining-pressure", "4MPa"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --confining-pressure 4MPa"),
               "--confining-pressure: no option of uniaxial, but of triaxial; see graincrack-try uniaxial --help");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4mm", "--edge", "5mm"}),
-              "--edge: given more than once; give it once");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge"}), "--edge: no value given; write --edge LENGTH");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4mm", "--grains", "3"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --edge 4mm --edge 5mm"), "--edge: given more than once; give it once");
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --edge"), "--edge: no value given; write --edge LENGTH");
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --edge 4mm --grains 3"),
               "--edge and --grains: only one of them can be given; leave one out");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "4MPa"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --edge 4MPa"),
               "--edge: \"4MPa\" has the unit of a stress, a length is needed; units that fit: m, mm, cm, um or km (a bare number "
               "is in m)");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--edge", "-4mm"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --edge -4mm"),
               "--edge: \"-4mm\" is out of bounds; it must be above 0 m and at most 1 km");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--frames", "0"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --frames 0"),
               "--frames: \"0\" does not fit; it must be a whole number from 1 to 1000");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--seed", "1.5"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --seed 1.5"),
               "--seed: \"1.5\" does not fit; it must be a whole number of at least 0");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--plane", "flat"}),
-              "--plane: unknown choice \"flat\"; one of strain|stress fits");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--contact-law", "new"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --plane flat"), "--plane: unknown choice \"flat\"; one of strain|stress fits");
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --contact-law new"),
               "--contact-law: unknown choice \"new\"; one of literal|scaled|continuous fits");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--fracture-energy", "lots"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --fracture-energy lots"),
               "--fracture-energy: unknown choice \"lots\"; mixed, mode-i or a value such as 90J/m2 fits");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--quiet", "--verbose"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --quiet --verbose"),
               "--quiet and --verbose: only one of them can be given; leave one out");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/nowhere.toml"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --config /nowhere.toml"),
               "--config: /nowhere.toml cannot be read; a TOML file is needed");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--config", "/"}), "--config: / cannot be read; a TOML file is needed");
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --config /"), "--config: / cannot be read; a TOML file is needed");
 }
 
 TEST_F(CommandLines, ValuesTooManyOrNone) {
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "-o", "c"}), "--output: given more than once; give it once");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--config", "a.toml", "--config", "b.toml"}),
-              "--config: given more than once; give it once");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o"}), "--output: no value given; write --output TEXT");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-qo"}), "--output: no value given; write --output TEXT");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--config"}), "--config: no value given; write --config FILE");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "-o", "--edge"}),  // the last word is a value here
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b -o c"), "--output: given more than once; give it once");
+    EXPECT_EQ(complaint("uniaxial a.h5 --config a.toml --config b.toml"), "--config: given more than once; give it once");
+    EXPECT_EQ(complaint("uniaxial a.h5 -o"), "--output: no value given; write --output TEXT");
+    EXPECT_EQ(complaint("uniaxial a.h5 -qo"), "--output: no value given; write --output TEXT");
+    EXPECT_EQ(complaint("uniaxial a.h5 --config"), "--config: no value given; write --config FILE");
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b -o --edge"),  // the last word is a value here
               "--output: given more than once; give it once");
 }
 
 TEST_F(CommandLines, FlagsTakeTrueAndFalseOnly) {
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep=perhaps"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --deep=perhaps"),
               "--deep: \"perhaps\" does not fit; write --deep alone, or --deep=true or --deep=false");
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "-o", "b", "--deep", "--quiet=no-idea"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 -o b --deep --quiet=no-idea"),
               "--quiet: \"no-idea\" does not fit; write --quiet alone, or --quiet=true or --quiet=false");
 }
 
@@ -268,13 +249,13 @@ TEST_F(CommandLines, WhatIsMissingIsSaidInTheOrderOfTheCall) {
     Tool nested;
     nested.line.options().add_subcommand("group", "holds others").add_subcommand("member", "one of them");
     try {
-        nested.parse({"group"});
+        nested.parse("group");
         FAIL() << "nothing wrong";
     } catch (const UsageError& error) {
         EXPECT_STREQ(error.what(), "no subcommand given; one of member fits");
     }
     // an argument left over is told before an option that is missing: it may be that option, spelled wrong
-    EXPECT_EQ(complaint({"uniaxial", "a.h5", "--outptu"}),
+    EXPECT_EQ(complaint("uniaxial a.h5 --outptu"),
               "--outptu: unknown option (did you mean --output?); see graincrack-try uniaxial --help");
 }
 
@@ -285,7 +266,7 @@ TEST_F(CommandLines, AnOptionThatNeedsAnother) {
     const OptionSet pair = tool.line.options().add_subcommand("pair", "two options");
     add_text(pair, "--first", first, "one").needs(add_text(pair, "--second", second, "the other"));
     try {
-        tool.parse({"pair", "--first", "2"});
+        tool.parse("pair --first 2");
         FAIL() << "nothing wrong";
     } catch (const UsageError& error) {
         EXPECT_STREQ(error.what(), "--first: not alone; give --second as well");
@@ -379,7 +360,7 @@ TEST_F(CommandLines, TheEffectiveConfigurationLoadsAgain) {
 TEST_F(CommandLines, PrintConfigNeedsNothingElseAndLoadsAgain) {
     testing::internal::CaptureStdout();
     Tool tool;
-    EXPECT_FALSE(tool.parse({"triaxial", "--print-config", "--frames", "9"}));
+    EXPECT_FALSE(tool.parse("triaxial --print-config --frames 9"));
     const std::string text = testing::internal::GetCapturedStdout();
     EXPECT_NE(text.find("frames = 9\n"), std::string::npos) << text;
     EXPECT_NE(text.find("# output =\n"), std::string::npos) << text;
@@ -393,7 +374,7 @@ TEST_F(CommandLines, PrintConfigNeedsNothingElseAndLoadsAgain) {
 
 TEST_F(CommandLines, HelpShowsUnitsDefaultsAndExamples) {
     testing::internal::CaptureStdout();
-    EXPECT_FALSE(Tool().parse({"triaxial", "--help"}));
+    EXPECT_FALSE(Tool().parse("triaxial --help"));
     const std::string help = testing::internal::GetCapturedStdout();
     for (const char* part :
          {"--edge LENGTH = 5.13mm", "[above 0 m and at most 1 km; m, mm, cm, um, km]", "--confining-pressure STRESS = 4MPa",
@@ -404,13 +385,13 @@ TEST_F(CommandLines, HelpShowsUnitsDefaultsAndExamples) {
     EXPECT_EQ(help.find("(Env:"), std::string::npos);
 
     testing::internal::CaptureStdout();
-    EXPECT_FALSE(Tool().parse({"--help"}));
+    EXPECT_FALSE(Tool().parse("--help"));
     EXPECT_NE(testing::internal::GetCapturedStdout().find("triaxial"), std::string::npos);
 }
 
 TEST_F(CommandLines, VersionShowsLibraries) {
     testing::internal::CaptureStdout();
-    EXPECT_FALSE(Tool().parse({"--version"}));
+    EXPECT_FALSE(Tool().parse("--version"));
     const std::string version = testing::internal::GetCapturedStdout();
     EXPECT_EQ(version.compare(0, 15, "graincrack-try "), 0) << version;
     EXPECT_NE(version.find("HDF5 "), std::string::npos);

@@ -8,12 +8,9 @@
 #include <cmath>
 #include <set>
 
-#include "share/base/error.hpp"
-#include "share/base/toml_keys.hpp"
 #include "share/rock/incomplete_material.hpp"
 #include "share/rock/material_edit.hpp"
 #include "tests/support/augig_granite.hpp"
-#include "tests/support/check.hpp"
 
 namespace graincrack {
 namespace {
@@ -60,23 +57,14 @@ TEST(ContactParameters, OnlyWhatFollowsThePlaneDependsOnIt) {
     }
 }
 
-TEST(ContactParameters, ATableOfAFileGivesSomeOfThemAndTheOthersStayThoseOfTheBase) {
-    const std::string table = "[pair]\ncohesion = '30 MPa'\nresidual_friction_angle = '20 deg'\n";
+TEST(ContactParameters, WhatIsNotGivenIsThatOfTheBase) {
     GivenContact given;
-    TomlKeys keys{"pairs.quartz-mica", contact_keys(given)};
-    for (const TomlEntry& entry : parse_toml(table, "stone.toml").entries) keys.read("stone.toml", entry);
-    EXPECT_EQ(given.cohesion, 30e6);
-    EXPECT_FALSE(given.tensile_strength);
+    given.cohesion = 30e6;
+    given.residual_friction_angle = 0.3;
     const GivenContact all = overlay(given, different_values());
     for (const ContactParameter& row : all_contact_parameters()) {
         EXPECT_EQ(all.*row.given, given.*row.given ? given.*row.given : different_values().*row.given) << row.quantity.name;
     }
-    const auto wrong = [&](const std::string& line) {
-        return [&keys, entry = parse_toml("\n" + line, "stone.toml").entries.front()] { keys.read("stone.toml", entry); };
-    };
-    test::expect_one_line<InputError>(wrong("cohesoin = 1"), {"stone.toml: line 2: unknown key pairs.quartz-mica.cohesoin "
-                                                              "(did you mean cohesion?); known are tensile_strength, cohesion,"});
-    test::expect_one_line<InputError>(wrong("cohesion = '3 mm'"), {"stone.toml: line 2: pairs.quartz-mica.cohesion: \"3 mm\""});
 }
 
 }  // namespace

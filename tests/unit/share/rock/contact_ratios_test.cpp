@@ -103,7 +103,7 @@ TEST_F(Ratios, AreKeysOfAMaterialFile) {
     refused(stone_rock + stone_contact + stone_ratios,
             {"stone.toml: fabric.grain_size is missing", "over which ratios.process_zone is"});
     refused(stone_rock + stone_contact + "[ratios]\ncohesoin = 3\n",
-            {"line 13: unknown key ratios.cohesoin (did you mean cohesion?)"});
+            {"line 13: ratios.cohesoin: unknown key (did you mean cohesion?)"});
     refused(stone_rock + stone_contact + "[ratios]\ncohesion = 0\n", {"ratios.cohesion", "out of bounds"});
     refused(stone_rock + stone_contact + "[ratios]\ncohesion = \"3 MPa\"\n", {"ratios.cohesion", "pure number"});
     refused(stone_rock + stone_contact, {"contact.cohesion is missing"});

@@ -1,4 +1,4 @@
-#include "solver/program/toml_table.hpp"
+#include "share/base/toml_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,9 +7,18 @@
 #include <cmath>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
+#include "share/base/toml_keys.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack {
+
+void TomlKey::require_word(const std::string& word, const std::string& where) const {
+    if (words.empty() ? word.empty() : std::find(words.begin(), words.end(), word) == words.end()) {
+        throw InputError(fmt::format("{}: unknown word \"{}\"; {} fits", where, word,
+                                     words.empty() ? "one that is not empty" : fmt::format("{}", fmt::join(words, " or "))));
+    }
+}
 
 TomlTable::TomlTable(const TomlFile& file) : file_(std::make_shared<const TomlFile>(file)) {}
 TomlTable::TomlTable(std::shared_ptr<const TomlFile> file, std::vector<std::string> section)
@@ -50,6 +59,7 @@ bool TomlTable::has_table(const std::string& key) const {
 bool TomlTable::has_value(const std::string& key) const { return entry(key) != nullptr; }
 bool TomlTable::has(const std::string& key) const { return has_value(key) || has_table(key); }
 std::string TomlTable::name() const { return section_.empty() ? "" : section_.back(); }
+std::string TomlTable::shown(const std::string& key) const { return has_value(key) ? entry(key)->values.front().text : ""; }
 
 std::string TomlTable::where(const std::string& key) const {
     int line = 0;

@@ -1,7 +1,6 @@
 // Tables from files: TSV (or comma-separated) with one header line; lines that begin with # are passed over.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,9 +23,15 @@ public:
     /// A column as text. \throws InputError if it is missing
     [[nodiscard]] std::vector<std::string> texts(const std::string& column) const;
 
+    /// A number, NaN for an empty field. \throws InputError if the column is missing or the field is no number
+    [[nodiscard]] double number(std::size_t row, const std::string& column) const;
+    /// The text of a field, "" if there is no such column.
+    [[nodiscard]] std::string text(std::size_t row, const std::string& column) const;
+    /// "flaws.tsv: line 3".
+    [[nodiscard]] std::string where(std::size_t row) const;
+
 private:
     [[nodiscard]] std::size_t index(const std::string& column) const;
-    [[nodiscard]] double number(std::size_t row, std::size_t column) const;
 
     std::string name_;
     std::vector<std::string> columns_;

@@ -20,7 +20,9 @@ public:
     explicit TomlTable(const TomlFile& file);
 
     [[nodiscard]] const std::string& path() const { return path_; }  ///< "stage.load", "" for the whole file
-    [[nodiscard]] bool has(const std::string& key) const;            ///< a value or a table
+    [[nodiscard]] const std::vector<std::string>& section() const { return section_; }
+    [[nodiscard]] std::string shown(const std::string& key) const;  ///< the text of a value or the first of several
+    [[nodiscard]] bool has(const std::string& key) const;           ///< a value or a table
     [[nodiscard]] bool has_value(const std::string& key) const;
     /// "file: line 12: stage.load.until", for messages.
     [[nodiscard]] std::string where(const std::string& key = "") const;

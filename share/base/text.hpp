@@ -1,0 +1,54 @@
+// Parts of texts and files as texts, words that are near, and names of the values of an enumeration.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace graincrack {
+
+/// The text without blanks, tabs and line ends around it.
+inline std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The parts of a text between separators, one more than there are separators. They are parts of `text`, which must outlive them.
+inline std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;; text.remove_prefix(parts.back().size() + 1)) {
+        parts.push_back(text.substr(0, text.find(separator)));
+        if (parts.back().size() == text.size()) return parts;
+    }
+}
+
+/// Both sides of the first = of a text; the second is empty where there is none.
+inline std::pair<std::string, std::string> sides_of_equals(std::string_view text) {
+    const std::string_view key = text.substr(0, text.find('='));
+    return {std::string(key), std::string(key.size() < text.size() ? text.substr(key.size() + 1) : "")};
+}
+
+/// The sides of KEY=VALUE, of which the first is not empty. \param option as messages name it, "--set" \param form "KEY=VALUE"
+/// \throws UsageError "--set TEXT: KEY=VALUE is needed"
+std::pair<std::string, std::string> key_and_value(std::string_view text, std::string_view option, std::string_view form);
+
+/// The bytes of a file. \param needed end of the message, "; a TOML file is needed" \throws InputError if it cannot be read
+std::string text_of_file(const std::string& file, const std::string& needed = "");
+
+/// The word of `known` nearest to `word`, or "" if none is near.
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
+/// " (did you mean …?)" with the nearest of the known words, or nothing.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
+
+/// The name of a value of an enumeration. \param names in the order of the values
+template <class Value>
+const char* name_in(std::initializer_list<const char*> names, Value value) {
+    return *(names.begin() + static_cast<std::ptrdiff_t>(value));
+}
+
+}  // namespace graincrack
