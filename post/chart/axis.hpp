@@ -17,9 +17,9 @@ struct Axis {
     double high = 1;
     bool logarithmic = false;
 
-    /// Where a value lies: 0 at `low`, 1 at `high`.
+    /// The position of a value: 0 at `low`, 1 at `high`.
     [[nodiscard]] double share(double value) const;
-    /// What stands behind the comma of the label: "%"; "" for a number without unit.
+    /// The text behind the comma of the label: "%"; "" for a number without unit.
     [[nodiscard]] std::string unit() const;
     /// \throws UsageError for another unit, and for a logarithmic axis from 0 or below
     [[nodiscard]] Axis limited(const AxisLimits& limits) const;

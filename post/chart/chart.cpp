@@ -88,8 +88,7 @@ Chart::Chart(const PictureStyle& style, const ChartText& text, const Axis& x, co
       y_unlimited_(y),
       drawing_(static_cast<int>(style.page_width), 100),
       x_{limited(x, style.x_limits), 0, 0},
-      y_{limited(y, style.y_limits), 0, 0},
-      names_x_(form.names_x) {
+      y_{limited(y, style.y_limits), 0, 0} {
     notes_ = text.notes;
     if (form.right) right_ = Scale{*form.right, 0, 0};
     ChartText heading = text;
@@ -214,7 +213,7 @@ double Chart::draw_x_ticks() {
     }
     double last = first;
     const double slot = 0.94 * (x_.to - x_.from) / static_cast<double>(named_ticks_.size());
-    // Where a word is longer than its place, all texts stand upright.
+    // All texts stand upright if a word is longer than its place.
     const bool upright = std::any_of(named_ticks_.begin(), named_ticks_.end(), [&](const auto& tick) {
         const auto lines = broken_lines(tick.second, letters::text, slot);
         return std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.find("…") != std::string::npos; });
@@ -264,7 +263,7 @@ void Chart::draw_y_ticks(const Scale& scale, bool right) {
 
 void Chart::draw_labels(double below_ticks) {
     double y = below_ticks;
-    if (names_x_ && !x_.axis.label.empty()) {
+    if (!x_.axis.label.empty()) {
         const std::string label = ticks_along(x_.axis, x_.to - x_.from, letters::text, 8).label;
         for (const std::string& line : broken_lines(label, letters::label, drawing_.width() - x_.from)) {
             y += 1.45 * letters::label;

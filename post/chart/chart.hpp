@@ -17,13 +17,12 @@
 
 namespace graincrack {
 
-/// What a chart has beside its two axes.
+/// The form of a chart beside its two axes.
 struct ChartForm {
     std::optional<Axis> right = {};  ///< a second scale for curves drawn on it
     bool equal_scales = false;       ///< one unit is as long on both axes
     double height = 0;               ///< of the frame, pixels; 0: by the width of the page
     double min_left = 0;             ///< from the edge of the page to the frame, so that charts below one another share it
-    bool names_x = true;             ///< whether the level axis has its label: charts below one another may share one
 };
 
 class Chart {
@@ -80,7 +79,6 @@ private:
     Scale x_;
     Scale y_;
     std::optional<Scale> right_;
-    bool names_x_;
     bool shows_something_ = false;
     std::vector<LegendEntry> legend_;
     std::vector<std::string> notes_;  ///< below the legend

@@ -13,7 +13,7 @@ struct Corner {
     double value;
 };
 
-/// Where the level crosses between two corners.
+/// The point between two corners at which the level is crossed.
 Point crossing(const Corner& a, const Corner& b, double level) {
     const double share = (level - a.value) / (b.value - a.value);
     return {a.place[0] + share * (b.place[0] - a.place[0]), a.place[1] + share * (b.place[1] - a.place[1])};

@@ -13,7 +13,7 @@ namespace graincrack {
 /// Width of a text set in a size, in pixels.
 double text_width(const std::string& label, double size, bool bold = false);
 
-/// Where a text stands, in pixels of the drawing: from the tops of capitals and high letters to the feet of low ones.
+/// The box of a text, in pixels of the drawing: from the tops of capitals and high letters to the feet of low ones.
 struct TextBox {
     double left = 0;
     double top = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -33,28 +34,17 @@ std::string in_print(const std::string& name) {
 }  // namespace
 
 std::string column_label(const std::string& column) {
-    static constexpr std::array<std::array<std::string_view, 2>, 13> units{{{"MPa", "MPa"},
-                                                                            {"GPa", "GPa"},
-                                                                            {"Pa", "Pa"},
-                                                                            {"deg", "°"},
-                                                                            {"rad", "rad"},
-                                                                            {"mm", "mm"},
-                                                                            {"m", "m"},
-                                                                            {"kN", "kN"},
-                                                                            {"J", "J"},
-                                                                            {"s", "s"},
-                                                                            {"N", "N"},
-                                                                            {"ns", "ns"},
-                                                                            {"percent", "%"}}};
+    static const std::map<std::string, std::string> units{
+        {"deg", "°"}, {"percent", "%"}, {"MPa", "MPa"}, {"GPa", "GPa"}, {"Pa", "Pa"}, {"rad", "rad"}, {"mm", "mm"},
+        {"m", "m"},   {"kN", "kN"},     {"J", "J"},     {"s", "s"},     {"N", "N"},   {"ns", "ns"}};
     std::string label = column;
     std::string unit;
     const std::size_t last = column.rfind('_');
     if (last != std::string::npos) {
-        const auto found =
-            std::find_if(units.begin(), units.end(), [&](const auto& u) { return u[0] == column.substr(last + 1); });
+        const auto found = units.find(column.substr(last + 1));
         if (found != units.end()) {
             label = column.substr(0, last);
-            unit = ", " + std::string((*found)[1]);
+            unit = ", " + found->second;
         }
     }
     return in_print(label) + unit;

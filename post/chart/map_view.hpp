@@ -18,7 +18,7 @@ namespace graincrack {
 
 using Positions = std::vector<std::array<double, 2>>;
 
-/// Where the nodes are in a frame, displacements magnified.
+/// The positions of the nodes in a frame, displacements magnified.
 Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magnification);
 
 /// The colour of a grain: by phase unless another function is given.
@@ -45,7 +45,7 @@ struct MapScale {
 /// \param end of the legend \return where both end
 double draw_scale_bar(Drawing& page, const MapScale& scale, const TextColumn& column, const LegendEnd& end);
 
-/// What a page with a map has beside it.
+/// The parts of a page beside its map.
 struct MapPage {
     PictureStyle style = {};
     double largest_height = 1400;  ///< of the map itself, pixels

@@ -1,4 +1,4 @@
-// What all pages have in common: sizes of letters, heading, legend, texts in lines.
+// Parts of all pages: sizes of letters, heading, legend, texts in lines.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct ChartText {
     std::vector<std::string> notes = {};  ///< below the picture: what a word means, the caveats of a value
 };
 
-/// Where texts may stand.
+/// The column in which texts may stand.
 struct TextColumn {
     double left = 0;
     double right = 0;
@@ -42,12 +42,12 @@ double draw_heading(Drawing& drawing, const ChartText& text, const TextColumn& c
 /// Height of what `draw_heading` draws.
 double heading_height(const ChartText& text, const TextColumn& column);
 
-/// What stands for a curve, points or an area, and its meaning.
+/// A mark that stands for a curve, points or an area, and its meaning.
 struct LegendEntry {
     std::variant<Stroke, Marker, Colour> mark;
     std::string label;
 };
-/// Where a legend ends: behind its last entry, and below all.
+/// The ends of a legend: behind its last entry, and below all.
 struct LegendEnd {
     Pixel last;  ///< right end of the baseline of the last line
     double bottom = 0;

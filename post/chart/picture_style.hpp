@@ -1,4 +1,4 @@
-// What a user may set of every picture beside its file: width of the page, title, legend texts of runs, limits of axes.
+// Settings of every picture beside its file: width of the page, title, legend texts of runs, limits of axes.
 #pragma once
 
 #include <optional>

@@ -46,7 +46,7 @@ private:
     TableWriter table_;
 };
 
-/// What is known of a rock: all of it, or its laboratory values alone, without those of its contacts.
+/// The known values of a rock: all of them, or its laboratory values alone, without those of its contacts.
 struct KnownRock {
     Rock rock;
     std::optional<double> contact_tensile_strength;  ///< Pa

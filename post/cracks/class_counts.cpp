@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "post/cracks/cracked_crystals.hpp"
@@ -91,10 +90,8 @@ std::vector<ClassCounts> count_by_class(const Specimen& specimen, const std::vec
     }
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
         ClassCounts& own = counts[classes.of_contact[c]];
-        const auto& from = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][0])];
-        const auto& to = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][1])];
         own.contacts += 1;
-        own.length += std::hypot(to[0] - from[0], to[1] - from[1]);
+        own.length += contact_length(specimen, c);
     }
     for (const Crack& crack : cracks) {
         ClassCounts& own = counts[classes.of_contact[static_cast<std::size_t>(crack.contact)]];

@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "post/cracks/vtk_arrays.hpp"
+#include "post/run/crystals.hpp"
 #include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
 #include "share/file/output_file.hpp"
@@ -118,8 +119,8 @@ private:
     const std::vector<Crack>& cracks_;
 };
 
-/// What a point that has failed would give back, J: open ½ σ·δ, since it unloads towards the origin; closed the compression of
-/// its normal spring and the elastic part of its sliding.
+/// The energy that a point that has failed would give back, J: open ½ σ·δ, since it unloads towards the origin; closed the
+/// compression of its normal spring and the elastic part of its sliding.
 double stored_energy(const Frame& frame, const Crack& crack, const ContactParameters& contact) {
     const auto c = static_cast<std::size_t>(crack.contact);
     const double opening = frame.opening[c][crack.point];
@@ -134,7 +135,7 @@ double stored_energy(const Frame& frame, const Crack& crack, const ContactParame
 
 std::size_t index(const Crack& crack) { return static_cast<std::size_t>(crack.contact); }
 
-/// What changes from frame to frame. \param classes of all contacts \param contacts their parameters by class
+/// Adds the data that change from frame to frame. \param classes of all contacts \param contacts their parameters by class
 void add_present_data(CrackArrays& arrays, const Frame& frame, const std::vector<std::uint8_t>& classes,
                       const std::vector<ContactParameters>& contacts) {
     arrays.real("opening", "m", [&](const Crack& c) { return frame.opening[index(c)][c.point]; });
@@ -147,7 +148,7 @@ void add_present_data(CrackArrays& arrays, const Frame& frame, const std::vector
     arrays.byte("broken", [&](const Crack& c) { return c.broken.time <= frame.time; });
 }
 
-/// What is the same in all frames.
+/// Adds the data that are the same in all frames.
 void add_failure_data(CrackArrays& arrays) {
     arrays.real("time_of_failure", "s", [](const Crack& c) { return c.time; });
     arrays.real("opening_at_failure", "m", [](const Crack& c) { return c.opening; });
@@ -162,15 +163,9 @@ void add_failure_data(CrackArrays& arrays) {
 
 /// Minerals on both sides, their class and, where the contacts have one, their strength factor.
 void add_phases(CrackArrays& arrays, const std::vector<std::uint8_t>& classes, const Specimen& specimen) {
-    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
-    const auto phase = [&](const char* name, std::size_t side) {
-        arrays.byte(name, [&](const Crack& c) {
-            const auto node = static_cast<std::size_t>(specimen.contact_nodes[index(c)][side]);
-            return specimen.grain_phase[static_cast<std::size_t>(grain[node])];
-        });
-    };
-    phase("phase_a", 0);
-    phase("phase_b", 2);
+    const auto grains = grains_of_contacts(specimen);
+    arrays.byte("phase_a", [&](const Crack& c) { return specimen.grain_phase[grains[index(c)][0]]; });
+    arrays.byte("phase_b", [&](const Crack& c) { return specimen.grain_phase[grains[index(c)][1]]; });
     arrays.byte("class", [&](const Crack& c) { return classes[index(c)]; });
     if (specimen.contact_strength_factor.empty()) return;
     arrays.real("strength_factor", "1", [&](const Crack& c) { return specimen.contact_strength_factor[index(c)]; });

@@ -11,7 +11,7 @@
 
 namespace graincrack {
 
-/// Where a test stands at the time of a frame; field data of every file: time (s), axial_strain (elongation positive),
+/// The state of a test at the time of a frame; field data of every file: time (s), axial_strain (elongation positive),
 /// axial_stress (Pa, tension positive). Zeros for a run without platens.
 struct FrameMoment {
     double time = 0;          ///< s

@@ -15,14 +15,6 @@ namespace graincrack {
 
 namespace {
 
-std::vector<double> magnitudes_of(const std::vector<EmissionEvent>& events) {
-    std::vector<double> magnitudes;
-    for (const EmissionEvent& event : events) {
-        if (event.moment > 0) magnitudes.push_back(event.magnitude());
-    }
-    return magnitudes;
-}
-
 /// A moment of a run, and at its end what it has become.
 struct SummaryRow {
     std::string file, at;

@@ -11,34 +11,17 @@ namespace graincrack {
 
 namespace {
 
-/// Crystals and the grains on both sides of contacts.
-class ContactSides {
-public:
-    explicit ContactSides(const Specimen& specimen) : specimen_(specimen), grain_of_node_(grain_of_nodes(specimen)) {}
+/// The crystals of the two grains of a contact.
+std::array<std::size_t, 2> crystals_of(const Specimen& specimen, const std::array<std::size_t, 2>& grains) {
+    return {crystal_of(specimen, grains[0]), crystal_of(specimen, grains[1])};
+}
 
-    [[nodiscard]] std::array<std::size_t, 2> grains(std::size_t contact) const {
-        const auto grain_at = [&](std::size_t k) {
-            const auto node = static_cast<std::size_t>(specimen_.contact_nodes[contact][k]);
-            return static_cast<std::size_t>(grain_of_node_[node]);
-        };
-        return {grain_at(0), grain_at(2)};
-    }
-    [[nodiscard]] std::array<std::size_t, 2> crystals(std::size_t contact) const {
-        const auto [a, b] = grains(contact);
-        return {crystal_of(specimen_, a), crystal_of(specimen_, b)};
-    }
-
-private:
-    const Specimen& specimen_;
-    std::vector<std::int32_t> grain_of_node_;
-};
-
-/// Of each crystal the pieces that contacts within it hold together.
-std::vector<std::size_t> count_pieces(const Specimen& specimen, const ContactSides& sides,
-                                      const std::vector<std::array<std::uint8_t, 2>>& state) {
+/// The number of pieces of each crystal that contacts within it hold together.
+std::vector<std::size_t> count_pieces(const Specimen& specimen, const std::vector<std::array<std::uint8_t, 2>>& state) {
     UnionFind pieces(specimen.n_grains());
+    const auto grains = grains_of_contacts(specimen);
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        const auto [a, b] = sides.grains(c);
+        const auto [a, b] = grains[c];
         if (crystal_of(specimen, a) == crystal_of(specimen, b) && holds(state[c])) pieces.join(a, b);
     }
     std::vector<std::size_t> counts(n_crystals(specimen), 0);
@@ -52,7 +35,7 @@ std::vector<std::size_t> count_pieces(const Specimen& specimen, const ContactSid
 
 std::vector<Crystal> find_crystals(const Specimen& specimen, const std::vector<Crack>& cracks,
                                    const std::vector<std::array<std::uint8_t, 2>>& state, const Fragments& fragments) {
-    const ContactSides sides(specimen);
+    const auto grains = grains_of_contacts(specimen);
     std::vector<Crystal> crystals(n_crystals(specimen));
     const auto moments = first_moments(specimen);
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
@@ -64,7 +47,7 @@ std::vector<Crystal> find_crystals(const Specimen& specimen, const std::vector<C
     }
     for (const auto& [crystal, fragment] : parts_of_crystals(specimen, fragments.of_grain)) ++crystals[crystal].fragments;
     for (const Crack& crack : cracks) {
-        const auto [a, b] = sides.crystals(static_cast<std::size_t>(crack.contact));
+        const auto [a, b] = crystals_of(specimen, grains[static_cast<std::size_t>(crack.contact)]);
         if (a == b) {
             crystals[a].within.add(crack);
         } else {
@@ -72,7 +55,7 @@ std::vector<Crystal> find_crystals(const Specimen& specimen, const std::vector<C
             crystals[b].around.add(crack);
         }
     }
-    const std::vector<std::size_t> pieces = count_pieces(specimen, sides, state);
+    const std::vector<std::size_t> pieces = count_pieces(specimen, state);
     for (std::size_t i = 0; i < crystals.size(); ++i) {
         crystals[i].pieces = pieces[i];
         for (double& x : crystals[i].centre) x /= crystals[i].area;
@@ -101,17 +84,17 @@ void write_crystals(std::ostream& out, const std::vector<Crystal>& crystals, Tab
 
 std::size_t count_split_crystals(const Specimen& specimen, const std::vector<std::array<std::uint8_t, 2>>& state) {
     if (specimen.grain_crystal.empty()) return 0;
-    const std::vector<std::size_t> pieces = count_pieces(specimen, ContactSides(specimen), state);
+    const std::vector<std::size_t> pieces = count_pieces(specimen, state);
     return static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](std::size_t n) { return n > 1; }));
 }
 
 ModeCounts count_cracked_crystals(const Specimen& specimen, const std::vector<Crack>& cracks, std::optional<double> until) {
     if (specimen.grain_crystal.empty()) return {};
-    const ContactSides sides(specimen);
+    const auto grains = grains_of_contacts(specimen);
     std::set<std::size_t> tensile;
     std::set<std::size_t> shear;
     for (const Crack& crack : cracks) {
-        const auto [a, b] = sides.crystals(static_cast<std::size_t>(crack.contact));
+        const auto [a, b] = crystals_of(specimen, grains[static_cast<std::size_t>(crack.contact)]);
         if (a != b || (until && crack.time > *until)) continue;
         (crack.mode == CrackMode::tensile ? tensile : shear).insert(a);
     }

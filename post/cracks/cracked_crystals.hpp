@@ -1,4 +1,4 @@
-// What became of the crystals of a specimen: cracks within and around each, and the pieces it is in.
+// The crystals of a specimen after a test: cracks within and around each, and the pieces it is in.
 #pragma once
 
 #include <array>

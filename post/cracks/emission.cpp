@@ -59,6 +59,14 @@ std::vector<EmissionEvent> find_events(std::vector<Crack> cracks, const Rock& ro
     return events;
 }
 
+std::vector<double> magnitudes_of(const std::vector<EmissionEvent>& events) {
+    std::vector<double> magnitudes;
+    for (const EmissionEvent& event : events) {
+        if (event.moment > 0) magnitudes.push_back(event.magnitude());
+    }
+    return magnitudes;
+}
+
 double completeness_of(const std::vector<double>& magnitudes) {
     constexpr double bin = 0.1;
     std::map<long, std::size_t> counts;

@@ -51,6 +51,8 @@ struct GutenbergRichter {
     [[nodiscard]] double distance_by_chance() const;
     [[nodiscard]] bool follows_line() const { return distance <= distance_by_chance(); }
 };
+/// Those of the events that have a moment.
+std::vector<double> magnitudes_of(const std::vector<EmissionEvent>& events);
 /// The magnitude at which events are most frequent, in bins of 0.1 (maximum curvature). \pre magnitudes is not empty
 double completeness_of(const std::vector<double>& magnitudes);
 /// Empty with fewer than 10 events from the completeness on: the standard error would be a third of b or more.

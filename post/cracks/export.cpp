@@ -67,7 +67,7 @@ std::vector<std::size_t> distinct_frames(const std::vector<double>& times) {
     return frames;
 }
 
-/// What the frames of a run are written with.
+/// The data with which the frames of a run are written.
 struct Series {
     const RunReader& run;
     const Specimen& specimen;

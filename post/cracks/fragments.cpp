@@ -54,13 +54,10 @@ std::size_t Fragments::single_grains() const {
 }
 
 Fragments find_fragments(const Specimen& specimen, const std::vector<std::array<std::uint8_t, 2>>& state) {
-    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
     UnionFind sets(specimen.n_grains());
+    const auto grains = grains_of_contacts(specimen);
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        const auto grain_at = [&](std::size_t k) {
-            return static_cast<std::size_t>(grain[static_cast<std::size_t>(specimen.contact_nodes[c][k])]);
-        };
-        if (holds(state[c])) sets.join(grain_at(0), grain_at(2));
+        if (holds(state[c])) sets.join(grains[c][0], grains[c][1]);
     }
     const auto moments = first_moments(specimen);
     std::map<std::size_t, Fragment> found;  // by the first grain

@@ -26,7 +26,7 @@ struct Fragments {
     [[nodiscard]] std::size_t single_grains() const;
 };
 
-/// Whether a contact still connects its grains: a point of it is not separated.
+/// True if a contact still connects its grains: a point of it is not separated.
 bool holds(const std::array<std::uint8_t, 2>& points);
 
 /// Centre of area of each grain, times its area, m³.

@@ -63,7 +63,7 @@ std::string lower_case(std::string text) {
 
 std::string phase_set(const std::string& phase) { return "PHASE_" + mesh_name(phase, MeshFormat::abaqus); }
 
-/// Whether a name of sides is that of a grain.
+/// True if a name of sides is that of a grain.
 bool names_grain(const std::string& label) {
     return label.size() > 4 && label.starts_with("face") && label.find_first_not_of("0123456789", 4) == std::string::npos;
 }

@@ -30,7 +30,7 @@ std::string abaqus_text(const SharedMesh& mesh, const std::string& where);
 /// digits, - and _, with a prefix at most the 80 of a label.
 std::string mesh_name(std::string_view name, MeshFormat format);
 
-/// What a format does not carry of a mesh, or carries by another name: "leaves out strength factors of contacts", …
+/// The parts of a mesh that a format does not carry, or carries by another name: "leaves out strength factors of contacts", …
 std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format);
 
 /// The content of a .vtu file: triangles with points (m, z = 0) that grains share. Cell data: grain (from 0), phase, grain_area

@@ -19,7 +19,7 @@ struct FilmOptions {
 /// charts
 ImageSize parse_film_size(const std::string& text);
 
-/// Whether a name is that of a video; otherwise it is a folder. \throws UsageError for another ending, and for "-"
+/// True if a name is that of a video; otherwise it is a folder. \throws UsageError for another ending, and for "-"
 bool is_video_name(const std::string& output);
 
 /// How many pictures a film has. \throws UsageError for fewer than two

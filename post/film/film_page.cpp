@@ -9,7 +9,6 @@
 #include "post/chart/chart.hpp"
 #include "post/chart/numbers.hpp"
 #include "post/measure/caveats.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/mode_counts.hpp"
@@ -26,7 +25,6 @@ constexpr double page_height = 1000;
 constexpr double above_page = 14;
 constexpr double beside_map = 66;  ///< of a map's height: what stands above and below it on its own page
 constexpr double scale_bar = 46;   ///< below the map
-constexpr double left_of_charts = 140;
 constexpr double lowest_chart = 80;
 constexpr double largest_map = 0.5;  ///< of the width of the page
 
@@ -52,13 +50,6 @@ RunData data_of(const RunReader& run, const FilmContents& contents, const std::v
 std::vector<Crack> cracks_of_film(const RunReader& run, const Specimen& specimen, const FilmContents& contents) {
     const std::vector<bool> contacts = contacts_of_classes(specimen, contents.classes, run.name());
     return cracks_of(read_labelled_cracks(run, specimen, contents.label), contacts);
-}
-
-/// Axial strain in %, positive in the sense of the test.
-Course strains_of(const LoadCurve& curve) {
-    std::vector<double> percent = times(curve.axial_strain, 100);
-    const Axis axis{"axial strain, %", std::min(0.0, smallest(percent)), 1.03 * largest(percent)};
-    return {axis, std::move(percent)};
 }
 
 Passage passage_of(const RunData& data, FilmSteps steps) {
@@ -134,7 +125,7 @@ Drawing FilmPage::map_at(double time, const std::vector<Crack>& present) {
     return part;
 }
 
-/// What colours and lines mean, and the caveats of the test. \return where it ends
+/// The legend of colours and lines, and the caveats of the test. \return the height at which it ends
 double FilmPage::draw_foot(Drawing& page, double top) const {
     std::vector<LegendEntry> legend;
     if (has_pre_existing_cracks(specimen_)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
@@ -146,45 +137,15 @@ double FilmPage::draw_foot(Drawing& page, double top) const {
 /// The whole curve pale, as far as the test has come dark, and a point where it is.
 Drawing FilmPage::stress_chart(double time, double height) const {
     const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
-    const auto [axis, strain] = strains_of(curve_);
+    const std::vector<double> strain = times(curve_.axial_strain, 100);
     const std::vector<double> stress = times(curve_.stress, 1e-6);
-    ChartForm form;
-    form.height = height;
-    form.min_left = left_of_charts;
-    form.names_x = contents_.steps != FilmSteps::strain;  // the chart below has the same axis
-    Chart chart(PictureStyle{}.of_part(page_width_ - map_width_), {}, axis,
-                Axis{stress_name(data_) + ", MPa", std::min(0.0, smallest(stress)), 1.1 * largest(stress)}, form);
+    Chart chart(PictureStyle{}.of_part(page_width_ - map_width_), {},
+                Axis{"axial strain, %", std::min(0.0, smallest(strain)), 1.03 * largest(strain)},
+                Axis{stress_name(data_) + ", MPa", std::min(0.0, smallest(stress)), 1.1 * largest(stress)}, {.height = height});
     chart.line(strain, stress, Stroke{palette::outline, 3});
     chart.line(until(strain, now), until(stress, now), series_stroke(0, 4.5));
     chart.points(std::vector{now.of(strain)}, std::vector{now.of(stress)}, Marker{palette::series(0), MarkerShape::disc, 22});
     return chart.finish();
-}
-
-/// Counts of cracks along what the film advances by.
-Drawing FilmPage::count_chart(double time, double height) const {
-    const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
-    const Course course = contents_.steps == FilmSteps::time ? course_of(data_, Abscissa::time) : strains_of(curve_);
-    const std::vector<double>& tensile = data_.history[HistoryColumn::tensile_cracks];
-    const std::vector<double>& shear = data_.history[HistoryColumn::shear_cracks];
-    ChartForm form;
-    form.height = height;
-    form.min_left = left_of_charts;
-    Chart chart(PictureStyle{}.of_part(page_width_ - map_width_), {}, course.axis,
-                Axis{"cracks", 0, 1.1 * std::max({1.0, largest(tensile), largest(shear)})}, form);
-    for (const auto& [counts, colour] : {std::pair(&shear, palette::shear), std::pair(&tensile, palette::tensile)}) {
-        chart.line(until(course.values, now), until(*counts, now), Stroke{colour, 4.5});
-        chart.points(std::vector{now.of(course.values)}, std::vector{now.of(*counts)}, Marker{colour, MarkerShape::disc, 14});
-    }
-    return chart.finish();
-}
-
-/// Both charts, one above the other, in the room between two heights of the page.
-void FilmPage::draw_charts(Drawing& page, double top, double bottom, double time) const {
-    const double beside = stress_chart(time, lowest_chart).height() + count_chart(time, lowest_chart).height() - 2 * lowest_chart;
-    const double room = bottom - top - beside;
-    const double upper = std::max(lowest_chart, std::floor(0.6 * room));
-    const double lower = std::max(lowest_chart, std::floor(room - upper));
-    page.add(stacked({stress_chart(time, upper), count_chart(time, lower)}), {map_width_, top});
 }
 
 Drawing FilmPage::at(double time) {
@@ -209,7 +170,8 @@ Drawing FilmPage::at(double time) {
     Drawing scratch(static_cast<int>(page_width_), 0);
     const double foot = page_height - above_page - draw_foot(scratch, 0);
     draw_foot(page, foot);
-    draw_charts(page, below, foot, time);
+    const double room = foot - below - (stress_chart(time, lowest_chart).height() - lowest_chart);
+    page.add(stress_chart(time, std::max(lowest_chart, std::floor(room))), {map_width_, below});
     return page;
 }
 

@@ -1,4 +1,4 @@
-// One picture of a film: the map of the specimen beside its stress–strain curve and the counts of its cracks.
+// One picture of a film: the map of the specimen beside its stress–strain curve.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace graincrack {
 /// By what a film advances evenly.
 enum class FilmSteps { strain, time };
 
-/// What a film shows, and how.
+/// Contents and form of a film.
 struct FilmContents {
     FilmSteps steps = FilmSteps::strain;
     ImageSize size{1280, 720};
@@ -45,8 +45,6 @@ private:
     Drawing map_at(double time, const std::vector<Crack>& present);
     double draw_foot(Drawing& page, double top) const;
     [[nodiscard]] Drawing stress_chart(double time, double height) const;
-    [[nodiscard]] Drawing count_chart(double time, double height) const;
-    void draw_charts(Drawing& page, double top, double bottom, double time) const;
     [[nodiscard]] TextColumn column() const;
 
     FilmContents contents_;

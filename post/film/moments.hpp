@@ -11,8 +11,8 @@
 
 namespace graincrack {
 
-/// Where a value lies in values that never fall: between the last that is not above it and the next; before all in row 0, behind
-/// all in the last row. \pre there are values
+/// The position of a value in values that never fall: between the last that is not above it and the next; before all in row 0,
+/// behind all in the last row. \pre there are values
 CurvePoint place_in(const std::vector<double>& ascending, double value);
 
 /// How far a test has come along a quantity: the sum of its changes, so that cycles count both ways.

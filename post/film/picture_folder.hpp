@@ -42,7 +42,7 @@ private:
 std::string joining_command(const std::string& folder, const std::string& pattern, int frames_per_second, const std::string& kind,
                             const std::string& video);
 
-/// Whether the program ffmpeg is on the PATH.
+/// True if the program ffmpeg is on the PATH.
 bool has_ffmpeg();
 
 /// Calls ffmpeg. \param video its name in messages \throws OutputError with the last line that ffmpeg printed, if it failed;

@@ -25,7 +25,7 @@ struct Call {
 
     /// The file of a command that takes exactly one. \throws UsageError if there are several
     [[nodiscard]] const std::string& file() const;
-    /// Where diagnostics go: stderr, with --quiet nowhere.
+    /// The stream of diagnostics: stderr, with --quiet none.
     [[nodiscard]] std::ostream& diagnostics() const;
 };
 
@@ -38,7 +38,7 @@ struct FileArguments {
 inline constexpr FileArguments one_run{"run", "run file"};
 inline constexpr FileArguments several_runs{"runs", "run files"};
 
-/// What a command does once the command line has been read. \throws UsageError, InputError, OutputError
+/// The action of a command once the command line has been read. \throws UsageError, InputError, OutputError
 using Action = std::function<void(const Call&)>;
 
 struct Command {

@@ -28,7 +28,7 @@ bool draw_crack_state(MapView& map, const Specimen& specimen, const std::optiona
 
 /// The number of contacts with cracks of a mode, as a legend has it.
 std::string cracked_contacts(const std::vector<Crack>& cracks, CrackMode mode);
-/// What the cracks of a picture are, a line each. \param classes that they are limited to
+/// The definition of the cracks of a picture in lines. \param classes that they are limited to
 std::vector<std::string> crack_notes(const Specimen& specimen, const CrackLabel& label, const std::vector<std::string>& classes);
 
 }  // namespace graincrack

@@ -60,7 +60,7 @@ std::string standing_label(const Standing& now, const std::string& stress, doubl
     return label;
 }
 
-/// What all maps of a picture have in common.
+/// The data that all maps of a picture have in common.
 struct Scene {
     const RunReader& run;
     const Specimen& specimen;
@@ -69,7 +69,7 @@ struct Scene {
     const CrackMapOptions& options;
     const PictureStyle& style;
     std::vector<std::string> caveats = {};  ///< caveats of the strength, a line each
-    /// What stands below the maps: what the cracks are, and the caveats of the strength.
+    /// The lines below the maps: the definition of the cracks, and the caveats of the strength.
     [[nodiscard]] std::vector<std::string> notes() const {
         std::vector<std::string> lines = crack_notes(specimen, options.label.of(data.header), options.classes);
         lines.insert(lines.end(), caveats.begin(), caveats.end());
@@ -86,7 +86,7 @@ bool draw_state(MapView& map, const Scene& scene, const Standing& now, const std
     return draw_crack_state(map, scene.specimen, platens, present);
 }
 
-/// What a map shows of a frame; the frame itself is released.
+/// The part of a frame that a map shows; the frame itself is released.
 struct Snapshot {
     double time;
     Positions places;
@@ -167,7 +167,7 @@ RowOfMaps row_of_maps(const Scene& scene, std::vector<Panel>& row, double width,
     return {side_by_side(maps), scale};
 }
 
-/// What is to be seen in all of some frames.
+/// The box that holds what is seen in any of some frames.
 MapBox common_view(const Scene& scene, const std::vector<std::size_t>& frames) {
     MapBox view;
     for (const std::size_t frame : frames) view.include(view_box(scene.specimen, snapshot(scene, frame).places));

@@ -27,7 +27,7 @@ struct Run {
     LoadCurve curve;
     std::vector<double> lateral;  ///< widening negative in compression, narrowing negative in tension
     std::optional<FirstPeak> first_peak;
-    /// Whether the first peak is another one than the largest stress, and has a marker of its own.
+    /// True if the first peak is another one than the largest stress, and has a marker of its own.
     [[nodiscard]] bool has_earlier_peak() const {
         return first_peak && first_peak->strain < curve.axial_strain[curve.peak] - smoothing_strain;
     }
@@ -58,7 +58,7 @@ std::vector<Run> prepare(const std::vector<RunData>& data) {
     return runs;
 }
 
-/// What all curves together span, in the units of the axes.
+/// The range of all curves together, in the units of the axes.
 struct Extent {
     double stress = 0;
     double strain = 0;

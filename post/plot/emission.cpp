@@ -16,10 +16,7 @@ namespace graincrack {
 
 Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run,
                       const PictureStyle& style) {
-    std::vector<double> magnitudes;
-    for (const EmissionEvent& event : events) {
-        if (event.moment > 0) magnitudes.push_back(event.magnitude());
-    }
+    std::vector<double> magnitudes = magnitudes_of(events);
     if (magnitudes.empty()) throw InputError(run + ": no events of acoustic emission; the run has no micro-cracks");
     std::sort(magnitudes.begin(), magnitudes.end());
     std::vector<double> number;

@@ -50,7 +50,8 @@ Points line_of(const Envelope& envelope, double high) {
     return points;
 }
 
-/// Where the circles of the curve σ1(σ3) touch their envelope: σn = σ3 + (σ1 − σ3)/(s + 1), τ = (σn − σ3) √s, s = dσ1/dσ3.
+/// The points at which the circles of the curve σ1(σ3) touch their envelope: σn = σ3 + (σ1 − σ3)/(s + 1), τ = (σn − σ3) √s, s =
+/// dσ1/dσ3.
 Points hull_of(const HoekBrown& fit, double largest) {
     Points points;
     const double lowest = -fit.tensile_strength();

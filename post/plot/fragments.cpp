@@ -6,6 +6,7 @@
 
 #include "post/chart/map_view.hpp"
 #include "post/cracks/fragments.hpp"
+#include "post/run/crystals.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 
@@ -37,13 +38,9 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, con
                 {style});
     map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
     constexpr double line = 5;
-    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
+    const auto grains = grains_of_contacts(specimen);
     const auto parts = [&](std::size_t contact) {
-        const auto fragment = [&](std::size_t node) {
-            const auto n = static_cast<std::size_t>(specimen.contact_nodes[contact][node]);
-            return fragments.of_grain[static_cast<std::size_t>(grain[n])];
-        };
-        return fragment(0) != fragment(2);
+        return fragments.of_grain[grains[contact][0]] != fragments.of_grain[grains[contact][1]];
     };
     map.draw_boundaries(parts, line);
     std::vector<LegendEntry> legend{{palette::grain, "largest fragment"}};

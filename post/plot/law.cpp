@@ -100,7 +100,8 @@ std::vector<LawDescription> chosen(const std::vector<std::string>& names) {
 
 Axis up_to(const std::string& label, double high) { return {label, 0, high}; }
 
-/// Whether curves over the same displacements cannot be told apart in the picture: within half a percent of the largest traction.
+/// True if curves over the same displacements cannot be distinguished in the picture: within half a percent of the largest
+/// traction.
 bool agree(const std::vector<Path>& paths) {
     double highest = 0;
     double apart = 0;

@@ -49,7 +49,7 @@ Command make_plot(std::string name, std::string help, std::vector<std::string> e
                                  });
 }
 
-/// What a picture of the course of a test has along its level axis. Time spreads what happens at a peak: the platens slow down
+/// The level axis of a picture of the course of a test. Time spreads what happens at a peak: the platens slow down
 /// there, and the strain hardly changes while a specimen breaks.
 enum class Abscissa { time, strain };
 void add_abscissa(OptionSet set, Abscissa& abscissa);

@@ -26,7 +26,7 @@ namespace graincrack {
 
 // --- specimen ---
 
-/// What the colours of a specimen show.
+/// The meaning of the colours of a specimen.
 enum class SpecimenColour {
     phase,    ///< grains by phase
     strength  ///< contacts by their strength factor

@@ -1,4 +1,4 @@
-// What queries of `summarize` have beside the functions of SQLite: statistics, and texts with numbers in them.
+// Functions that queries of `summarize` have beside those of SQLite: statistics, and texts with numbers in them.
 #pragma once
 
 struct sqlite3;

@@ -26,7 +26,7 @@ inline constexpr ColumnUnit none{}, second{"s"}, metre{"m"}, radian{"rad"}, joul
     megapascal{"MPa", 1e-6}, per_megapascal{"per_MPa", 1e6}, gigapascal{"GPa", 1e-9}, degree{"deg", 180 / std::numbers::pi},
     percent{"percent", 1e2}, toughness{"MPa.m^0.5", 1e-6};
 }
-/// What a stress or an angle is multiplied by to be shown.
+/// Factors by which a stress or an angle is multiplied to be shown.
 inline constexpr double in_megapascals = unit::megapascal.factor, in_degrees = unit::degree.factor;
 
 /// A column of a table of which each row shows one `Row`.

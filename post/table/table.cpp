@@ -80,7 +80,7 @@ std::vector<AlignedLine> transposed(const std::vector<AlignedLine>& lines) {
     return out;
 }
 
-/// Whether the lines, which are few, would be wider than a terminal and stand better side by side. \pre lines are equally long
+/// True if the lines, which are few, would be wider than a terminal and stand better side by side. \pre lines are equally long
 bool is_wide(const std::vector<AlignedLine>& lines) {
     if (lines.empty() || lines.size() > most_side_by_side + 1) return false;
     std::size_t sum = 0;

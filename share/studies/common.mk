@@ -1,4 +1,4 @@
-# What all studies share: variables that users set, tables, claims and pages. runs.mk has specimens and runs.
+# Parts of all studies: variables that users set, tables, claims and pages. runs.mk has specimens and runs.
 #
 # A study sets `runs`, the files of the runs that it needs, by $(call run,TEST,SIZE,SEED,SETTINGS,LABELS), and includes this file. Its
 # tables are in $(OUT)/STUDY. Runs are in $(OUT)/runs/ROCK, where ROCK is the material with four digits that change with its values;

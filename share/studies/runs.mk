@@ -28,7 +28,7 @@ DIAMETER ?= 80
 EDGE ?=
 SIZE_rectangle ?= $(if $(EDGE),e$(EDGE:mm=),g1122)
 SIZE_disc ?= $(if $(EDGE),e$(EDGE:mm=),g452)
-# What all specimens have besides, as a setting of the mesh: FABRIC='granite|--material~FILE' gives them the phases of a material.
+# An addition to all specimens, as a setting of the mesh: FABRIC='granite|--material~FILE' gives them the phases of a material.
 FABRIC ?=
 # Threads of a run: those of the allocation.
 THREADS ?= $(or $(SLURM_CPUS_PER_TASK),1)
@@ -39,7 +39,7 @@ MPIRUN ?= mpirun --bind-to none
 $(foreach v,RANKS THREADS,$(if $(shell echo '$($(v))' | grep -xE '[1-9][0-9]*'),,\
     $(error $(v)=$($(v)): no whole number above 0; $(v)=2 fits)))
 LAUNCH ?=
-# Where the messages of a run go, and what is done where it fails.
+# The destination of the messages of a run, and the action if it fails.
 MESSAGES ?= --quiet
 IF_IT_FAILS ?=
 OPTIONS ?=
@@ -51,7 +51,7 @@ MAX_STRAIN ?=
 # fewer; share/studies/equilibrium/README.md has its effect on strengths. Brazilian tests are short and keep the solver's default.
 UNIAXIAL ?=
 CONFINED ?= 0.006
-# Of most uniaxial tests only the peak is used, and the drop after it took half of a run: they end 15 % below the peak. Of 282 runs of the
+# Most uniaxial tests are used for their peak alone, and the drop after it took half of a run: they end 15 % below the peak. Of 282 runs of the
 # paper study that drop by 30 %, three peaks changed by more than 0.1 %: specimens whose grains interlock and whose stress rises again (cc a
 # quarter of UCS). Empty: the solver's default, which runs with a strain limit of their own or with frames have too.
 UNIAXIAL_PEAK_DROP ?= 0.15
@@ -92,7 +92,7 @@ unless = $(and $(4),$(if $(strip $(foreach o,$(2),$(findstring $(o)~,$(1)))),,$(
 # triaxial8 with the pressure in MPa. SIZE: e4, a mean edge in mm, or g452, a number of grains, and settings of the mesh; empty: the usual
 # one. LABELS: entries of label_columns.
 run = $(call note,$(1)_$(run_specimen),$(run_specimen),$(run_mesh),$(6),$(run_test),$(4),$(5))
-# What it is made of; $(1) to $(6) are those of `run`.
+# The names and options of a run; $(1) to $(6) are those of `run`.
 run_shape = $(if $(filter brazilian,$(1)),disc,rectangle)
 run_sizes = $(call sizes_of,$(or $(2),$(SIZE_$(run_shape)))) $(FABRIC)
 run_specimen = $(run_shape)$(extent_$(run_shape))$(call names_of,$(run_sizes))-s$(3)

@@ -1,5 +1,5 @@
 -- One row per variant and criterion: whether its mean lies in the range, and whether the interval of the mean reaches across a bound.
--- What was not reached in any test does not hold.
+-- A quantity that was not reached in any test does not hold.
 WITH variants AS (SELECT variant, min(rowid) AS place FROM brittle GROUP BY variant)
 SELECT variant, criterion, n, mean, half_interval, low, high, ifnull(mean BETWEEN low AND high, 0) AS holds,
     half_interval IS NULL OR abs(mean - low) < half_interval OR abs(mean - high) < half_interval AS undecided,

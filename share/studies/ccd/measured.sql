@@ -1,4 +1,4 @@
--- What criteria.tsv judges: our strengths beside those of Table 7, terms of the response surfaces, the optimum, and that of the paper's strengths.
+-- Quantities that criteria.tsv judges: our strengths beside those of Table 7, terms of the response surfaces, the optimum, and that of the paper's strengths.
 -- Run I of the design has seed :FIRST_SEED - 1 + I.
 WITH published AS (
     SELECT run, 0 AS pressure, s1_at_0 AS theirs FROM table7

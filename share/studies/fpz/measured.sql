@@ -1,4 +1,4 @@
--- What criteria.tsv judges: numbers of the equations (fpz) and of Table 4 (tc), by their plane; how many of Table 9 are equal when rounded.
+-- Quantities that criteria.tsv judges: numbers of the equations (fpz) and of Table 4 (tc), by their plane; how many of Table 9 are equal when rounded.
 SELECT iif(fpz.table_4 = 'fpz', '', replace(table_4, 'tc', 'tc ') || ' MPa: ') || quantity || ifnull(', plane ' || plane, '') AS quantity, value, NULL AS shown
 FROM fpz
 UNION ALL SELECT 'zone_length over 4 mm', value / 4, NULL FROM fpz WHERE quantity = 'zone_length' AND table_4 = 'fpz'

@@ -1,4 +1,4 @@
--- What criteria.tsv judges: by how many percent the largest mean of the sizes exceeds the smallest, beyond half of their intervals at least by
+-- Quantities that criteria.tsv judges: by how many percent the largest mean of the sizes exceeds the smallest, beyond half of their intervals at least by
 -- `low`; exponents of σt.
 WITH means AS (
     SELECT iif(test = 'uniaxial', 'UCS', text('σ1 at {} MPa', confining_pressure_MPa)) AS name, strength_MPa AS mean,

@@ -1,4 +1,4 @@
--- What lib/rank-cost predicts of cases.tsv, for README.md.
+-- Predictions of lib/rank-cost for cases.tsv, for README.md.
 SELECT "case", network, text('{:.0f} × {:.0f}', 1.0 * ranks, 1.0 * threads) AS ranks_and_threads,
     text('{:.0f}', 1.0 * predicted_ghost_nodes) AS ghost_nodes, text('{:.3g}', 1.0 * predicted_kB_a_step) AS kB_a_step,
     text('{:.3g}', work_us / 1000.0) AS work_ms, text('{:.2g}', waiting_us / 1000.0) AS waiting_ms,

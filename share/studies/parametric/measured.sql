@@ -1,4 +1,4 @@
--- What criteria.tsv judges: straight lines of strength over the level, strengths at the material's tc, and at each level by how many percent
+-- Quantities that criteria.tsv judges: straight lines of strength over the level, strengths at the material's tc, and at each level by how many percent
 -- strength differs from that of the same specimens at the level nearest to 1.
 WITH parts AS (
     SELECT *, text('change: {}, {}', test, series) AS name FROM series WHERE strength_MPa IS NOT NULL

@@ -1,4 +1,4 @@
--- What criteria.tsv judges: properties beside the laboratory's, cracks by pressure and how they change from the lowest to the highest, their
+-- Quantities that criteria.tsv judges: properties beside the laboratory's, cracks by pressure and how they change from the lowest to the highest, their
 -- directions, and where discs crack.
 WITH ends AS (
     SELECT * FROM modes WHERE confining_pressure_MPa IN (SELECT min(confining_pressure_MPa) FROM modes UNION SELECT max(confining_pressure_MPa) FROM modes)

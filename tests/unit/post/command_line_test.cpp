@@ -23,7 +23,7 @@ protected:
         write_specimen(file, test::grid_specimen(2, 2, 0.1, 0.1));
         file.commit();
     }
-    /// What a call without the name of the tool writes to stdout.
+    /// The output on stdout of a call without the name of the tool.
     std::string output_of(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"graincrack-post", "--quiet"});
         std::vector<const char*> argv;

@@ -205,7 +205,7 @@ TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStr
     for (auto& column : run.history.columns) column.push_back(2 * column.back());
     run.history[HistoryColumn::axial_stress].back() = -200e6;
     EXPECT_NE(to_svg(draw_curves({run}, {}, "")).find("first peak"), std::string::npos);
-    // Where the stress rises on behind the fall, nothing is residual.
+    // If the stress rises again behind the fall, nothing is residual.
     RunData rises = read_run_data(path("soft.h5"));
     const LoadCurve curve = load_curve(rises);
     for (std::size_t row = 0; row < curve.stress.size(); ++row) {

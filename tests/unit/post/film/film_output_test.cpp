@@ -1,4 +1,4 @@
-// Where a film goes: names and sizes, a folder of pictures, the command that joins them.
+// The output of a film: names and sizes, a folder of pictures, the command that joins them.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What the pictures of a film show of a run with known answers.
+// Pictures of a film of a run with known answers.
 #include "post/film/film_page.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::size_t strokes_of(const Drawing& drawing, Colour colour) {
     return n;
 }
 
-/// Where the point on the stress–strain curve is.
+/// The position of the point on the stress–strain curve.
 Pixel point_on_curve(const Drawing& drawing) { return test::lines_of(drawing, palette::series(0), 22).at(0).points.front(); }
 
 TEST_F(Film, MovesNodesBetweenTheFrames) {

@@ -1,4 +1,4 @@
-// What pictures say by the places of their lines and markers, and by their words.
+// Pictures by the positions of their lines and markers, and by their words.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
