@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace graincrack::mesher {
 
@@ -68,6 +69,8 @@ std::vector<double> diameters_at(const std::vector<double>& quantiles, double sc
     return diameters;
 }
 
+double square_of(double value) { return value * value; }
+
 }  // namespace
 
 std::vector<double> requested_areas(std::size_t n, double total, double spread, SizeDistribution distribution,
@@ -99,6 +102,28 @@ double diameter_variation(const std::vector<double>& areas) {
     diameters.reserve(areas.size());
     for (const double area : areas) diameters.push_back(std::sqrt(area));
     return variation(diameters);
+}
+
+GradedAreas::GradedAreas(std::vector<double> drawn, const SizeField& size, std::vector<std::size_t> part_of_cell)
+    : drawn_(std::move(drawn)), size_(size.varies() ? &size : nullptr), part_of_cell_(std::move(part_of_cell)) {
+    if (part_of_cell_.empty()) part_of_cell_.assign(drawn_.size(), 0);
+    const std::size_t n_parts = 1 + *std::max_element(part_of_cell_.begin(), part_of_cell_.end());
+    part_areas_.assign(n_parts, 0);
+    for (std::size_t cell = 0; cell < drawn_.size(); ++cell) part_areas_[part_of_cell_[cell]] += drawn_[cell];
+}
+
+std::vector<double> GradedAreas::at(const std::vector<Point>& places) const {
+    if (!are_graded()) return drawn_;
+    std::vector<double> areas = drawn_;
+    std::vector<double> sums(part_areas_.size(), 0);
+    for (std::size_t cell = 0; cell < areas.size(); ++cell) {
+        areas[cell] *= square_of(size_->graded(places[cell]));
+        sums[part_of_cell_[cell]] += areas[cell];
+    }
+    for (std::size_t cell = 0; cell < areas.size(); ++cell) {
+        areas[cell] *= part_areas_[part_of_cell_[cell]] / sums[part_of_cell_[cell]];
+    }
+    return areas;
 }
 
 }  // namespace graincrack::mesher

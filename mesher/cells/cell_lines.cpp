@@ -13,11 +13,9 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double same_point = 1e-9;  ///< over the extent
-// Distances over the root of the mean area, within which a point of cells is moved:
-constexpr double reach_of_lines = 0.2;    ///< onto a wall
-constexpr double reach_of_corners = 0.3;  ///< to a corner of a wall
-constexpr double reach_of_ends = 0.6;     ///< to the end of a wall
-constexpr double beside_an_end = 0.01;    ///< fraction of a wall at whose ends no point is moved onto it
+/// Distance over the root of the mean area, within which a point of cells is moved onto a wall.
+constexpr double reach_of_lines = 0.2;
+constexpr double beside_an_end = 0.01;  ///< fraction of a wall at whose ends no point is moved onto it
 
 /// A point on a line, and the fraction of the line there.
 using Stop = std::pair<double, int>;
@@ -48,7 +46,7 @@ public:
     }
 
     CellLines run() && {
-        snap_to_corners();
+        add_corners();
         snap_to_walls();
         for (std::size_t side = first_wall(); side < walls_.sides.size(); ++side) {
             for (const Edge& edge : cells_.edges) meet(side, edge);
@@ -111,44 +109,26 @@ private:
         return only;
     }
 
-    /// Makes a point of each corner and end of walls: the nearest point of cells that can be moved there, or a new one.
-    void snap_to_corners() {
+    /// Makes a point of each corner and end of walls, unless a point of cells lies there.
+    void add_corners() {
         for (std::size_t w = 0; w < walls_.points.size(); ++w) {
             const Point corner = walls_.points[w];
-            const double reach = only_side_at(static_cast<int>(w)) ? reach_of_ends : reach_of_corners;
-            const std::optional<Edge> outer = outer_edge_at(corner);
-            std::vector<std::pair<double, int>> near;
-            for (int p = 0; p < static_cast<int>(cells_.points.size()); ++p) {
-                const double distance = length(at(p) - corner);
-                const bool slides = outer && lines_.is_fixed[index(p)] == 0 && ((*outer)[0] == p || (*outer)[1] == p);
-                const bool can_move = outer ? slides : is_free(p);
-                if (distance < tolerance_ || (can_move && distance < reach * size_at(corner))) near.emplace_back(distance, p);
-            }
-            std::sort(near.begin(), near.end());
-            int chosen = -1;
-            for (const auto& [distance, p] : near) {
-                if (distance >= tolerance_ && !try_move(p, corner)) continue;
-                chosen = p;
-                break;
-            }
-            if (chosen < 0) {
-                chosen = add_point(corner, true);
+            int p = 0;
+            while (p < static_cast<int>(cells_.points.size()) && length(at(p) - corner) >= tolerance_) ++p;
+            if (p == static_cast<int>(cells_.points.size())) {
+                p = add_point(corner, true);
                 if (const auto edge = edge_at(corner)) {
-                    stops_of_edge_[*edge].emplace_back(nearest_fraction(corner, at((*edge)[0]), at((*edge)[1])), chosen);
+                    stops_of_edge_[*edge].emplace_back(nearest_fraction(corner, at((*edge)[0]), at((*edge)[1])), p);
                 } else {
                     is_inside_cell_.push_back(static_cast<int>(w));
                 }
             }
-            lines_.is_fixed[index(chosen)] = 1;
-            number_.push_back(chosen);
+            lines_.is_fixed[index(p)] = 1;
+            number_.push_back(p);
         }
         for (std::size_t side = 0; side < walls_.sides.size(); ++side) {
             stops_of_wall_[side] = {{0, number_[index(walls_.sides[side].from)]}, {1, number_[index(walls_.sides[side].to)]}};
         }
-    }
-    [[nodiscard]] std::optional<Edge> outer_edge_at(Point place) const {
-        const auto edge = edge_at(place);
-        return edge && hull_side_.contains(*edge) ? edge : std::nullopt;
     }
 
     /// Moves free points that lie near a wall straight onto it.
@@ -211,8 +191,7 @@ private:
         double least = std::numeric_limits<double>::infinity();
         std::vector<Stop>* stops = nullptr;
         double fraction = 0;
-        int near = -1;
-        const auto try_line = [&](Point p, Point q, const auto& stops_of, int first, int last) {
+        const auto try_line = [&](Point p, Point q, const auto& stops_of) {
             const double a = cross(along, p - end);
             const double b = cross(along, q - end);
             if ((a > 0) == (b > 0)) return;
@@ -222,31 +201,21 @@ private:
             least = distance;
             fraction = there;
             stops = &stops_of();
-            near = -1;
-            const Point beyond = p + there * (q - p);
-            for (const int corner : {first, last}) {
-                if (length(at(corner) - beyond) < reach_of_corners * size_at(beyond)) near = corner;
-            }
         };
         for (const Edge& e : cells_.edges) {
-            try_line(
-                at(e[0]), at(e[1]), [&]() -> std::vector<Stop>& { return stops_of_edge_[e]; }, e[0], e[1]);
+            try_line(at(e[0]), at(e[1]), [&]() -> std::vector<Stop>& { return stops_of_edge_[e]; });
         }
         for (std::size_t other = first_wall(); other < walls_.sides.size(); ++other) {
             const auto& ends = stops_of_wall_[other];
             if (other == *side || ends[0].second == number_[index(wall_point)] || ends[1].second == number_[index(wall_point)]) {
                 continue;
             }
-            try_line(
-                from_of(other), to_of(other), [&]() -> std::vector<Stop>& { return stops_of_wall_[other]; }, ends[0].second,
-                ends[1].second);
+            try_line(from_of(other), to_of(other), [&]() -> std::vector<Stop>& { return stops_of_wall_[other]; });
         }
         if (stops == nullptr) return;
-        if (near < 0) {
-            near = add_point(end + (least / squared_length(along)) * along, false);
-            stops->emplace_back(fraction, near);
-        }
-        lines_.side_of[edge_between(number_[index(wall_point)], near)] = CellLines::extension;
+        const int added = add_point(end + (least / squared_length(along)) * along, false);
+        stops->emplace_back(fraction, added);
+        lines_.side_of[edge_between(number_[index(wall_point)], added)] = CellLines::extension;
     }
 
     void divide_edges() {

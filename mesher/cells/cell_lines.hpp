@@ -24,8 +24,8 @@ struct CellLines {
     std::map<Edge, int> cell_left;  ///< of the pieces of cells' edges, in the direction in which they go round a cell
 };
 
-/// Moves points of cells that lie near walls onto them, those nearest to corners and ends first, and divides the edges of cells
-/// and the walls where they meet.
+/// Moves points of cells that lie near walls onto them, and divides the edges of cells and the walls where they meet. Walls that
+/// end inside of a cell are continued to its side.
 /// \param cells of the hull of the walls \param mean_size root of the mean area of cells \param size graded, over it
 CellLines cell_lines(const PlaneCells& cells, const Walls& walls, double mean_size, const SizeField& size);
 

@@ -9,6 +9,8 @@
 #include "mesher/plane/power_diagram.hpp"
 #include "share/base/error.hpp"
 
+#include "mesher/cells/polygon.hpp"
+
 namespace graincrack::mesher {
 
 namespace {

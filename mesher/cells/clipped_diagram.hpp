@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "mesher/cells/convex_outline.hpp"
 #include "mesher/cells/plane_cells.hpp"
 #include "mesher/plane/power_diagram.hpp"
 

@@ -13,9 +13,8 @@
 #include <string>
 #include <utility>
 
-#include "mesher/cells/convex_outline.hpp"
+#include "mesher/cells/cell_areas.hpp"
 #include "mesher/cells/cut_cells.hpp"
-#include "mesher/cells/graded_areas.hpp"
 #include "mesher/cells/laguerre.hpp"
 #include "mesher/cells/polygon.hpp"
 #include "mesher/cells/relaxed_corners.hpp"
@@ -58,13 +57,12 @@ std::vector<double> drawn_areas(const Fabric& fabric, const MeshPlan& plan, doub
                            fabric.size_distribution.value_or(SizeDistribution::normal), random);
 }
 
-CrystalsInPlane plain_crystals(const Request& request, const MeshPlan& plan, const ProgressCallback& progress) {
-    ConvexOutline outline = convex_outline(plan.region, plan.edge, plan.size);
-    for (Point& p : outline.corners) p = Stretch(request.fabric.elongation).equiaxed(p);
+CrystalsInPlane plain_crystals(const Request& request, const MeshPlan& plan, const Walls& walls,
+                               const ProgressCallback& progress) {
     RandomNumbers random(request.seed);
-    const GradedAreas requested(drawn_areas(request.fabric, plan, moments(outline.corners).area, random), plan.size);
-    LaguerreCells made = laguerre_cells(outline, requested, random, progress);
-    return {std::move(made.cells), outline.size(), std::move(made.requested), made.largest_error, outline.loading_arc};
+    const GradedAreas requested(drawn_areas(request.fabric, plan, moments(walls.hull.corners).area, random), plan.size);
+    LaguerreCells made = laguerre_cells(walls.hull, requested, random, progress);
+    return {std::move(made.cells), walls.hull.size(), std::move(made.requested), made.largest_error, walls.loading_arc};
 }
 
 /// Shares areas between the zones inside, so that each has large and small ones by its room; the last, smallest ones are for the
@@ -128,8 +126,8 @@ void fill_zones(std::vector<double>& areas, std::vector<std::size_t>& zone_of, c
                                  near.front().second, format_length(edge), near.size() > 1 ? " beside " + near[1].second : ""));
 }
 
-CrystalsInPlane crystals_between_walls(const Request& request, const MeshPlan& plan, const ProgressCallback& progress) {
-    const Walls walls = walls_of(plan.region, plan.edge, Stretch(request.fabric.elongation), plan.size);
+CrystalsInPlane crystals_between_walls(const Request& request, const MeshPlan& plan, const Walls& walls,
+                                       const ProgressCallback& progress) {
     const Zones zones(walls);
     const auto n = static_cast<std::size_t>(plan.n_grains);
     double inside = 0;
@@ -229,17 +227,14 @@ MeshPlan plan_crystals(const Request& request) {
     if (request.notch) plan.region.edges.push_back(central_slit(plan.region, *request.notch, 0, "--notch"));
     add_edges(request, plan);
     if (fabric.grading) plan.size = SizeField(plan.region, plan.edge, fabric.grading, Stretch(fabric.elongation), 0);
-    if (is_plain(plan.region)) {
-        (void)convex_outline(plan.region, plan.edge, plan.size);
-    } else {
-        check_walls(request, plan);
-    }
+    if (!is_plain(plan.region)) check_walls(request, plan);
     return plan;
 }
 
 TessellatedRegion crystals(const Request& request, MeshPlan plan, const ProgressCallback& progress) {
+    const Walls walls = walls_of(plan.region, plan.edge, Stretch(request.fabric.elongation), plan.size);
     CrystalsInPlane made =
-        is_plain(plan.region) ? plain_crystals(request, plan, progress) : crystals_between_walls(request, plan, progress);
+        walls.divide() ? crystals_between_walls(request, plan, walls, progress) : plain_crystals(request, plan, walls, progress);
     TessellatedRegion result;
     result.report.n_short_edges = made.n_short_edges;
     merge_short_edges(made, result.report);

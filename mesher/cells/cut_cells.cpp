@@ -264,8 +264,8 @@ private:
     std::vector<Triangle> triangles_;
     std::map<Edge, std::size_t> triangle_left_;  ///< of a directed edge
     std::vector<Piece> pieces_;
-    std::vector<std::size_t> piece_of_;          ///< [triangles]
-    std::vector<std::size_t> zone_of_;           ///< [pieces]
+    std::vector<std::size_t> piece_of_;               ///< [triangles]
+    std::vector<std::size_t> zone_of_;                ///< [pieces]
     std::vector<std::pair<PieceLoop, double>> kept_;  ///< cells with their requested areas
 };
 

@@ -4,8 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "mesher/cells/convex_outline.hpp"
-#include "mesher/cells/graded_areas.hpp"
+#include "mesher/cells/cell_areas.hpp"
 #include "mesher/cells/plane_cells.hpp"
 #include "mesher/cells/walls.hpp"
 #include "mesher/plane/random_numbers.hpp"
@@ -13,10 +12,10 @@
 namespace graincrack::mesher {
 
 struct LaguerreCells {
-    PlaneCells cells;            ///< convex; the corners of the outline are the first points
-    std::vector<double> areas;   ///< of the cells, m²
+    PlaneCells cells;               ///< convex; the corners of the outline are the first points
+    std::vector<double> areas;      ///< of the cells, m²
     std::vector<double> requested;  ///< of the cells where they came to lie, m²
-    double largest_error = 0;    ///< of an area, over the requested one
+    double largest_error = 0;       ///< of an area, over the requested one
     std::vector<Point> seeds;
 };
 

@@ -1,13 +1,23 @@
-// Cells: polygons that fill a region, and what is known about their sides.
+// Polygons: cells that fill a region, with what is known about their sides, and convex outlines.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "mesher/seeds/seeds.hpp"
 
 namespace graincrack::mesher {
+
+/// A convex polygon, counter-clockwise.
+struct ConvexOutline {
+    std::vector<Point> corners;
+    std::vector<std::uint8_t> parts;  ///< of the boundary, of the side from each corner to the next
+
+    [[nodiscard]] std::size_t size() const { return corners.size(); }
+    [[nodiscard]] Point corner(std::size_t i) const { return corners[i < size() ? i : i - size()]; }
+};
 
 struct PlaneCells {
     std::vector<Point> points;

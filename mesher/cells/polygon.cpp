@@ -18,6 +18,18 @@ double area_of(std::span<const Point> loop) {
     return sum;
 }
 
+PolygonMoments moments(const std::vector<Point>& corners) {
+    PolygonMoments result;
+    const Point origin = corners.front();
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const double area = signed_area(origin, corners[i], corners[i + 1]);
+        result.area += area;
+        result.centroid = result.centroid + (area / 3) * ((corners[i] - origin) + (corners[i + 1] - origin));
+    }
+    result.centroid = origin + (1 / result.area) * result.centroid;
+    return result;
+}
+
 bool is_sound(std::span<const Point> loop) {
     const double area = area_of(loop);
     if (!(area > 0)) return false;

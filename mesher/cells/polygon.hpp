@@ -13,6 +13,13 @@ namespace graincrack::mesher {
 /// Area, negative if the corners are clockwise, m².
 double area_of(std::span<const Point> loop);
 
+/// Area of a polygon, m², and its centroid.
+struct PolygonMoments {
+    double area = 0;
+    Point centroid;
+};
+PolygonMoments moments(const std::vector<Point>& corners);
+
 /// Whether all sides are clearly seen from the centroid, so that the polygon has an area and does not cross itself.
 bool is_sound(std::span<const Point> loop);
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "mesher/cells/cell_areas.hpp"
-#include "mesher/cells/convex_outline.hpp"
 #include "mesher/cells/polygon.hpp"
 #include "mesher/seeds/orientation.hpp"
 

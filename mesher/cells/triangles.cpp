@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "mesher/cells/delaunay.hpp"
 #include "mesher/cells/polygon.hpp"
 #include "mesher/cells/statistics.hpp"
 #include "mesher/region/stretched_region.hpp"
@@ -176,6 +175,20 @@ Attempt best_attempt(const Request& request, const MeshPlan& plan, const Progres
 }
 
 }  // namespace
+
+PlaneCells delaunay_cells(Seeds seeds) {
+    PlaneCells cells;
+    cells.corners.reserve(3 * seeds.triangles.size());
+    cells.start.reserve(seeds.triangles.size() + 1);
+    for (const Triangle& t : seeds.triangles) {
+        cells.corners.insert(cells.corners.end(), t.begin(), t.end());
+        cells.start.push_back(static_cast<int>(cells.corners.size()));
+    }
+    cells.points = std::move(seeds.points);
+    cells.edges = std::move(seeds.edges);
+    cells.sides = std::move(seeds.sides);
+    return cells;
+}
 
 MeshPlan plan_triangles(const Request& request) {
     const Region& region = request.region;

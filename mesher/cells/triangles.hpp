@@ -22,4 +22,7 @@ MeshPlan plan_triangles(const Request& request);
 /// is corrected until the mean edge is within 0.5 %, or as near as whole grains allow.
 TessellatedRegion triangles(const Request& request, MeshPlan plan, const ProgressCallback& progress);
 
+/// Makes each triangle of relaxed seeds a cell, in the same order.
+PlaneCells delaunay_cells(Seeds seeds);
+
 }  // namespace graincrack::mesher

@@ -25,6 +25,29 @@ constexpr int most_divisions = 9;
 /// Points on a rim that flaws may move: whose polygon then has its middle in the disc's to 0.1 % of the diameter.
 constexpr double fewest_on_rim = 48;
 
+constexpr int fewest_on_circle = 24;  ///< chords, whose rise is then below 1 % of the radius
+/// Where chords differ: none is longer than those of so many equal ones, whose ends have their middle in the circle's to 0.1 % of
+/// the diameter.
+constexpr int fewest_graded_on_circle = 48;
+
+bool has_arcs(const Loop& loop) {
+    return std::any_of(loop.centres.begin(), loop.centres.end(), [](const auto& centre) { return centre.has_value(); });
+}
+
+/// Number of points on the loops of a region, about `edge` times the local size apart, more on small round ones.
+double outline_count(const Region& region, double edge, const SizeField& size) {
+    const Loop& loop = region.loops.front();
+    double requested = (size.varies() ? relative_perimeter(region, size) : perimeter(region)) / edge;
+    if (loop.circle) requested = std::max({requested, 1.0 * fewest_on_circle, 4.0 * loop.circle->diameters});
+    if (has_arcs(loop)) requested = std::max(requested, 1.0 * fewest_on_circle);
+    if (size.varies() && (loop.circle || has_arcs(loop))) {
+        const double around = perimeter({region.name, {loop}, {}, region.part_names, region.flats});
+        requested = std::max(requested, fewest_graded_on_circle * size.largest() * std::sqrt(size.stretch().ratio()) *
+                                            relative_perimeter(region, size) / around);
+    }
+    return requested;
+}
+
 ConvexOutline box_around(const std::vector<Point>& points, double margin) {
     Box box{points.front(), points.front()};
     for (const Point p : points) {
@@ -33,7 +56,7 @@ ConvexOutline box_around(const std::vector<Point>& points, double margin) {
     }
     const Point low = box.low - Point{margin, margin};
     const Point high = box.high + Point{margin, margin};
-    return {{low, {high.x, low.y}, high, {low.x, high.y}}, {0, 0, 0, 0}, 0};
+    return {{low, {high.x, low.y}, high, {low.x, high.y}}, {0, 0, 0, 0}};
 }
 
 /// Integral of one over the square of the graded size over a triangle, which is divided until the size hardly changes in it.
@@ -84,7 +107,8 @@ Walls walls_of(const Region& region, double edge, const Stretch& stretch, const 
     walls.is_convex = is_plain(plain);
     RandomNumbers random(0);  // of which equal distances need none
     double requested = outline_count(region, edge, size);
-    if (is_round(region)) requested = std::max(requested, fewest_on_rim * perimeter(region) / perimeter(plain));
+    if (is_round(region) && !is_plain(region))
+        requested = std::max(requested, fewest_on_rim * perimeter(region) / perimeter(plain));
     const int n = admissible_boundary_count(region, requested, false);
     const Seeds seeds = fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random, size);
     walls.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesher/cells/convex_outline.hpp"
+#include "mesher/cells/plane_cells.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "mesher/plane/stretch.hpp"
 #include "mesher/seeds/seeds.hpp"
@@ -21,6 +21,8 @@ struct Walls {
     bool is_convex = true;      ///< whether the hull is the first loop
     double loading_arc = 0;     ///< as of `Seeds`
 
+    /// Whether there are walls within the hull.
+    [[nodiscard]] bool divide() const { return !is_convex || sides.size() > n_sides_of_outline(); }
     /// Whether a point is inside of the loops.
     [[nodiscard]] bool contains(Point p) const;
     /// The number of sides of the first loop, which come first.
@@ -28,9 +30,10 @@ struct Walls {
     [[nodiscard]] Point at(int p) const { return points[static_cast<std::size_t>(p)]; }
 };
 
-/// \param edge distance of points on round sides, m
-/// \param stretch of elongated cells: walls are those of the plane in which they are equiaxed
-/// \param size over `edge`, if that varies
+/// Straight sides are whole, round ones have the fixed points of meshes at a distance of about `edge` times the local size, more
+/// on small ones, so that a circle keeps its area and the facets at its poles their places. \param edge distance of points on
+/// round sides, m \param stretch of elongated cells: walls are those of the plane in which they are equiaxed \param size over
+/// `edge`, if that varies
 Walls walls_of(const Region& region, double edge, const Stretch& stretch = {}, const SizeField& size = {});
 
 /// Parts of the hull that walls separate from one another.

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "mesher/cells/convex_outline.hpp"
 #include "mesher/cells/polygon.hpp"
 #include "mesher/elements/divided_polygon.hpp"
 #include "share/base/error.hpp"

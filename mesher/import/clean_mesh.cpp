@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
+#include <tuple>
 #include <utility>
 
 #include "share/base/error.hpp"
@@ -31,27 +30,6 @@ struct Extent {
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
     [[nodiscard]] double size() const { return std::max(high.x - low.x, high.y - low.y); }
-};
-
-/// Squares of a grid of a given width, each with what was put into it.
-class Squares {
-public:
-    Squares(Point low, double width) : low_(low), width_(width) {}
-    [[nodiscard]] std::int64_t column(double x) const { return static_cast<std::int64_t>(std::floor((x - low_.x) / width_)); }
-    [[nodiscard]] std::int64_t row(double y) const { return static_cast<std::int64_t>(std::floor((y - low_.y) / width_)); }
-    std::vector<int>& at(std::int64_t column, std::int64_t row) { return squares_[key(column, row)]; }
-    [[nodiscard]] const std::vector<int>* find(std::int64_t column, std::int64_t row) const {
-        const auto found = squares_.find(key(column, row));
-        return found == squares_.end() ? nullptr : &found->second;
-    }
-
-private:
-    static std::uint64_t key(std::int64_t column, std::int64_t row) {
-        return static_cast<std::uint64_t>(column) * 0x9e3779b97f4a7c15U ^ static_cast<std::uint64_t>(row);
-    }
-    Point low_;
-    double width_;
-    std::unordered_map<std::uint64_t, std::vector<int>> squares_;
 };
 
 class Cleaner {
@@ -108,25 +86,25 @@ private:
     /// Points at one place become the first of them.
     void join_points() {
         const double tolerance = same_place * extent_.size();
-        Squares squares(extent_.low, 2 * tolerance);
+        std::vector<std::size_t> order(mesh_.points.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::vector<std::size_t> first = order;
+        std::sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) {
+            return std::pair(mesh_.points[p].x, p) < std::pair(mesh_.points[q].x, q);
+        });
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            for (std::size_t k = i + 1; k < order.size(); ++k) {
+                const Point off = mesh_.points[order[k]] - mesh_.points[order[i]];
+                if (off.x > tolerance) break;
+                if (length(off) > tolerance) continue;
+                first[order[i]] = first[order[k]] = std::min(first[order[i]], first[order[k]]);
+            }
+        }
         std::vector<int> number(mesh_.points.size());
         std::vector<Point> points;
         for (std::size_t p = 0; p < number.size(); ++p) {
-            const Point here = mesh_.points[p];
-            int same = -1;
-            for (const std::int64_t column : {squares.column(here.x - tolerance), squares.column(here.x + tolerance)}) {
-                for (const std::int64_t row : {squares.row(here.y - tolerance), squares.row(here.y + tolerance)}) {
-                    const std::vector<int>* others = squares.find(column, row);
-                    if (others == nullptr || same >= 0) continue;
-                    for (const int q : *others) {
-                        if (length(points[static_cast<std::size_t>(q)] - here) <= tolerance) same = q;
-                    }
-                }
-            }
-            number[p] = same >= 0 ? same : static_cast<int>(points.size());
-            if (same >= 0) continue;
-            squares.at(squares.column(here.x), squares.row(here.y)).push_back(number[p]);
-            points.push_back(here);
+            number[p] = first[p] < p ? number[first[p]] : static_cast<int>(points.size());
+            if (first[p] == p) points.push_back(mesh_.points[p]);
         }
         if (points.size() == mesh_.points.size()) return;
         note(
@@ -157,28 +135,13 @@ private:
     /// Grains of several pieces, and the order of triangles.
     void make_pieces() {
         const std::size_t n = mesh_.triangles.size();
-        struct Half {
-            Edge edge;
-            int triangle;
-        };
-        std::vector<Half> halves;
-        halves.reserve(3 * n);
-        for (std::size_t t = 0; t < n; ++t) {
-            const Triangle& c = mesh_.triangles[t];
-            for (std::size_t k = 0; k < 3; ++k) {
-                const int p = c[k];
-                const int q = c[(k + 1) % 3];
-                halves.push_back({edge_between(p, q), static_cast<int>(t)});
-            }
-        }
-        std::sort(halves.begin(), halves.end(),
-                  [](const Half& l, const Half& r) { return l.edge != r.edge ? l.edge < r.edge : l.triangle < r.triangle; });
+        const std::vector<HalfEdge> halves = half_edges(mesh_.triangles);
         UnionFind pieces(n);
-        const auto grain = [&](int t) { return mesh_.grain_of_triangle[static_cast<std::size_t>(t)]; };
         for (std::size_t i = 1; i < halves.size(); ++i) {
-            if (halves[i].edge == halves[i - 1].edge && grain(halves[i].triangle) == grain(halves[i - 1].triangle)) {
-                pieces.join(static_cast<std::size_t>(halves[i].triangle), static_cast<std::size_t>(halves[i - 1].triangle));
-            }
+            const std::size_t t = halves[i].triangle;
+            const std::size_t other = halves[i - 1].triangle;
+            const bool is_of_grain = mesh_.grain_of_triangle[t] == mesh_.grain_of_triangle[other];
+            if (halves[i].edge == halves[i - 1].edge && is_of_grain) pieces.join(t, other);
         }
         // Grains in their order, their pieces in that of their first triangles.
         std::vector<std::size_t> order(n);
@@ -216,40 +179,26 @@ private:
     /// A side may belong to two triangles, in opposite directions.
     void check_overlap() {
         std::vector<Edge> sides;
-        sides.reserve(3 * mesh_.triangles.size());
-        for (const Triangle& t : mesh_.triangles) {
-            for (std::size_t k = 0; k < 3; ++k) sides.push_back({t[k], t[(k + 1) % 3]});
-        }
+        for (const HalfEdge& half : half_edges(mesh_.triangles)) sides.push_back(half.side(mesh_.triangles));
         std::sort(sides.begin(), sides.end());
         const auto twice = std::adjacent_find(sides.begin(), sides.end());
-        if (twice != sides.end()) {
-            fail(fmt::format("two triangles overlap: both have the side from {} to {} with themselves on its left",
-                             position_text(at((*twice)[0])), position_text(at((*twice)[1]))));
-        }
+        if (twice == sides.end()) return;
+        fail(fmt::format("two triangles overlap: both have the side from {} to {} with themselves on its left",
+                         position_text(at((*twice)[0])), position_text(at((*twice)[1]))));
     }
 
     /// Open sides must not cross, nor hold points that are not their ends: there neighbours do not conform.
     void check_boundary() {
-        const std::vector<OpenSide> sides = open_sides(mesh_.triangles);
-        // Squares a quarter of the width that as many squares as sides would have: few sides lie in one, few squares hold one
-        // side.
-        Squares squares(extent_.low, extent_.size() / (4 * std::sqrt(static_cast<double>(sides.size()) + 1)));
-        const auto each_square = [&](const OpenSide& s, const auto& visit) {
-            const Point p = at(s.from);
-            const Point q = at(s.to);
-            for (std::int64_t column = squares.column(std::min(p.x, q.x)); column <= squares.column(std::max(p.x, q.x));
-                 ++column) {
-                for (std::int64_t row = squares.row(std::min(p.y, q.y)); row <= squares.row(std::max(p.y, q.y)); ++row) {
-                    visit(column, row);
-                }
-            }
-        };
+        std::vector<OpenSide> sides = open_sides(mesh_.triangles);
+        const auto low = [&](const OpenSide& s) { return std::min(at(s.from).x, at(s.to).x); };
+        std::sort(sides.begin(), sides.end(), [&](const OpenSide& s, const OpenSide& t) { return low(s) < low(t); });
         for (std::size_t i = 0; i < sides.size(); ++i) {
-            each_square(sides[i], [&](std::int64_t column, std::int64_t row) {
-                std::vector<int>& others = squares.at(column, row);
-                for (const int j : others) check_pair(sides[i], sides[static_cast<std::size_t>(j)]);
-                others.push_back(static_cast<int>(i));
-            });
+            const auto [bottom, top] = std::minmax({at(sides[i].from).y, at(sides[i].to).y});
+            const double right = std::max(at(sides[i].from).x, at(sides[i].to).x);
+            for (std::size_t k = i + 1; k < sides.size() && low(sides[k]) <= right; ++k) {
+                const auto [below, above] = std::minmax({at(sides[k].from).y, at(sides[k].to).y});
+                if (below <= top && above >= bottom) check_pair(sides[i], sides[k]);
+            }
         }
     }
 
@@ -287,31 +236,31 @@ private:
 
 void clean(ImportedMesh& mesh, const std::string& name) { Cleaner(mesh, name).run(); }
 
-std::vector<OpenSide> open_sides(const std::vector<Triangle>& triangles) {
-    struct Half {
-        Edge edge;
-        std::size_t side;  ///< 3 triangle + its corner
-    };
-    std::vector<Half> halves;
+std::vector<HalfEdge> half_edges(const std::vector<Triangle>& triangles) {
+    std::vector<HalfEdge> halves;
     halves.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int p = triangles[t][k];
-            const int q = triangles[t][(k + 1) % 3];
-            halves.push_back({edge_between(p, q), 3 * t + k});
-        }
+        for (std::size_t k = 0; k < 3; ++k) halves.push_back({edge_between(triangles[t][k], triangles[t][(k + 1) % 3]), t, k});
     }
-    std::sort(halves.begin(), halves.end(),
-              [](const Half& l, const Half& r) { return l.edge != r.edge ? l.edge < r.edge : l.side < r.side; });
-    std::vector<std::size_t> open;
+    std::sort(halves.begin(), halves.end(), [](const HalfEdge& l, const HalfEdge& r) {
+        return std::tie(l.edge, l.triangle, l.corner) < std::tie(r.edge, r.triangle, r.corner);
+    });
+    return halves;
+}
+
+std::vector<OpenSide> open_sides(const std::vector<Triangle>& triangles) {
+    const std::vector<HalfEdge> halves = half_edges(triangles);
+    std::vector<HalfEdge> open;
     for (std::size_t i = 0; i < halves.size(); ++i) {
         const bool has_before = i > 0 && halves[i - 1].edge == halves[i].edge;
         const bool has_after = i + 1 < halves.size() && halves[i + 1].edge == halves[i].edge;
-        if (!has_before && !has_after) open.push_back(halves[i].side);
+        if (!has_before && !has_after) open.push_back(halves[i]);
     }
-    std::sort(open.begin(), open.end());
+    std::sort(open.begin(), open.end(), [](const HalfEdge& l, const HalfEdge& r) {
+        return std::tie(l.triangle, l.corner) < std::tie(r.triangle, r.corner);
+    });
     std::vector<OpenSide> sides;
-    for (const std::size_t s : open) sides.push_back({triangles[s / 3][s % 3], triangles[s / 3][(s + 1) % 3]});
+    for (const HalfEdge& half : open) sides.push_back({half.side(triangles)[0], half.side(triangles)[1]});
     return sides;
 }
 

@@ -1,6 +1,7 @@
 // All boundaries of a picture as segments that do not cross.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "mesher/import/label_smoothing.hpp"
 #include "mesher/plane/geometry.hpp"
 #include "mesher/plane/refined_triangulation.hpp"
+#include "mesher/plane/triangulation.hpp"
 
 namespace graincrack::mesher {
 
@@ -22,5 +24,16 @@ struct LabelNetwork {
 /// divided more finely, down to the middles of the sides of pixels (jagged: to their corners); so are segments more than three
 /// times as long as one that they meet, and all around a piece whose area would be more than 10 % off that of its pixels.
 LabelNetwork label_network(const LabelBoundaries& boundaries, std::span<const int> pixels_of_piece, const Smoothing& smoothing);
+
+/// What segments need of each other.
+struct Clearance {
+    double distance = 0;  ///< between segments without a common point, in the unit of the points
+    double angle = 0;     ///< between segments that share a point, rad, below π/2
+};
+
+/// The segments, ascending, that need more of a distance from another, or of an angle with it. Two that cross are always among
+/// them: the distance is far above the rounding of its computation.
+std::vector<std::size_t> crowded_segments(std::span<const Point> points, std::span<const Edge> segments,
+                                          const Clearance& clearance);
 
 }  // namespace graincrack::mesher

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "mesher/import/label_boundaries.hpp"
-#include "mesher/import/label_junctions.hpp"
 #include "mesher/import/label_network.hpp"
 #include "mesher/import/label_pieces.hpp"
 #include "mesher/plane/refined_triangulation.hpp"

@@ -4,11 +4,15 @@
 
 #include "mesher/region/shapes.hpp"
 
+#include "mesher/cells/walls.hpp"
+
+#include "mesher/cells/polygon.hpp"
+
 namespace graincrack::mesher {
 namespace {
 
 TEST(ClippedDiagram, CutsTheCornersOfARectangle) {
-    const ConvexOutline outline = convex_outline(rectangle(4, 2), 1);
+    const ConvexOutline outline = walls_of(rectangle(4, 2), 1).hull;
     const std::vector<Point> seeds{{-1, 0}, {1, 0}};
     const ClippedDiagram diagram(outline, seeds, std::vector{0.4, 0.0});
     ASSERT_TRUE(diagram.is_consistent());
@@ -31,14 +35,14 @@ TEST(ClippedDiagram, CutsTheCornersOfARectangle) {
 }
 
 TEST(ClippedDiagram, OneCellIsTheOutline) {
-    const ConvexOutline outline = convex_outline(half_disc(2), 0.3);
+    const ConvexOutline outline = walls_of(half_disc(2), 0.3).hull;
     const ClippedDiagram diagram(outline, std::vector<Point>{{0, 0}}, std::vector{0.0});
     EXPECT_NEAR(diagram.areas()[0], moments(outline.corners).area, 1e-12);
     EXPECT_EQ(diagram.cells().loop(0).size(), outline.size());
 }
 
 TEST(ClippedDiagram, ManyCellsOnOneSideLeaveTheOthersToTheEnds) {
-    const ConvexOutline outline = convex_outline(rectangle(4, 2), 1);
+    const ConvexOutline outline = walls_of(rectangle(4, 2), 1).hull;
     // The three lines between cells end on the lower side alone, or on the upper one.
     const std::vector<Point> seeds{{0, 0.9}, {-0.2, -0.95}, {0.2, -0.95}};
     const ClippedDiagram diagram(outline, seeds, std::vector{2.9, 0.0, 0.0});

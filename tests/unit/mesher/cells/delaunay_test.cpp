@@ -1,4 +1,4 @@
-#include "mesher/cells/delaunay.hpp"
+#include "mesher/cells/triangles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesher/cells/graded_areas.hpp"
+#include "mesher/cells/cell_areas.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,6 +12,8 @@
 #include "mesher/cells/short_edges.hpp"
 #include "mesher/region/shapes.hpp"
 
+#include "mesher/cells/walls.hpp"
+
 namespace graincrack::mesher {
 namespace {
 
@@ -23,7 +25,7 @@ struct Made {
 
 Made made(const Region& region, std::size_t n, double spread, SizeDistribution distribution, std::uint64_t seed) {
     Made result;
-    result.outline = convex_outline(region, std::sqrt(4 * area(region) / (std::numbers::sqrt3 * static_cast<double>(n))));
+    result.outline = walls_of(region, std::sqrt(4 * area(region) / (std::numbers::sqrt3 * static_cast<double>(n)))).hull;
     RandomNumbers random(seed);
     result.requested = requested_areas(n, moments(result.outline.corners).area, spread, distribution, random);
     result.cells = laguerre_cells(result.outline, result.requested, random);

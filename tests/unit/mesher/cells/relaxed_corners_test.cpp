@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "mesher/cells/cell_areas.hpp"
-#include "mesher/cells/convex_outline.hpp"
 #include "mesher/cells/laguerre.hpp"
 #include "mesher/cells/polygon.hpp"
 #include "mesher/cells/restored_areas.hpp"
 #include "mesher/cells/short_edges.hpp"
+#include "mesher/cells/walls.hpp"
 #include "mesher/plane/step_length.hpp"
 #include "mesher/region/shapes.hpp"
 
@@ -52,7 +52,7 @@ TEST(RelaxedCorners, MakeShapesBetterAndKeepAreas) {
         for (const double spread : {0.1, 0.3}) {
             constexpr std::size_t n = 500;
             const ConvexOutline outline =
-                convex_outline(region, std::sqrt(4 * area(region) / (std::numbers::sqrt3 * static_cast<double>(n))));
+                walls_of(region, std::sqrt(4 * area(region) / (std::numbers::sqrt3 * static_cast<double>(n)))).hull;
             RandomNumbers random(3);
             const std::vector<double> requested =
                 requested_areas(n, moments(outline.corners).area, spread, SizeDistribution::normal, random);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
+#include "mesher/cells/polygon.hpp"
 #include "mesher/region/shapes.hpp"
 #include "tests/unit/mesher/region/test_regions.hpp"
 
@@ -78,6 +80,36 @@ TEST(Walls, SeedsStayInTheirZones) {
     EXPECT_EQ(zones.moved({-1, 0}, {1, 0}, 0.3), (Point{-1, 0}));        // not across
     EXPECT_NEAR(zones.moved({-1, 0}, {-0.1, 0.2}, 0.3).x, -0.3, 1e-12);  // away from the joint
     EXPECT_EQ(zones.moved({-1, 0}, {-0.5, 0.2}, 0.3), (Point{-0.5, 0.2}));
+}
+
+TEST(Walls, HaveStraightSidesWhole) {
+    const ConvexOutline outline = walls_of(rectangle(4, 2), 0.1).hull;
+    EXPECT_EQ(outline.corners, (std::vector<Point>{{-2, -1}, {2, -1}, {2, 1}, {-2, 1}}));
+    EXPECT_EQ(outline.parts, (std::vector<std::uint8_t>{0, 1, 2, 3}));
+    EXPECT_DOUBLE_EQ(moments(outline.corners).area, 8);
+    EXPECT_NEAR(length(moments(outline.corners).centroid), 0, 1e-15);
+}
+
+TEST(Walls, OfADiscHaveItsAreaAndFacets) {
+    const ConvexOutline outline = walls_of(disc(0.08), 0.004).hull;
+    EXPECT_NEAR(moments(outline.corners).area / (std::numbers::pi * 0.0016), 1, 1e-9);
+    EXPECT_NEAR(static_cast<double>(outline.size()), std::numbers::pi * 20, 2);
+    int facets = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        if (std::abs(outline.corner(i).y) == 0.04 && outline.corner(i).y == outline.corner(i + 1).y) ++facets;
+    }
+    EXPECT_EQ(facets, 2);
+    const double arc = walls_of(disc(0.08), 0.004).loading_arc;
+    EXPECT_NEAR(arc, 2 * std::numbers::pi / static_cast<double>(outline.size()), 0.01 * arc);
+    EXPECT_GE(walls_of(disc(0.08), 0.05).hull.size(), 24U);
+}
+
+TEST(Walls, OfFlatsAndHalvesHaveArcs) {
+    const ConvexOutline flats = walls_of(disc_with_flats(0.08, 0.3), 0.004).hull;
+    EXPECT_NEAR(moments(flats.corners).area / area(disc_with_flats(0.08, 0.3)), 1, 1e-9);
+    const ConvexOutline half = walls_of(half_disc(0.08), 0.004).hull;
+    EXPECT_NEAR(moments(half.corners).area / area(half_disc(0.08)), 1, 1e-9);
+    EXPECT_EQ(half.parts.front(), 0);
 }
 
 }  // namespace

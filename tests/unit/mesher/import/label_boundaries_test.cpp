@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "mesher/import/label_junctions.hpp"
-
 namespace graincrack::mesher {
 namespace {
 

@@ -1,8 +1,6 @@
-#include "mesher/import/label_crossings.hpp"
+#include "mesher/import/label_network.hpp"
 
 #include <gtest/gtest.h>
-
-#include "mesher/import/label_network.hpp"
 
 namespace graincrack::mesher {
 namespace {
