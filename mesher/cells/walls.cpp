@@ -107,8 +107,9 @@ Walls walls_of(const Region& region, double edge, const Stretch& stretch, const 
     walls.is_convex = is_plain(plain);
     RandomNumbers random(0);  // of which equal distances need none
     double requested = outline_count(region, edge, size);
-    if (is_round(region) && !is_plain(region))
+    if (is_round(region) && !is_plain(region)) {
         requested = std::max(requested, fewest_on_rim * perimeter(region) / perimeter(plain));
+    }
     const int n = admissible_boundary_count(region, requested, false);
     const Seeds seeds = fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random, size);
     walls.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;
