@@ -23,20 +23,20 @@ std::optional<std::array<double, 2>> notch_ends(const Specimen& specimen) {
 }
 
 std::optional<EdgeNotch> edge_notch(const Specimen& specimen) {
-    using Place = std::array<double, 2>;
+    using Position = std::array<double, 2>;
     constexpr double conformity = 1e-9;  // as that of contacts
     const double slack = conformity * (specimen.width + specimen.height);
-    const auto meet = [slack](const Place& p, const Place& q) { return std::hypot(p[0] - q[0], p[1] - q[1]) <= slack; };
-    std::vector<std::array<Place, 2>> rest;
+    const auto meet = [slack](const Position& p, const Position& q) { return std::hypot(p[0] - q[0], p[1] - q[1]) <= slack; };
+    std::vector<std::array<Position, 2>> rest;
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
         if (specimen.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::pre_existing_crack)) continue;
         const auto& nodes = specimen.contact_nodes[c];
         rest.push_back({specimen.node_position[static_cast<std::size_t>(nodes[0])],
                         specimen.node_position[static_cast<std::size_t>(nodes[1])]});
     }
-    std::vector<Place> reached;
+    std::vector<Position> reached;
     for (const auto& ends : rest) {
-        for (const Place& end : ends) {
+        for (const Position& end : ends) {
             if (reached.empty() && end[1] <= -specimen.height / 2 + slack) reached.push_back(end);
         }
     }
@@ -44,8 +44,8 @@ std::optional<EdgeNotch> edge_notch(const Specimen& specimen) {
     EdgeNotch notch{reached.front(), reached.front()};
     for (std::size_t i = 0; i < reached.size(); ++i) {
         if (reached[i][1] > notch.tip[1]) notch.tip = reached[i];
-        std::erase_if(rest, [&](const std::array<Place, 2>& ends) {
-            const Place at = reached[i];
+        std::erase_if(rest, [&](const std::array<Position, 2>& ends) {
+            const Position at = reached[i];
             if (!meet(ends[0], at) && !meet(ends[1], at)) return false;
             reached.push_back(meet(ends[0], at) ? ends[1] : ends[0]);
             return true;

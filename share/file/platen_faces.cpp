@@ -36,10 +36,10 @@ std::array<std::array<double, 2>, 4> PlatenFaceSet::bar(const PlatenFace& face, 
     const double right = axis[1] > 0 ? 1 : -1;
     const double inner = face.position - face.side * approach;
     const double outer = inner + face.side * thickness;
-    const auto place = [&](double across, double along) {
+    const auto corner = [&](double across, double along) {
         return std::array{right * across * axis[1] + along * axis[0], -right * across * axis[0] + along * axis[1]};
     };
-    return {place(face.left, inner), place(face.right, inner), place(face.right, outer), place(face.left, outer)};
+    return {corner(face.left, inner), corner(face.right, inner), corner(face.right, outer), corner(face.left, outer)};
 }
 
 void write_platen_faces(H5Output& file, const PlatenFaceSet& set) {

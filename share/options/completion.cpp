@@ -12,7 +12,7 @@ namespace graincrack {
 namespace {
 
 /// What can follow on a command line behind a (sub)command, "" for the tool itself.
-struct Place {
+struct Position {
     std::string command;  ///< "plot curve"
     std::vector<std::string> words;
     /// Options with their words: "--rate" with "auto", "blocks".
@@ -30,28 +30,28 @@ std::vector<std::string> words_of(const std::string& type_name) {
     return words;
 }
 
-void add_options(const CLI::App& app, Place& place) {
+void add_options(const CLI::App& app, Position& position) {
     for (const CLI::Option* option : app.get_options()) {
         if (option->get_group().empty() || !option->nonpositional()) continue;
         const std::vector<std::string> words = words_of(option->get_type_name());
         for (const std::string& name : option->get_lnames()) {
-            place.words.push_back("--" + name);
-            if (option->get_type_size() != 0 && !words.empty()) place.choices.emplace_back("--" + name, words);
+            position.words.push_back("--" + name);
+            if (option->get_type_size() != 0 && !words.empty()) position.choices.emplace_back("--" + name, words);
         }
     }
 }
 
-/// Adds the place of a command and those of its subcommands. \param above the options of the commands above it
-void add_places(const CLI::App& app, const std::string& command, const Place& above, std::vector<Place>& places) {
-    Place place = above;
-    place.command = command;
-    add_options(app, place);
-    const Place own = place;
+/// Adds the position of a command and those of its subcommands. \param above the options of the commands above it
+void add_positions(const CLI::App& app, const std::string& command, const Position& above, std::vector<Position>& positions) {
+    Position position = above;
+    position.command = command;
+    add_options(app, position);
+    const Position own = position;
     const auto subcommands = app.get_subcommands(nullptr);
-    for (const CLI::App* sub : subcommands) place.words.push_back(sub->get_name());
-    places.push_back(place);
+    for (const CLI::App* sub : subcommands) position.words.push_back(sub->get_name());
+    positions.push_back(position);
     for (const CLI::App* sub : subcommands) {
-        add_places(*sub, command.empty() ? sub->get_name() : command + " " + sub->get_name(), own, places);
+        add_positions(*sub, command.empty() ? sub->get_name() : command + " " + sub->get_name(), own, positions);
     }
 }
 
@@ -59,24 +59,24 @@ void add_places(const CLI::App& app, const std::string& command, const Place& ab
 struct Cases {
     std::string commands, choices, words;
 };
-Cases cases_of(const std::vector<Place>& places, const std::string& offer) {
+Cases cases_of(const std::vector<Position>& positions, const std::string& offer) {
     Cases cases;
-    for (const Place& place : places) {
-        if (!place.command.empty()) {
-            cases.commands += (cases.commands.empty() ? "" : " | ") + fmt::format("\"{}\"", place.command);
+    for (const Position& position : positions) {
+        if (!position.command.empty()) {
+            cases.commands += (cases.commands.empty() ? "" : " | ") + fmt::format("\"{}\"", position.command);
         }
-        for (const auto& [option, words] : place.choices) {
-            cases.choices += fmt::format("        \"{} {}\") {}; return ;;\n", place.command, option,
+        for (const auto& [option, words] : position.choices) {
+            cases.choices += fmt::format("        \"{} {}\") {}; return ;;\n", position.command, option,
                                          fmt::format(fmt::runtime(offer), fmt::join(words, " ")));
         }
-        cases.words +=
-            fmt::format("        \"{}\") {} ;;\n", place.command, fmt::format(fmt::runtime(offer), fmt::join(place.words, " ")));
+        cases.words += fmt::format("        \"{}\") {} ;;\n", position.command,
+                                   fmt::format(fmt::runtime(offer), fmt::join(position.words, " ")));
     }
     return cases;
 }
 
-std::string bash_script(const std::string& tool, const std::vector<Place>& places) {
-    const Cases cases = cases_of(places, R"(mapfile -t COMPREPLY < <(compgen -W "{}" -- "$current"))");
+std::string bash_script(const std::string& tool, const std::vector<Position>& positions) {
+    const Cases cases = cases_of(positions, R"(mapfile -t COMPREPLY < <(compgen -W "{}" -- "$current"))");
     std::string name = tool;
     std::replace(name.begin(), name.end(), '-', '_');
     return fmt::format(R"(# Completion of {0} for bash, made by {0} --completion bash.
@@ -98,8 +98,8 @@ complete -o default -F _{1} {0}
                        tool, name, cases.commands, cases.choices, cases.words);
 }
 
-std::string zsh_script(const std::string& tool, const std::vector<Place>& places) {
-    const Cases cases = cases_of(places, "compadd -- {}");
+std::string zsh_script(const std::string& tool, const std::vector<Position>& positions) {
+    const Cases cases = cases_of(positions, "compadd -- {}");
     return fmt::format(R"(#compdef {0}
 # Completion of {0} for zsh, made by {0} --completion zsh.
 local command= word
@@ -124,9 +124,9 @@ std::string completion_script(const CLI::App& app, const std::string& shell) {
     if (shell != "bash" && shell != "zsh") {
         throw UsageError(fmt::format("--completion: unknown shell \"{}\"; one of bash|zsh fits", shell));
     }
-    std::vector<Place> places;
-    add_places(app, "", {}, places);
-    return shell == "bash" ? bash_script(app.get_name(), places) : zsh_script(app.get_name(), places);
+    std::vector<Position> positions;
+    add_positions(app, "", {}, positions);
+    return shell == "bash" ? bash_script(app.get_name(), positions) : zsh_script(app.get_name(), positions);
 }
 
 }  // namespace graincrack
