@@ -19,9 +19,9 @@ std::string group_of(const std::string& probe) { return std::string(schema::prob
 
 /// The dimension whose SI unit is `unit`.
 Dimension dimension_of(const std::string& unit) {
-    constexpr std::array all{Dimension::length, Dimension::speed, Dimension::force, Dimension::stress};
-    const auto found = std::find_if(all.begin(), all.end(), [&](Dimension d) { return si_unit(d) == unit; });
-    return found == all.end() ? Dimension::one : *found;
+    const auto* const row = std::find_if(dimension_rows.begin(), dimension_rows.end(),
+                                         [&](const DimensionRow& each) { return each.units.front().symbol == unit; });
+    return row == dimension_rows.end() ? Dimension::one : static_cast<Dimension>(row - dimension_rows.begin());
 }
 
 }  // namespace

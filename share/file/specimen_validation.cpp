@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,11 +40,8 @@ double distance(const Specimen& s, std::int32_t i, std::int32_t j) {
 class Checker {
 public:
     explicit Checker(const std::string& where) : where_(where) {}
-    void require(bool condition, const char* what, std::size_t row) const {
-        if (!condition) throw InputError(fmt::format("{}: {} (row {})", where_, what, row));
-    }
-    void require(bool condition, const char* what) const {
-        if (!condition) throw InputError(fmt::format("{}: {}", where_, what));
+    void require(bool condition, const char* what, std::optional<std::size_t> row = {}) const {
+        if (!condition) throw InputError(fmt::format("{}: {}{}", where_, what, row ? fmt::format(" (row {})", *row) : ""));
     }
 
 private:

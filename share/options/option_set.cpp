@@ -34,12 +34,6 @@ void note_bare_number(const std::string& text, const Quantity& quantity, const s
     if (!note.empty() && !is_known) bare_number_notes().push_back(note);
 }
 
-double read_quantity(const std::string& text, const Quantity& quantity, const std::string& where) {
-    const double value = parse_quantity(text, quantity, where);
-    note_bare_number(text, quantity, where);
-    return value;
-}
-
 /// "--edge" of "-e,--edge"; the name of a positional argument unchanged.
 std::string long_name(const std::string& option) {
     const auto dashes = option.find("--");
@@ -60,6 +54,17 @@ T parse_integer(const std::string& text, const std::string& where, T lower, T up
             (open ? "of at least " + std::to_string(lower) : "from " + std::to_string(lower) + " to " + std::to_string(upper)));
     }
     return value;
+}
+
+/// A quantity. \param target a number or an optional one
+template <class Target>
+Option add_quantity_to(OptionSet set, const std::string& option, Target& target, const Quantity& quantity,
+                       const std::string& help, const std::string& default_text) {
+    const auto read = [&target, quantity, where = long_name(option)](const std::string& text) {
+        target = parse_quantity(text, quantity, where);
+        note_bare_number(text, quantity, where);
+    };
+    return add_value(set, option, read, help_of(help, quantity), type_name(quantity.dimension), default_text);
 }
 
 /// A whole number. \param target a number or an optional one
@@ -146,18 +151,12 @@ Option add_value(OptionSet set, const std::string& option, const std::function<v
 
 Option add_quantity(OptionSet set, const std::string& option, double& target, const Quantity& quantity, const std::string& help,
                     const std::string& default_text) {
-    const std::string where = long_name(option);
-    return add_value(
-        set, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
-        help_of(help, quantity), type_name(quantity.dimension), default_text);
+    return add_quantity_to(set, option, target, quantity, help, default_text);
 }
 
 Option add_quantity(OptionSet set, const std::string& option, std::optional<double>& target, const Quantity& quantity,
                     const std::string& help) {
-    const std::string where = long_name(option);
-    return add_value(
-        set, option, [&target, quantity, where](const std::string& text) { target = read_quantity(text, quantity, where); },
-        help_of(help, quantity), type_name(quantity.dimension), "");
+    return add_quantity_to(set, option, target, quantity, help, "");
 }
 
 Option add_quantity_or(OptionSet set, const std::string& option, double& target, const Quantity& quantity,

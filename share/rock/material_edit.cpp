@@ -50,7 +50,7 @@ std::string comment_of_example(const std::string& line) {
     return at == std::string::npos ? "" : line.substr(at + 4);
 }
 
-bool is_in(const TomlEntry& entry, const std::string& table) { return fmt::format("{}", fmt::join(entry.section, ".")) == table; }
+std::string path_of(const std::vector<std::string>& section) { return fmt::format("{}", fmt::join(section, ".")); }
 
 /// Lines of a file, and those to add behind some of them.
 class Edit {
@@ -62,7 +62,9 @@ public:
     /// \throws InputError
     void set(const MaterialSetting& setting) {
         const auto [table, key] = parts_of(setting.first);
-        const auto same = [&, t = table, k = key](const TomlEntry& entry) { return is_in(entry, t) && entry.key == k; };
+        const auto same = [&, t = table, k = key](const TomlEntry& entry) {
+            return path_of(entry.section) == t && entry.key == k;
+        };
         const auto found = std::find_if(toml_.entries.begin(), toml_.entries.end(), same);
         if (found == toml_.entries.end()) {
             if (const auto example = example_of(table, key); example != lines_.end()) {
@@ -100,7 +102,7 @@ private:
         for (const TomlSection& section : toml_.sections) {
             const auto header = lines_.begin() + section.line - 1;
             if (from != lines_.end() && header > from) to = std::min(to, header);
-            if (fmt::format("{}", fmt::join(section.name, ".")) == table) from = header;
+            if (path_of(section.name) == table) from = header;
         }
         const auto found = std::find_if(from, to, [&](const std::string& line) { return line.starts_with("# " + key + " = "); });
         return found == to ? lines_.end() : found;
@@ -108,14 +110,14 @@ private:
     void add(const std::string& table, const std::string& line) {
         int last = 0;
         for (const TomlSection& section : toml_.sections) {
-            if (fmt::format("{}", fmt::join(section.name, ".")) == table) last = section.line;
+            if (path_of(section.name) == table) last = section.line;
         }
         if (last == 0) {
             new_tables_[table].push_back(line);
             return;
         }
         for (const TomlEntry& entry : toml_.entries) {
-            if (is_in(entry, table)) last = std::max(last, entry.line);
+            if (path_of(entry.section) == table) last = std::max(last, entry.line);
         }
         added_.emplace(last, line);
     }
