@@ -69,10 +69,6 @@ std::string Axis::unit() const {
 }
 
 Axis Axis::limited(const AxisLimits& limits) const {
-    if (!limits.unit.empty() && limits.unit != unit()) {
-        throw UsageError(limits.text + ": the axis \"" + label + "\" is " + (unit().empty() ? "without unit" : "in " + unit()) +
-                         "; numbers without a unit fit");
-    }
     if (logarithmic && !(limits.low > 0)) throw UsageError(limits.text + ": the axis is logarithmic; numbers above 0 fit");
     return {label, limits.low, limits.high, logarithmic};
 }

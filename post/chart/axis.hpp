@@ -21,7 +21,7 @@ struct Axis {
     [[nodiscard]] double share(double value) const;
     /// The text behind the comma of the label: "%"; "" for a number without unit.
     [[nodiscard]] std::string unit() const;
-    /// \throws UsageError for another unit, and for a logarithmic axis from 0 or below
+    /// \throws UsageError for a logarithmic axis from 0 or below
     [[nodiscard]] Axis limited(const AxisLimits& limits) const;
 };
 

@@ -4,33 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
+#include "post/table/number.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {
 
 namespace {
-
-/// A number and what follows it.
-struct Value {
-    double number = 0;
-    std::string unit;
-};
-
-std::optional<Value> read_value(std::string text) {
-    text.erase(0, text.find_first_not_of(' '));
-    Value value;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value.number);
-    if (error != std::errc{} || !std::isfinite(value.number)) return std::nullopt;
-    value.unit = std::string(rest, end);
-    value.unit.erase(0, value.unit.find_first_not_of(' '));
-    return value;
-}
 
 bool names(const RunLabel& label, const std::string& file) {
     const std::filesystem::path path(file);
@@ -42,12 +25,15 @@ bool names(const RunLabel& label, const std::string& file) {
 AxisLimits parse_limits(const std::string& text, const std::string& option) {
     const std::string where = option + " " + text;
     const std::size_t comma = text.find(',');
-    const auto low = comma == std::string::npos ? std::nullopt : read_value(text.substr(0, comma));
-    const auto high = comma == std::string::npos ? std::nullopt : read_value(text.substr(comma + 1));
+    const auto number = [](std::string_view part) {
+        const auto value = parse_number(std::string(trimmed(part)));
+        return value && std::isfinite(*value) ? value : std::nullopt;
+    };
+    const auto low = number(std::string_view(text).substr(0, comma));
+    const auto high = comma == std::string::npos ? std::nullopt : number(std::string_view(text).substr(comma + 1));
     if (!low || !high) throw UsageError(where + ": needs two numbers in the unit of the axis; 0,0.4 fits");
-    if (!low->unit.empty() && low->unit != high->unit) throw UsageError(where + ": has two units; one behind the second fits");
-    if (!(low->number < high->number)) throw UsageError(where + ": the first number must be below the second");
-    return {low->number, high->number, high->unit, where};
+    if (!(*low < *high)) throw UsageError(where + ": the first number must be below the second");
+    return {*low, *high, where};
 }
 
 RunLabel parse_run_label(const std::string& text) {

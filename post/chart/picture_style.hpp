@@ -11,10 +11,9 @@ namespace graincrack {
 struct AxisLimits {
     double low = 0;
     double high = 1;
-    std::string unit;  ///< as it was written; empty: that of the axis
     std::string text;  ///< the option and what was written, for messages
 };
-/// Reads "0,0.4", "0,0.4%" or "0%,0.4%". \param option what messages name \throws UsageError
+/// Reads "0,0.4". \param option what messages name \throws UsageError
 AxisLimits parse_limits(const std::string& text, const std::string& option);
 
 /// A text in the legend in place of a run's own.
