@@ -149,6 +149,8 @@ TEST(Page, LinesBreakWhereTheyAreToldAndHyphensBeforeNumbersAreMinuses) {
 
 TEST(Labels, NamesOfColumnsAndMineralsAreThoseOfPrint) {
     EXPECT_EQ(column_label("phi_deg"), "φ, °");
+    EXPECT_EQ(column_label("contact_cohesion_MPa"), "contact cohesion, MPa");
+    EXPECT_EQ(column_label("strain_at_peak"), "strain at peak");
     EXPECT_EQ(column_label("phic_over_phi"), "φc over φ");
     EXPECT_EQ(column_label("grain_young_modulus_GPa"), "grain Young's modulus, GPa");
     EXPECT_EQ(column_label("philosophy"), "philosophy");

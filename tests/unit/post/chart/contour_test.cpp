@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "post/chart/labels.hpp"
-
 namespace graincrack {
 namespace {
 
@@ -34,13 +32,6 @@ TEST(Contour, NothingWhereTheLevelIsNotOrTheValueIsUnknown) {
     EXPECT_TRUE(contour_segments(grid, 5).empty());
     for (double& value : grid.value) value = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(contour_segments(grid, 0.5).empty());
-}
-
-TEST(Labels, UnitsComeBehindACommaAndUnderscoresGo) {
-    EXPECT_EQ(column_label("contact_cohesion_MPa"), "contact cohesion, MPa");
-    EXPECT_EQ(column_label("phi_deg"), "φ, °");
-    EXPECT_EQ(column_label("x1"), "x1");
-    EXPECT_EQ(column_label("strain_at_peak"), "strain at peak");
 }
 
 }  // namespace

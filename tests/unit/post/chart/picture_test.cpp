@@ -187,14 +187,6 @@ TEST_F(Picture, TablesAreDrawnByTheirColumns) {
         {"line 2", "\"a\""});
 }
 
-TEST_F(Picture, CurveAndSpecimenAreDrawn) {
-    write_picture(draw_curves({read_run_data(path("run.h5"))}, {}, ""), path("curve.png"));
-    EXPECT_GT(pixels_of(path("curve.png"), palette::series(0)), 2000);
-    EXPECT_GT(pixels_of(path("curve.png"), palette::tensile), 300);  // counts of cracks
-    write_picture(draw_specimen(recipe_.specimen, "run.h5"), path("specimen.png"));
-    EXPECT_GT(pixels_of(path("specimen.png"), palette::grain), 200000);
-}
-
 TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStrength) {
     recipe_.plane_young_modulus = 2.6e9;  // so that the fall lasts 1 % of strain
     test::write_run(path("soft.h5"), recipe_);
