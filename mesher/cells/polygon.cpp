@@ -58,6 +58,16 @@ std::vector<double> areas_of(const PlaneCells& cells) {
     return areas;
 }
 
+std::vector<Point> tangents_of(const PlaneCells& cells) {
+    std::vector<Point> tangents(cells.points.size());
+    for (const Side& side : cells.sides) {
+        const auto from = static_cast<std::size_t>(side.from);
+        const auto to = static_cast<std::size_t>(side.to);
+        tangents[from] = tangents[to] = unit(cells.points[to] - cells.points[from]);
+    }
+    return tangents;
+}
+
 Elongation elongation_of(const PlaneCells& cells) {
     double xx = 0;
     double xy = 0;

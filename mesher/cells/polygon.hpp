@@ -28,6 +28,9 @@ std::vector<Point> corners_of(const PlaneCells& cells, std::size_t cell);
 /// Areas of cells, m².
 std::vector<double> areas_of(const PlaneCells& cells);
 
+/// Of each point the direction of a side on which it lies, along which alone it may move; 0 inside.
+std::vector<Point> tangents_of(const PlaneCells& cells);
+
 /// Elongation of cells: the square root of the ratio of the principal values of Σ e⊗e over their edges e, and the direction of
 /// the larger, −90° to 90°. An affine map of cells without a preferred direction is found as it is. The square of the length as
 /// weight makes equal areas count equally, whatever their grain sizes.

@@ -36,11 +36,7 @@ double corner_cost(Point next, Point last) {
 class CornerRelaxer {
 public:
     CornerRelaxer(PlaneCells& cells, std::size_t n_fixed)
-        : cells_(cells), n_fixed_(n_fixed), tangent_(cells.points.size()), places_of_point_(cells.points.size()) {
-        for (const Side& side : cells.sides) {
-            const Point along = unit(at(side.to) - at(side.from));
-            tangent_[index(side.from)] = tangent_[index(side.to)] = along;
-        }
+        : cells_(cells), n_fixed_(n_fixed), tangent_(tangents_of(cells)), places_of_point_(cells.points.size()) {
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
             for (std::size_t i = 0; i < cells.loop(cell).size(); ++i) {
                 places_of_point_[index(cells.loop(cell)[i])].push_back({cell, i});

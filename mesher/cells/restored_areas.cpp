@@ -30,15 +30,7 @@ public:
           n_fixed_(n_fixed),
           requested_(areas),
           reach_(cells.points.size(), INFINITY),
-          tangent_(cells.points.size()),
-          is_outer_(cells.points.size(), 0) {
-        for (const Side& side : cells.sides) {
-            const Point along = unit(at(side.to) - at(side.from));
-            for (const int p : {side.from, side.to}) {
-                is_outer_[index(p)] = 1;
-                tangent_[index(p)] = along;
-            }
-        }
+          tangent_(tangents_of(cells)) {
         for (const Edge& e : cells.edges) {
             const double size = length(at(e[1]) - at(e[0]));
             for (const int p : e) reach_[index(p)] = std::min(reach_[index(p)], size);
@@ -84,7 +76,7 @@ private:
     /// A move that a point cannot make is left out.
     [[nodiscard]] Point possible(std::size_t point, Point move) const {
         if (point < n_fixed_) return {};
-        return is_outer_[point] != 0 ? dot(move, tangent_[point]) * tangent_[point] : move;
+        return squared_length(tangent_[point]) > 0 ? dot(move, tangent_[point]) * tangent_[point] : move;
     }
 
     /// By ascending points.
@@ -139,9 +131,8 @@ private:
     std::size_t n_fixed_;
     const std::vector<double>& requested_;
     std::vector<double> present_;
-    std::vector<double> reach_;   ///< the shortest edge at a point
-    std::vector<Point> tangent_;  ///< of the boundary
-    std::vector<char> is_outer_;
+    std::vector<double> reach_;  ///< the shortest edge at a point
+    std::vector<Point> tangent_;
 };
 
 }  // namespace

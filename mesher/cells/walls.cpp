@@ -84,6 +84,20 @@ bool do_cross(Point a, Point b, Point c, Point d) {
     return signed_area(a, b, c) * signed_area(a, b, d) <= 0 && signed_area(c, d, a) * signed_area(c, d, b) <= 0;
 }
 
+/// The region without holes and prescribed edges.
+Region outline_of(const Region& region) { return {region.name, {region.loops.front()}, {}, region.part_names, region.flats}; }
+
+/// Points on the loops at equal distances, and the ends and meetings of prescribed edges.
+Seeds seeds_of_walls(const Region& region, double edge, const SizeField& size) {
+    double requested = outline_count(region, edge, size);
+    if (is_round(region) && !is_plain(region)) {
+        requested = std::max(requested, fewest_on_rim * perimeter(region) / perimeter(outline_of(region)));
+    }
+    RandomNumbers random(0);  // of which equal distances need none
+    const int n = admissible_boundary_count(region, requested, false);
+    return fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random, size);
+}
+
 }  // namespace
 
 double nearest_fraction(Point p, Point from, Point to) {
@@ -102,16 +116,10 @@ bool Walls::contains(Point p) const {
 }
 
 Walls walls_of(const Region& region, double edge, const Stretch& stretch, const SizeField& size) {
-    const Region plain{region.name, {region.loops.front()}, {}, region.part_names, region.flats};
+    const Region plain = outline_of(region);
     Walls walls;
     walls.is_convex = is_plain(plain);
-    RandomNumbers random(0);  // of which equal distances need none
-    double requested = outline_count(region, edge, size);
-    if (is_round(region) && !is_plain(region)) {
-        requested = std::max(requested, fewest_on_rim * perimeter(region) / perimeter(plain));
-    }
-    const int n = admissible_boundary_count(region, requested, false);
-    const Seeds seeds = fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random, size);
+    const Seeds seeds = seeds_of_walls(region, edge, size);
     walls.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;
     std::vector<char> is_end(seeds.points.size(), 0);
     for (const Side& side : seeds.sides) {

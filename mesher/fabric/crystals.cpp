@@ -19,6 +19,17 @@ constexpr int fewest_across = 10;  ///< crystals across a specimen whose strengt
 
 }  // namespace
 
+std::vector<std::array<int, 2>> crystals_of_contacts(const Specimen& specimen, std::span<const int> crystal_of_grain) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
+    const auto crystal = [&](std::int32_t node) {
+        return crystal_of_grain[static_cast<std::size_t>(grain[static_cast<std::size_t>(node)])];
+    };
+    std::vector<std::array<int, 2>> crystals;
+    crystals.reserve(specimen.n_contacts());
+    for (const auto& nodes : specimen.contact_nodes) crystals.push_back({crystal(nodes[0]), crystal(nodes[2])});
+    return crystals;
+}
+
 void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain) {
     specimen.grain_crystal.assign(crystal_of_grain.begin(), crystal_of_grain.end());
     specimen.contact_flaw.resize(specimen.n_contacts(), 0);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/fabric/crystals.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
@@ -23,14 +24,11 @@ struct Boundary {
 
 /// The boundaries between two crystals, in the order in which they open.
 std::vector<Boundary> drawn_boundaries(const Specimen& specimen, std::span<const int> crystal_of_grain, std::uint64_t seed) {
-    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
-    const auto crystal = [&](std::int32_t node) {
-        return crystal_of_grain[static_cast<std::size_t>(grain[static_cast<std::size_t>(node)])];
-    };
+    const auto crystals_of = crystals_of_contacts(specimen, crystal_of_grain);
     std::map<std::pair<int, int>, Boundary> of_crystals;
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
         const bool has_class = !specimen.contact_flaw.empty() && specimen.contact_flaw[c] > 0;
-        const auto crystals = std::minmax({crystal(specimen.contact_nodes[c][0]), crystal(specimen.contact_nodes[c][2])});
+        const auto crystals = std::minmax({crystals_of[c][0], crystals_of[c][1]});
         if (has_class || specimen.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::grain_boundary)) continue;
         if (crystals.first == crystals.second) continue;
         Boundary& boundary = of_crystals[crystals];

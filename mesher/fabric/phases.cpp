@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mesher/fabric/crystals.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
@@ -37,16 +38,8 @@ std::vector<double> crystal_areas(const Specimen& specimen, std::span<const int>
 
 /// Pairs of crystals that have a contact, in both orders, ascending.
 std::vector<std::array<int, 2>> neighbouring_crystals(const Specimen& specimen, std::span<const int> crystal_of_grain) {
-    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
-    const auto crystal = [&](std::int32_t node) {
-        return crystal_of_grain[static_cast<std::size_t>(grain[static_cast<std::size_t>(node)])];
-    };
     std::vector<std::array<int, 2>> pairs;
-    for (const auto& nodes : specimen.contact_nodes) {
-        const int a = crystal(nodes[0]);
-        const int b = crystal(nodes[2]);
-        pairs.insert(pairs.end(), {{a, b}, {b, a}});
-    }
+    for (const auto& [a, b] : crystals_of_contacts(specimen, crystal_of_grain)) pairs.insert(pairs.end(), {{a, b}, {b, a}});
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "mesher/fabric/crystals.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
@@ -69,22 +70,20 @@ void assign_strength_factors(Specimen& specimen, std::span<const int> crystal_of
     const std::uint64_t seed = request.seed.value_or(specimen.seed);
     std::optional<GaussianField> field;
     if (request.correlation) field.emplace(*request.correlation, seed);
-    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
-    const auto crystal = [&](std::int32_t node) {
-        return static_cast<std::uint64_t>(crystal_of_grain[static_cast<std::size_t>(grain[static_cast<std::size_t>(node)])]);
-    };
+    const auto crystals = crystals_of_contacts(specimen, crystal_of_grain);
     const auto at = [&](std::int32_t node) {
         const auto& [x, y] = specimen.node_position[static_cast<std::size_t>(node)];
         return Point{x, y};
     };
     const Point x_axis{std::cos(turn), std::sin(turn)};
-    const auto log_q = [&](const std::array<std::int32_t, 4>& first, const std::array<std::int32_t, 4>& last) {
+    const auto log_q = [&](std::size_t first, std::size_t last) {
         if (field) {
-            const Point middle = midpoint(at(first[0]), at(last[1]));
+            const Point middle = midpoint(at(specimen.contact_nodes[first][0]), at(specimen.contact_nodes[last][1]));
             return log_survival((*field)({dot(middle, x_axis), dot(middle, left_of(x_axis))}));
         }
-        const auto [low, high] = std::minmax({crystal(first[0]), crystal(first[2])});
-        return std::log(uniform_of(mixed_bits(mixed_bits(mixed_bits(seed, strength_stream), low), high)));
+        const auto [low, high] = std::minmax({crystals[first][0], crystals[first][1]});
+        const std::uint64_t bits = mixed_bits(mixed_bits(seed, strength_stream), static_cast<std::uint64_t>(low));
+        return std::log(uniform_of(mixed_bits(bits, static_cast<std::uint64_t>(high))));
     };
     const auto& boundary = specimen.contact_grain_boundary;
     specimen.contact_strength_factor.clear();
@@ -92,8 +91,7 @@ void assign_strength_factors(Specimen& specimen, std::span<const int> crystal_of
         std::size_t end = c + 1;
         while (end < specimen.n_contacts() && boundary[end] == boundary[c]) ++end;
         const bool is_flaw = !specimen.contact_flaw.empty() && specimen.contact_flaw[c] > 0;  // has a strength of its own
-        const double factor =
-            is_flaw ? 1 : weibull_factor(log_q(specimen.contact_nodes[c], specimen.contact_nodes[end - 1]), *request.modulus);
+        const double factor = is_flaw ? 1 : weibull_factor(log_q(c, end - 1), *request.modulus);
         specimen.contact_strength_factor.resize(end, factor);
         c = end;
     }

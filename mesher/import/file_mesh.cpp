@@ -84,6 +84,7 @@ public:
     }
 
     [[noreturn]] void fail(const std::string& message) const { throw InputError(name_ + ": " + message); }
+    [[nodiscard]] const std::string& name() const { return name_; }
 
 private:
     const FileMesh& file_;
@@ -138,6 +139,137 @@ std::string phase_of_file(const FileMesh& file, const FileElement& element) {
     return element.physical > 0 ? fmt::format("physical_{}", element.physical) : "";
 }
 
+/// Takes the triangles and named lines of a file, grain by grain.
+class MeshTaker {
+public:
+    MeshTaker(const FileMesh& file, std::optional<GrainChoice> grains, const PhaseKey& key, const std::string& name)
+        : file_(file), key_(key), reader_(file, name) {
+        mesh_.format = file.format;
+        mesh_.notes = file.notes;
+        if (key.is_given()) mesh_.phases = key.phases();
+        for (const auto& [number, group] : file.surface_names) mesh_.phases.push_back(plain_name(group));
+        for (const auto& p : file.positions) mesh_.points.push_back({p[0], p[1]});
+        choose_grains(grains);
+        number_grains();
+    }
+
+    ImportedMesh take() && {
+        for (std::size_t i = 0; i < file_.elements.size(); ++i) {
+            const FileElement& element = file_.elements[i];
+            if (element.n_corners < 2) continue;
+            const std::vector<int> c = reader_.corners(element);
+            if (element.n_corners > 2) {
+                add_surface(element, i, c);
+            } else if (const auto named = file_.line_names.find(element.physical); named != file_.line_names.end()) {
+                mesh_.lines.push_back({c[0], c[1], plain_name(named->second)});
+            }
+        }
+        check_plane(file_, mesh_, reader_.name());
+        if (n_twice_ > 0) mesh_.notes.push_back(fmt::format("{} elements stand in the file again: the first counts", n_twice_));
+        if (n_quadrangles_ > 0) {
+            mesh_.notes.push_back(fmt::format("{} quadrangles were divided into two triangles each", n_quadrangles_));
+        }
+        finish_phases();
+        return std::move(mesh_);
+    }
+
+private:
+    void choose_grains(std::optional<GrainChoice> grains) {
+        std::set<std::int64_t> entities;
+        for (const FileElement& element : file_.elements) {
+            if (element.n_corners < 3) continue;
+            entities.insert(element.entity);
+            has_physical_ = has_physical_ || element.physical > 0;
+        }
+        if (entities.empty()) {
+            reader_.fail(
+                fmt::format("no triangles or quadrangles, only {} lines; a plane mesh is needed", file_.elements.size()));
+        }
+        if (!grains && entities.size() == 1) {
+            grains = GrainChoice::element;
+            mesh_.notes.emplace_back("all elements are of one entity: each element is a grain (--grain element)");
+        }
+        choice_ = grains.value_or(GrainChoice::entity);
+        if (choice_ == GrainChoice::physical && !has_physical_) {
+            reader_.fail("--grain physical: physical groups: none; Gmsh's Mesh.SaveAll drops them in MSH 2.2");
+        }
+    }
+
+    /// The number by which a file knows the grain of an element.
+    [[nodiscard]] std::int64_t grain_of(std::size_t i) const {
+        if (choice_ == GrainChoice::element) return static_cast<std::int64_t>(i);
+        return choice_ == GrainChoice::entity ? file_.elements[i].entity : file_.elements[i].physical;
+    }
+
+    /// Numbers grains in the order of the numbers that they have in the file.
+    void number_grains() {
+        for (std::size_t i = 0; i < file_.elements.size(); ++i) {
+            if (file_.elements[i].n_corners >= 3) number_of_grain_.emplace(grain_of(i), 0);
+        }
+        int n_grains = 0;
+        for (auto& [grain, number] : number_of_grain_) number = n_grains++;
+        mesh_.phase_of_grain.resize(number_of_grain_.size());
+        first_of_grain_.resize(number_of_grain_.size(), nullptr);
+    }
+
+    void add_surface(const FileElement& element, std::size_t i, const std::vector<int>& c) {
+        // An element of several physical groups stands in the file once for each.
+        std::array<int, 4> nodes{-1, -1, -1, -1};
+        std::copy(c.begin(), c.end(), nodes.begin());
+        std::sort(nodes.begin(), nodes.end());
+        if (!seen_.insert(nodes).second) {
+            ++n_twice_;
+            return;
+        }
+        const int grain = number_of_grain_.at(grain_of(i));
+        const FileElement*& first = first_of_grain_[static_cast<std::size_t>(grain)];
+        if (first == nullptr) {
+            first = &element;
+            const std::int64_t number = choice_ == GrainChoice::element ? element.number : grain_of(i);
+            mesh_.phase_of_grain[static_cast<std::size_t>(grain)] =
+                key_.is_given() ? key_.phase(phase_names_of(file_, element, number)) : phase_of_file(file_, element);
+        } else if (first->physical != element.physical && choice_ == GrainChoice::entity) {
+            reader_.fail(
+                fmt::format("elements {} and {} of entity {} are of the physical groups {} and {}; a grain is of one phase",
+                            first->number, element.number, element.entity, first->physical, element.physical));
+        }
+        if (element.n_corners == 3) {
+            mesh_.triangles.push_back({c[0], c[1], c[2]});
+        } else {
+            ++n_quadrangles_;
+            for (const Triangle& half : reader_.halves(element, c)) mesh_.triangles.push_back(half);
+        }
+        mesh_.grain_of_triangle.resize(mesh_.triangles.size(), grain);
+    }
+
+    void finish_phases() {
+        const std::set<std::string> phases(mesh_.phase_of_grain.begin(), mesh_.phase_of_grain.end());
+        if (phases.size() > max_phases) {
+            if (key_.is_given()) reader_.fail(fmt::format("{} phases; at most {} fit", phases.size(), max_phases));
+            mesh_.notes.push_back(
+                fmt::format("{} physical groups are more than the {} phases that fit: all grains are \"rock\"; "
+                            "--phase-key FILE gives them phases",
+                            phases.size(), max_phases));
+            std::fill(mesh_.phase_of_grain.begin(), mesh_.phase_of_grain.end(), "");
+        }
+        if (!has_physical_ && file_.group_of_entity.empty() && !key_.is_given() && !file_.without_groups.empty()) {
+            mesh_.notes.push_back(file_.without_groups);
+        }
+    }
+
+    const FileMesh& file_;
+    const PhaseKey& key_;
+    Reader reader_;
+    ImportedMesh mesh_;
+    GrainChoice choice_ = GrainChoice::entity;
+    bool has_physical_ = false;
+    std::map<std::int64_t, int> number_of_grain_;
+    std::vector<const FileElement*> first_of_grain_;
+    std::set<std::array<int, 4>> seen_;  ///< corners of elements
+    std::size_t n_twice_ = 0;
+    std::size_t n_quadrangles_ = 0;
+};
+
 }  // namespace
 
 std::string plain_name(const std::string& name) {
@@ -151,110 +283,7 @@ std::string plain_name(const std::string& name) {
 
 ImportedMesh imported_mesh(const FileMesh& file, std::optional<GrainChoice> grains, const PhaseKey& key,
                            const std::string& name) {
-    const Reader reader(file, name);
-    ImportedMesh mesh;
-    mesh.format = file.format;
-    mesh.notes = file.notes;
-    if (key.is_given()) mesh.phases = key.phases();
-    for (const auto& [number, group] : file.surface_names) mesh.phases.push_back(plain_name(group));
-    std::set<std::int64_t> entities;
-    std::size_t n_surfaces = 0;
-    bool has_physical = false;
-    for (const FileElement& element : file.elements) {
-        if (element.n_corners < 3) continue;
-        entities.insert(element.entity);
-        has_physical = has_physical || element.physical > 0;
-        ++n_surfaces;
-    }
-    if (n_surfaces == 0) {
-        reader.fail(fmt::format("no triangles or quadrangles, only {} lines; a plane mesh is needed", file.elements.size()));
-    }
-    if (!grains && entities.size() == 1) {
-        grains = GrainChoice::element;
-        mesh.notes.emplace_back("all elements are of one entity: each element is a grain (--grain element)");
-    }
-    const GrainChoice choice = grains.value_or(GrainChoice::entity);
-    if (choice == GrainChoice::physical && !has_physical) {
-        reader.fail("--grain physical: physical groups: none; Gmsh's Mesh.SaveAll drops them in MSH 2.2");
-    }
-
-    // Elements of one grain, in the order of the file; grains by their numbers.
-    const auto grain_of = [&](std::size_t i) {
-        const FileElement& element = file.elements[i];
-        if (choice == GrainChoice::element) return static_cast<std::int64_t>(i);
-        return choice == GrainChoice::entity ? element.entity : element.physical;
-    };
-    std::map<std::int64_t, int> number_of_grain;
-    for (std::size_t i = 0; i < file.elements.size(); ++i) {
-        if (file.elements[i].n_corners >= 3) number_of_grain.emplace(grain_of(i), 0);
-    }
-    int n_grains = 0;
-    for (auto& [grain, number] : number_of_grain) number = n_grains++;
-    mesh.phase_of_grain.resize(static_cast<std::size_t>(n_grains));
-    std::vector<const FileElement*> first_of_grain(static_cast<std::size_t>(n_grains), nullptr);
-    for (const auto& p : file.positions) mesh.points.push_back({p[0], p[1]});
-    std::set<std::array<int, 4>> seen;
-    std::size_t n_twice = 0;
-    std::size_t n_quadrangles = 0;
-    for (std::size_t i = 0; i < file.elements.size(); ++i) {
-        const FileElement& element = file.elements[i];
-        if (element.n_corners < 2) continue;
-        const std::vector<int> c = reader.corners(element);
-        if (element.n_corners == 2) {
-            const auto named = file.line_names.find(element.physical);
-            if (named != file.line_names.end()) mesh.lines.push_back({c[0], c[1], plain_name(named->second)});
-            continue;
-        }
-        // An element of several physical groups stands in the file once for each.
-        std::array<int, 4> nodes{-1, -1, -1, -1};
-        std::copy(c.begin(), c.end(), nodes.begin());
-        std::sort(nodes.begin(), nodes.end());
-        if (!seen.insert(nodes).second) {
-            ++n_twice;
-            continue;
-        }
-        const int grain = number_of_grain.at(grain_of(i));
-        const FileElement*& first = first_of_grain[static_cast<std::size_t>(grain)];
-        if (first == nullptr) {
-            first = &element;
-            mesh.phase_of_grain[static_cast<std::size_t>(grain)] =
-                key.is_given()
-                    ? key.phase(phase_names_of(file, element, choice == GrainChoice::element ? element.number : grain_of(i)))
-                    : phase_of_file(file, element);
-        } else if (first->physical != element.physical && choice == GrainChoice::entity) {
-            reader.fail(
-                fmt::format("elements {} and {} of entity {} are of the physical groups {} and {}; a grain is of one phase",
-                            first->number, element.number, element.entity, first->physical, element.physical));
-        }
-        const auto add = [&](int p, int q, int r) {
-            mesh.triangles.push_back({p, q, r});
-            mesh.grain_of_triangle.push_back(grain);
-        };
-        if (element.n_corners == 3) {
-            add(c[0], c[1], c[2]);
-            continue;
-        }
-        ++n_quadrangles;
-        for (const auto& t : reader.halves(element, c)) add(t[0], t[1], t[2]);
-    }
-    check_plane(file, mesh, name);
-    if (n_twice > 0) mesh.notes.push_back(fmt::format("{} elements stand in the file again: the first counts", n_twice));
-    if (n_quadrangles > 0) {
-        mesh.notes.push_back(fmt::format("{} quadrangles were divided into two triangles each", n_quadrangles));
-    }
-    const std::set<std::string> phases(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end());
-    if (phases.size() > max_phases) {
-        if (key.is_given()) reader.fail(fmt::format("{} phases; at most {} fit", phases.size(), max_phases));
-        mesh.notes.push_back(
-            fmt::format("{} physical groups are more than the {} phases that fit: all grains are \"rock\"; "
-                        "--phase-key FILE gives them phases",
-                        phases.size(), max_phases));
-        std::fill(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end(), "");
-    }
-    if (!has_physical && file.group_of_entity.empty() && !key.is_given() && !file.without_groups.empty()) {
-        mesh.notes.push_back(file.without_groups);
-    }
-    return mesh;
+    return MeshTaker(file, grains, key, name).take();
 }
 
 }  // namespace graincrack::mesher

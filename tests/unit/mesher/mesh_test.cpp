@@ -15,7 +15,6 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/specimen_validation.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tests/unit/mesher/region/test_regions.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -384,38 +383,6 @@ TEST(Mesh, ADiscIsLoadedAlongEachOfItsDiameters) {
     EXPECT_THROW((void)plan_mesh(request), UsageError);
     request.region = disc(0.08, Pole::facet, 36);
     EXPECT_THROW((void)plan_mesh(request), UsageError);
-}
-
-TEST(Mesh, ARegionWithHolesAndFlawsBecomesASpecimen) {
-    Request request;
-    request.region = l_with_holes();
-    request.region.edges = {{{0.01, 0.03}, {0.03, 0.05}, ContactKind::pre_existing_crack}, {{0.07, 0.01}, {0.09, 0.01}}};
-    for (const std::int64_t grains : {900, 901}) {
-        for (const int n : {1, 2}) {
-            request.fabric.grains = grains;
-            request.fabric.elements_per_edge = n;
-            const Specimen s = mesh(request);
-            Specimen centred = s;  // as the convention asks
-            for (auto& [x, y] : centred.node_position) {
-                x -= 0.5 * s.width;
-                y -= 0.5 * s.height;
-            }
-            validate(centred, "polygon");
-            EXPECT_EQ(s.n_grains(), static_cast<std::size_t>(grains));
-            EXPECT_NEAR(s.statistics.area_error, 0, 1e-12);
-            EXPECT_EQ(s.part_names[6], "hole");
-            double broken = 0;
-            for (std::size_t c = 0; c < s.n_contacts(); ++c) {
-                if (s.contact_kind[c] == 0) continue;
-                const auto& p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
-                const auto& q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
-                broken += std::hypot(q[0] - p[0], q[1] - p[1]);
-                EXPECT_NEAR(p[1] - p[0], 0.02, 1e-16);
-            }
-            EXPECT_NEAR(broken, 0.02 * std::sqrt(2), 1e-14);
-            EXPECT_LT(s.statistics.edge_variation, 0.2);
-        }
-    }
 }
 
 TEST(Mesh, EveryKindOfSpecimenFollowsItsFlaws) {

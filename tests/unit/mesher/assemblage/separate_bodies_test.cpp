@@ -88,34 +88,6 @@ TEST(SeparateBodies, ContactsAreConformingAndOrdered) {
     }
 }
 
-/// Directed sides of elements that no other element of the same grain shares: the outer sides of the grains.
-std::vector<std::array<std::int32_t, 2>> grain_outsides(const Specimen& s) {
-    std::set<std::array<std::int32_t, 2>> sides;
-    for (const auto& nodes : s.element_nodes) {
-        for (std::size_t k = 0; k < 3; ++k) sides.insert({nodes[k], nodes[(k + 1) % 3]});
-    }
-    std::vector<std::array<std::int32_t, 2>> outsides;
-    for (const auto& side : sides) {
-        if (sides.count({side[1], side[0]}) == 0) outsides.push_back(side);
-    }
-    return outsides;
-}
-
-TEST(SeparateBodies, EveryOutsideIsInOneContactOrOnTheBoundary) {
-    for (const int n : {1, 2, 3}) {
-        const Specimen s = mesh(small_rectangle(n));
-        std::map<std::array<std::int32_t, 2>, int> uses;
-        for (const auto& [a1, a2, b1, b2] : s.contact_nodes) {
-            ++uses[{a1, a2}];  // counter-clockwise around a …
-            ++uses[{b2, b1}];  // … and around b
-        }
-        for (const auto& edge : s.boundary_edges) ++uses[edge];
-        const auto outsides = grain_outsides(s);
-        EXPECT_EQ(uses.size(), outsides.size()) << n;
-        for (const auto& side : outsides) EXPECT_EQ(uses[side], 1) << n;
-    }
-}
-
 TEST(SeparateBodies, BoundaryIsAClosedLoopWithTheSolidOnItsLeft) {
     const Specimen s = mesh(small_rectangle(2));
     const auto at = [&](std::int32_t node) { return s.node_position[static_cast<std::size_t>(node)]; };
@@ -156,24 +128,6 @@ TEST(SeparateBodies, GrainsFollowEachOtherInSpace) {
                                                static_cast<std::int32_t>(3 * g + 2)}));
     }
     EXPECT_LT(mean_step, 1.5 * s.statistics.mean_edge);
-}
-
-TEST(SeparateBodies, SubdivisionKeepsAreas) {
-    for (const int n : {2, 3, 5}) {
-        const Specimen s = mesh(small_rectangle(n));
-        std::vector<double> area(s.n_grains(), 0);
-        for (std::size_t e = 0; e < s.n_elements(); ++e) {
-            std::array<Point, 3> p;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Place place = s.node_position[static_cast<std::size_t>(s.element_nodes[e][k])];
-                p[k] = {place[0], place[1]};
-            }
-            const double a = signed_area(p[0], p[1], p[2]);
-            EXPECT_GT(a, 0);
-            area[static_cast<std::size_t>(s.element_grain[e])] += a;
-        }
-        for (std::size_t g = 0; g < s.n_grains(); ++g) EXPECT_NEAR(area[g] / s.grain_area[g], 1, 1e-12);
-    }
 }
 
 /// A square of two L-shaped cells, with a corner in the middle of an edge. The first corner of each sees all others.

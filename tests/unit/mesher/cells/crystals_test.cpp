@@ -300,20 +300,6 @@ TEST(Crystals, NameTheFlawsThatLeaveNoRoom) {
     }
 }
 
-TEST(Crystals, SameSeedSameSpecimen) {
-    for (const Tessellation tessellation : {Tessellation::voronoi, Tessellation::trigon}) {
-        Request request = crystals_of(disc(0.08), 100, tessellation);
-        if (tessellation == Tessellation::trigon) request.fabric.grading = parse_grading("along=x,from=1,to=2", "--grade");
-        const Specimen one = mesh(request);
-        const Specimen again = mesh(request);
-        EXPECT_EQ(one.node_position, again.node_position);
-        EXPECT_EQ(one.element_nodes, again.element_nodes);
-        EXPECT_EQ(one.contact_nodes, again.contact_nodes);
-        request.seed = 2;
-        EXPECT_NE(mesh(request).node_position, one.node_position);
-    }
-}
-
 TEST(Crystals, RefuseWhatTheyDoNotHave) {
     const auto refused = [](const std::function<void(Request&)>& change) {
         Request request = crystals_of(rectangle(0.08, 0.16), 100);

@@ -70,59 +70,5 @@ TEST(DelaunayCells, FillARegionWithHolesAndNothingElse) {
     }
 }
 
-/// Length of the sides that lie on a straight edge to round-off, and the number of points of the mesh on it.
-double covered(const PlaneCells& cells, Point from, Point to) {
-    const Point along = unit(to - from);
-    const auto is_on = [&](Point p) {
-        return std::abs(cross(p - from, along)) < 1e-16 && dot(p - from, along) > -1e-16 && dot(p - to, along) < 1e-16;
-    };
-    double sum = 0;
-    for (const Edge& e : cells.edges) {
-        if (is_on(at(cells, e[0])) && is_on(at(cells, e[1]))) sum += length(at(cells, e[1]) - at(cells, e[0]));
-    }
-    return sum;
-}
-
-// Ends inside, ends on the boundary and beyond, one that begins on another, two that cross.
-TEST(DelaunayCells, FollowPrescribedEdges) {
-    Region region = rectangle(0.08, 0.06);
-    const std::vector<std::pair<Point, Point>> edges{{{-0.02, 0.011}, {0.01, 0.011}},   {{-0.03, -0.02}, {0.007, -0.003}},
-                                                     {{0.02, -0.05}, {0.03, 0.02}},     {{0.013, -0.01}, {0.035, 0.0123}},
-                                                     {{-0.01, 0.011}, {-0.005, 0.026}}, {{-0.04, 0.0}, {-0.03, 0.003}}};
-    for (const auto& [from, to] : edges) region.edges.push_back({from, to, ContactKind::pre_existing_crack});
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        const PlaneCells cells = delaunay_cells_of(region, seed);
-        for (const auto& [from, to] : edges) {
-            const auto pieces = clip(region, {from, to});
-            ASSERT_EQ(pieces.size(), 1U);
-            const Point p = pieces[0].from;
-            const Point q = pieces[0].to;
-            EXPECT_NEAR(covered(cells, p, q) / length(q - p), 1, 1e-12) << from.x << ", seed " << seed;
-            for (const Point end : {p, q}) {
-                EXPECT_TRUE(
-                    std::any_of(cells.points.begin(), cells.points.end(), [&](Point r) { return length(r - end) < 1e-15; }));
-            }
-        }
-        double prescribed = 0;
-        for (const Side& side : cells.sides) {
-            if (side.part < 0) prescribed += length(at(cells, side.to) - at(cells, side.from));
-            EXPECT_EQ(side.kind, side.part < 0 ? ContactKind::pre_existing_crack : ContactKind::grain_boundary);
-        }
-        double requested = 0;
-        for (const PrescribedEdge& e : region.edges) {
-            for (const PrescribedEdge& piece : clip(region, e)) requested += length(piece.to - piece.from);
-        }
-        EXPECT_NEAR(prescribed, requested, 1e-14);
-    }
-}
-
-// The piece of the edge is as long as the side of the triangle that it cuts off.
-TEST(DelaunayCells, FollowAPrescribedEdgeThatCutsACorner) {
-    Region region = rectangle(0.08, 0.06);
-    region.edges = {{{0.0379, -0.03}, {0.04, -0.0279}}};
-    const PlaneCells cells = delaunay_cells_of(region, 1);
-    EXPECT_NEAR(covered(cells, region.edges[0].from, region.edges[0].to), length({0.0021, 0.0021}), 1e-16);
-}
-
 }  // namespace
 }  // namespace graincrack::mesher

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "mesher/fabric/crystals.hpp"
-#include "mesher/import/clean_mesh.hpp"
 #include "mesher/fabric/fabric.hpp"
+#include "mesher/import/clean_mesh.hpp"
 #include "mesher/import/outline.hpp"
 #include "share/base/error.hpp"
 #include "share/file/specimen_validation.hpp"
