@@ -162,23 +162,6 @@ TEST(MassScaling, StepGrowsUntilTheGrainsLimitIt) {
 
 // --- motion ----------------------------------------------------------------------------------------------------------------
 
-struct ScaledMomenta {
-    Vector2 linear;
-    double angular = 0, linear_scale = 0, angular_scale = 0;
-};
-ScaledMomenta scaled_momenta_of(const SmallRun& run) {
-    ScaledMomenta m;
-    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
-        const Vector2 p = run.assemblage.mass[i] * run.state.velocity[i];
-        const Vector2 x = run.assemblage.position[i] + run.state.displacement[i];
-        m.linear += p;
-        m.angular += x.x * p.y - x.y * p.x;
-        m.linear_scale += length(p);
-        m.angular_scale += length(x) * length(p);
-    }
-    return m;
-}
-
 TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
     for (const ContactLaw& law : test::all_laws(augig_contact())) {
         SCOPED_TRACE(name_of(law.variant));
@@ -186,13 +169,13 @@ TEST(MassScaling, MomentumAndEnergyWhileItFallsApart) {
         // Drift, a little spin, a pull along y and a shear: cracks of both modes.
         run.set_velocity([](const Vector2& p) { return Vector2{3 + 400 * p.y, -1 + 100 * p.x + 1500 * p.y}; });
         run.begin();
-        const ScaledMomenta before = scaled_momenta_of(run);
+        const test::Momenta before = test::momenta_of(run);
         const Energies start = run.measured().energies;
         double drift = 0;
         for (int i = 0; i < 100; ++i) {
             run.steps(50);
             const Energies e = run.measured().energies;
-            const ScaledMomenta now = scaled_momenta_of(run);
+            const test::Momenta now = test::momenta_of(run);
             verify("dynamics: momentum with mass scaling while it falls apart, drift over sum |p|",
                    length(now.linear - before.linear), 0, 1e-12, "conserved", before.linear_scale);
             drift = std::max(drift, std::abs(now.angular - before.angular) / before.angular_scale);

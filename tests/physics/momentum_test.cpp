@@ -11,28 +11,10 @@
 namespace graincrack {
 namespace {
 
+using test::Momenta;
+using test::momenta_of;
 using test::SmallRun;
 using test::verify;
-
-struct Momenta {
-    Vector2 linear;
-    double angular = 0;
-    double linear_scale = 0;
-    double angular_scale = 0;
-};
-/// Angular momentum of central differences: x(n) × m v(n−½), which equals x(n−1) × m v(n−½).
-Momenta momenta_of(const SmallRun& run) {
-    Momenta m;
-    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
-        const Vector2 p = run.assemblage.mass[i] * run.state.velocity[i];
-        const Vector2 x = run.assemblage.position[i] + run.state.displacement[i];
-        m.linear += p;
-        m.angular += x.x * p.y - x.y * p.x;
-        m.linear_scale += length(p);
-        m.angular_scale += length(x) * length(p);
-    }
-    return m;
-}
 
 /// Turn of the specimen's first grain, from an edge of its first element.
 double turn(const SmallRun& run) {

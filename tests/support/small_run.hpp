@@ -164,6 +164,27 @@ struct SmallRun {
     }
 };
 
+/// Sums over the nodes of m v and x × m v, and of their magnitudes.
+struct Momenta {
+    Vector2 linear;
+    double angular = 0;
+    double linear_scale = 0;
+    double angular_scale = 0;
+};
+/// Angular momentum of central differences: x(n) × m v(n−½), which equals x(n−1) × m v(n−½).
+inline Momenta momenta_of(const SmallRun& run) {
+    Momenta m;
+    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
+        const Vector2 p = run.assemblage.mass[i] * run.state.velocity[i];
+        const Vector2 x = run.assemblage.position[i] + run.state.displacement[i];
+        m.linear += p;
+        m.angular += x.x * p.y - x.y * p.x;
+        m.linear_scale += length(p);
+        m.angular_scale += length(x) * length(p);
+    }
+    return m;
+}
+
 /// The vector units this machine has.
 inline std::vector<VectorTarget> available_vector_targets() {
     std::vector<VectorTarget> targets;

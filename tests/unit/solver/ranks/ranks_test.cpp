@@ -160,32 +160,5 @@ TEST(ThreadRanks, EndWithTheErrorOfAnyOfThem) {
     }
 }
 
-TEST(ThreadRanks, RefuseWhatMakesRanksOfMPIWaitForever) {
-    const auto is_first = [](const Ranks& ranks) { return ranks.is_first(); };
-    const auto refuse = [](const std::function<void(const Ranks&)>& body, const std::string& why) {
-        test::expect_one_line<std::logic_error>([&] { on_thread_ranks(3, body); }, {why});
-    };
-    refuse(
-        [&](const Ranks& ranks) {
-            if (is_first(ranks)) static_cast<void>(ranks.largest(1));
-        },
-        "wait for each other");
-    refuse(
-        [&](const Ranks& ranks) {
-            if (is_first(ranks)) static_cast<void>(ranks.largest(1));
-            if (!is_first(ranks)) static_cast<void>(ranks.exchange(std::vector<std::vector<char>>(3)));
-        },
-        "calls ");
-    refuse([](const Ranks& ranks) { static_cast<void>(ranks.gather_all(std::vector<char>(2), {2, 2, 3})); }, "numbers of bytes");
-    refuse([](const Ranks& ranks) { ranks.open({{(ranks.rank() + 1) % 3, 1, 0}})->start(); }, "has not received a message");
-    refuse(
-        [](const Ranks& ranks) {
-            const auto channel = ranks.open({{(ranks.rank() + 1) % 3, 1, 0}, {(ranks.rank() + 2) % 3, 0, 2}});
-            channel->start();
-            channel->finish();
-        },
-        "sends 1 numbers to one that expects 2");
-}
-
 }  // namespace
 }  // namespace graincrack
