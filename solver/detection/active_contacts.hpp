@@ -33,4 +33,10 @@ void append_active(const Assemblage& assemblage, const ContactLaws& laws, std::i
 /// Stored in the node–edge contacts of each chunk of nodes, J.
 std::vector<double> energy_of_active_contacts(const Assemblage& assemblage, const ContactLaws& laws, const ContactPairList& list);
 
+/// Stored in the bonded contacts of a chunk, J.
+double stored_in_chunk(const Assemblage& assemblage, const ContactLaws& laws, std::int32_t chunk, const State& state);
+
+/// Stored in bonded and in node–edge contacts, J.
+double stored_in_contacts(const Assemblage& assemblage, const ContactLaws& laws, const State& state);
+
 }  // namespace graincrack

@@ -15,7 +15,6 @@
 #include "solver/detection/pair_exchange.hpp"
 #include "solver/restart/checkpoint.hpp"
 #include "solver/restart/whole_state.hpp"
-#include "solver/step/contact_energy.hpp"
 #include "solver/step/mass_scaling.hpp"
 
 namespace graincrack {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "solver/detection/active_contacts.hpp"
-#include "solver/step/contact_energy.hpp"
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
 #include "solver/step/nodal_forces.hpp"
