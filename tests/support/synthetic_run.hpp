@@ -158,7 +158,7 @@ inline RunHeader synthetic_header(const Recipe& r) {
     RunHeader header;
     header.test = r.test;
     header.material = "Augig granite";
-    header.contact_law = "consistent";
+    header.contact_law = "literal";
     header.crack_event = r.crack_event;
     header.fracture_energy_choice = "mode-i";
     header.plane = r.plane;

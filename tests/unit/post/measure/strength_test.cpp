@@ -62,7 +62,7 @@ TEST_F(StrengthTable, UniaxialRow) {
     EXPECT_EQ(field(table, "steps"), "200000");
     EXPECT_EQ(field(table, "warning"), "");
     EXPECT_EQ(field(table, "achieved_confining_pressure_MPa"), "");
-    EXPECT_EQ(field(table, "contact_law"), "consistent");
+    EXPECT_EQ(field(table, "contact_law"), "literal");
     EXPECT_EQ(field(table, "contact_cohesion_MPa"), "74.57");
     EXPECT_NEAR(std::stod(field(table, "contact_friction_angle_deg")), 0.851 * 180 / std::numbers::pi, 1e-5);
     EXPECT_NEAR(std::stod(field(table, "ns_per_grain_step")), 12.8e9 / (200000.0 * 256), 1e-4);
