@@ -78,13 +78,16 @@ Vector2 noise(const Vector2& p, double speed) {
     return {speed * std::sin(1e5 * p.x + 3e5 * p.y), speed * std::sin(2e5 * p.x - 1.7e5 * p.y + 1)};
 }
 
-/// How much faster the fastest node is after 2000 steps at a share of the exact stable step.
-double growth(double share_of_exact, double damping, DampingForm form = DampingForm::combined) {
-    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law(LawVariant::coulomb_slip));
-    run.parameters.time_step = share_of_exact * exact_stable_step(run);
+/// How much faster the fastest node is after some steps at a fraction of the exact stable step. Contacts are linear and never
+/// fail.
+double growth(double fraction_of_exact, double damping, int steps, DampingForm form = DampingForm::combined) {
+    ContactLaw law = augig_law(LawVariant::coulomb_slip);
+    law.tc = law.cc = 1e200;
+    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), law);
+    run.parameters.time_step = fraction_of_exact * exact_stable_step(run);
     run.parameters.damping = damping;
     run.parameters.damping_form = form;
-    // far below the displacements at which contacts or triangles stop being linear
+    // far below the displacements at which triangles stop being linear
     run.set_velocity([](const Vector2& p) { return noise(p, 1e-9); });
     const auto fastest = [&run] {
         double v = 0;
@@ -93,16 +96,16 @@ double growth(double share_of_exact, double damping, DampingForm form = DampingF
     };
     const double before = fastest();
     run.begin();
-    run.steps(2000);
-    EXPECT_TRUE(run.failed_points() == 0 || share_of_exact * std::sqrt(1 + damping) > 1);
+    run.steps(steps);
+    EXPECT_EQ(run.failed_points(), 0U);
     return fastest() / before;
 }
 
 TEST(TimeStep, BoundedAtNineTenthsAndDivergingAbove) {
     // a mode at 0.9 rises by 1/√(1 − 0.9²) = 2.3, and several add up
-    verify_between("dynamics: growth in 2000 steps at 0.9 of the stable step", growth(0.9, 0), 0.1, 10,
+    verify_between("dynamics: growth in 2000 steps at 0.9 of the stable step", growth(0.9, 0, 2000), 0.1, 10,
                    "1/sqrt(1 - 0.9^2) a mode");
-    verify_between("dynamics: growth in 2000 steps at 1.05 of the stable step", growth(1.05, 0), 1e6, HUGE_VAL, "diverges");
+    verify_between("dynamics: growth in 200 steps at 1.05 of the stable step", growth(1.05, 0, 200), 1e6, HUGE_VAL, "diverges");
 }
 
 // A mode at the stable step turns at every step, so that damping of either form is always against it together with the force: it
@@ -113,9 +116,9 @@ TEST(TimeStep, DampingLowersItByTheRootOfOnePlusAlpha) {
             const double limit = 1 / std::sqrt(1 + alpha);
             const std::string name = " of the stable step over sqrt(1 + damping), " + std::string(name_of(form));
             // Where several modes are left the combined form is slower with the last of them: measured 1.6e-3.
-            verify_between("dynamics: growth at 0.97" + name, growth(0.97 * limit, alpha, form), 0,
+            verify_between("dynamics: growth at 0.97" + name, growth(0.97 * limit, alpha, 2000, form), 0,
                            form == DampingForm::local ? 1e-3 : 4e-3, "damps");
-            verify_between("dynamics: growth at 1.06" + name, growth(1.06 * limit, alpha, form), 1e6, HUGE_VAL, "diverges");
+            verify_between("dynamics: growth at 1.06" + name, growth(1.06 * limit, alpha, 200, form), 1e6, HUGE_VAL, "diverges");
         }
     }
 }
