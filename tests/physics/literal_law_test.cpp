@@ -66,49 +66,6 @@ TEST(LiteralLaw, ShearUnderPressurePeaksAtTheCohesion) {
     }
 }
 
-TEST(LiteralLaw, FailedContactUnderPressureKeepsFriction) {
-    const ContactParameters c = augig_contact();
-    const ContactLaw law = literal_law(c);
-    const auto residual = [&](double pressure) {
-        ContactWalk walk(law);
-        walk.to({-pressure / law.kt, 0});
-        return walk.go({-pressure / law.kt, 4 * c.critical_sliding}, 4000).shear;
-    };
-    // tolerances: the digits printed
-    verify("law: residual shear at 20 MPa (MPa)", residual(20 * MPa) / MPa, 22.814, 3e-5, "tan(phi) sigma_n, Eq 12");
-    verify("law: residual shear at 30 MPa (MPa)", residual(30 * MPa) / MPa, 34.2, 1e-3, "tan(phi) sigma_n, Eq 12");
-    verify("law: residual shear at 100 MPa (MPa)", residual(100 * MPa) / MPa, 114.1, 1e-3, "tan(phi) sigma_n, Eq 12");
-    EXPECT_GT(residual(100 * MPa), c.cohesion);  // it hardens
-}
-
-TEST(LiteralLaw, LoopsAtTheResidualDissipateTractionTimesSlip) {
-    const ContactParameters c = augig_contact();
-    const ContactLaw law = literal_law(c);
-    const double residual = 20 * MPa * std::tan(c.friction_angle);
-    const double closure = -20 * MPa / law.kt;
-    const double reach = 3 * c.critical_sliding;
-    ContactWalk walk(law);
-    walk.to({closure, 0});
-    walk.go({closure, reach}, 2000);
-    const ContactTraction before = walk.traction();
-    const ContactTraction after = walk.to({closure, reach - 1e-3 * c.critical_sliding});
-    verify("law: unloading slope of friction (Pa/m)", (before.shear - after.shear) / (1e-3 * c.critical_sliding), law.ks, 1e-10,
-           "ks");
-    walk.to({closure, reach});
-    const double work = walk.work();
-    const double friction = walk.friction();
-    walk.go({closure, -reach}, 8000);
-    verify("law: friction after slip is reversed (MPa)", walk.traction().shear / MPa, -residual / MPa, 1e-11, "changes its sign");
-    walk.go({closure, reach}, 8000);
-    expect_close(walk.traction().shear, residual, 1e-12, residual);
-    const double slip = 2 * (2 * reach - 2 * residual / law.ks);
-    EXPECT_GT(slip, 0);
-    // trapezia at the four corners of the loop: 4e-8
-    verify("law: loop at the residual, dissipation (J/m2)", walk.friction() - friction, residual * slip, 1e-6,
-           "traction times slip");
-    expect_close(walk.work() - work, residual * slip, 1e-6, residual * slip);
-}
-
 // At δn = 0 an intact contact that carries shear goes from Eq 10 to Eqs 7 and 13: τ jumps from ks δs e^(−δs/δcs) up to
 // kt δs e^(−δs/δct), by nearly kt/ks = 9.8, and a loop makes energy.
 TEST(LiteralLaw, CrossingOfTheOpenBoundaryBeforeDamage) {
@@ -138,21 +95,6 @@ TEST(LiteralLaw, CrossingOfTheOpenBoundaryBeforeDamage) {
     EXPECT_EQ(walk.fracture(), 0);
     EXPECT_EQ(walk.friction(), 0);
     EXPECT_GT(made, 2 * scale);
-}
-
-// Of a contact that failed in shear under pressure nothing is left when it opens.
-TEST(LiteralLaw, OpeningAfterShearFailure) {
-    const ContactParameters c = augig_contact();
-    const ContactLaw law = literal_law(c);
-    ContactWalk walk(law);
-    walk.to({-20 * MPa / law.kt, 0});
-    walk.go({-20 * MPa / law.kt, 1.5 * c.critical_sliding}, 2000);
-    ASSERT_TRUE(walk.history().failed_closed);
-    walk.go({-20 * MPa / law.kt, 0}, 2000);
-    EXPECT_EQ(walk.go({0.2 * c.critical_opening, 0}, 2000).normal, 0);
-    EXPECT_TRUE(walk.history().separated);
-    EXPECT_EQ(damage(law, walk.history()), 1);
-    EXPECT_EQ(point_state(walk.history()), PointState::separated);
 }
 
 }  // namespace
