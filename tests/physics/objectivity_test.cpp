@@ -104,38 +104,5 @@ TEST(Objectivity, ElasticLoadingOfATurnedSpecimen) {
     }
 }
 
-/// Traction on the ends at which a specimen tears, by a pressure that falls below zero, with local damping, Pa.
-double tensile_strength(int seed, double angle) {
-    // A fixed pattern shifted by the seed: another jitter.
-    Specimen specimen = test::jittered_grid(6, 10, 0.03, 0.05, 0.2 + 0.01 * seed);
-    SmallRun run(test::rotated(specimen, angle), augig_law());
-    run.press_on({BoundaryPart::bottom, BoundaryPart::top}, 0.7);
-    run.parameters.damping = 0.8;
-    run.begin();
-    const double rate = -25e6 / 40000;  // Pa a step: of 50 transits of a wave to the strength
-    LinearPressure pressure;
-    constexpr int interval = 20;
-    while (run.state.step < 80000) {
-        run.steps_under(pressure, pressure.present() + interval * rate, interval);
-        double widest = 0;
-        for (const double opening : run.state.opening) widest = std::max(widest, opening);
-        if (widest > 5 * run.parameters.laws[0].dut) return -pressure.present();
-    }
-    return 0;
-}
-
-TEST(Objectivity, StrengthOfATurnedSpecimen) {
-    double upright = 0;
-    double at_30_degrees = 0;
-    for (int seed = 0; seed < 5; ++seed) {
-        upright += tensile_strength(seed, 0) / 5;
-        at_30_degrees += tensile_strength(seed, std::numbers::pi / 6) / 5;
-    }
-    EXPECT_GT(upright, 5e6);  // tc is 24.15 MPa
-    EXPECT_LT(upright, 24e6);
-    verify("specimens: tensile strength turned by 30 deg, mean of five (MPa)", at_30_degrees * 1e-6, upright * 1e-6, 0.01,
-           "that upright");
-}
-
 }  // namespace
 }  // namespace graincrack

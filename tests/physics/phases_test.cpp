@@ -15,57 +15,6 @@ namespace {
 
 using test::SmallRun;
 
-/// A shaken rectangle after 1,000 steps, without damage, with the history of its measures.
-struct Shaken {
-    SmallRun run;
-    std::vector<std::array<double, 5>> rows;  ///< strain, contact and kinetic energy, forces of the platens
-};
-Shaken shaken(SmallRun run) {
-    LoadingRequest loading;
-    loading.platen_friction = 5 * test::degree;
-    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.5);
-    run.parameters.damping = 0.3;
-    run.parameters.damping_form = DampingForm::local;  // the sign of a change of force that is hardly one is round-off
-    constexpr double speed = 0.2;                      // m/s, of each platen
-    run.set_velocity([&](const Vector2& x) { return Vector2{0.05 * std::sin(200 * x.y), -speed * x.y / 0.02}; });
-    run.begin();
-    Shaken s{std::move(run), {}};
-    for (int i = 0; i < 20; ++i) {
-        s.run.steps(50, {{speed, -speed}, {speed, -speed}, nullptr});
-        const Measurement m = s.run.measured();
-        s.rows.push_back({m.energies.strain, m.energies.contact, m.energies.kinetic, m.force_top, m.force_bottom});
-    }
-    return s;
-}
-
-// Contacts of equal classes are worked on in another order than those of one class: nothing but round-off changes.
-TEST(Phases, OfEqualValuesChangeNothing) {
-    const Specimen s = test::jittered_grid(8, 16, 0.02, 0.04, 0.25);
-    const Shaken one = shaken(SmallRun(s, test::augig_law(LawVariant::consistent)));
-    const Shaken six = shaken(test::equal_phases(s).run(LawVariant::consistent));
-    ASSERT_GT(six.run.assemblage.contact_chunks.size(), one.run.assemblage.contact_chunks.size());
-    EXPECT_EQ(one.run.failed_points(), 0U);
-    double worst = 0;
-    double largest = 0;
-    for (std::size_t i = 0; i < one.run.state.displacement.size(); ++i) {
-        worst = std::max(worst, length(one.run.state.displacement[i] - six.run.state.displacement[i]));
-        largest = std::max(largest, length(one.run.state.displacement[i]));
-    }
-    ASSERT_GT(largest, 0);
-    test::verify("phases: displacements of six equal classes against one, after 1,000 steps", worst / largest, 0, 1e-9,
-                 "the same equations in another order", 1);
-    for (std::size_t k = 0; k < one.rows.front().size(); ++k) {
-        double scale = 0;
-        double off = 0;
-        for (std::size_t i = 0; i < one.rows.size(); ++i) {
-            scale = std::max(scale, std::abs(one.rows[i][k]));
-            off = std::max(off, std::abs(one.rows[i][k] - six.rows[i][k]));
-        }
-        ASSERT_GT(scale, 0);
-        EXPECT_LT(off, 1e-9 * scale) << k;
-    }
-}
-
 // Two grains that touch by a node–edge contact slide at the friction angle of their class, whatever those of other classes are.
 TEST(Phases, ANodeEdgeContactHasTheLawOfItsTwoGrains) {
     const double angles[] = {50, 20, 40};

@@ -65,68 +65,6 @@ TEST(Platen, ABlockBounces) {
     expect_close(e.balance_error() + 0.5 * run.mass() * speed * speed, 0, 1e-6, e.kinetic);
 }
 
-// A block between platens, pushed sideways by a pressure on its left side until it slips.
-TEST(Platen, FrictionGivesWayAtItsLimit) {
-    for (const double share : {0.8, 1.2}) {  // of the friction of both platens
-        SmallRun run(block(), augig_law());
-        const double mu = std::tan(5 * test::degree);
-        std::vector<Platen> platens = platens_at(0, 6.87e14);
-        platens[top_platen].position = 0.01;
-        for (Platen& p : platens) {
-            p.shear_stiffness = 6.98e13;
-            p.tan_friction = mu;
-        }
-        run.set_boundary(with_pressure(make_boundary(run.assemblage, run.specimen, platens, 0.001), {BoundaryPart::left},
-                                       run.assemblage, run.specimen),
-                         0.5);
-        run.parameters.damping = 0.8;
-        run.begin();
-        // Press, slowly started, then hold.
-        IntervalLoading press;
-        const double approach = 0.02;
-        press.velocity_end = {approach, -approach};
-        run.steps(2000, press);
-        press.velocity_begin = press.velocity_end;
-        press.velocity_end = {0, 0};
-        run.steps(2000, press);
-        run.steps(2000);
-        const double force = -run.measured().force_top;
-        EXPECT_GT(force, 1e4);
-        const double pressure = share * 2 * mu * force / run.specimen.height;
-        LinearPressure push;
-        const double before = run.mean(run.state.displacement).x;
-        const Measurement at_rest = run.measured();
-        run.steps_under(push, pressure, 8000);
-        run.steps_under(push, pressure, 4000);
-        const Measurement m = run.measured();
-        const double slip = run.mean(run.state.displacement).x - before;
-        // What holds the block against the pressure: the platens' friction, never more than the limit.
-        double constrained = 0;
-        double limit = 0;
-        for (const PlatenPoint& point : run.state.platen_points) {
-            const Platen& platen = run.boundary.platens[static_cast<std::size_t>(point.platen)];
-            const PlatenResponse r =
-                platen_response(platen, point, run.state.displacement[static_cast<std::size_t>(point.node)],
-                                run.state.loading.platen_displacement[static_cast<std::size_t>(point.platen)]);
-            EXPECT_LE(std::abs(r.force.x), mu * std::abs(r.force.y) * (1 + 1e-12));
-            constrained -= r.force.x;
-            limit += mu * std::abs(r.force.y);
-        }
-        const double pushed = pressure * run.specimen.height;
-        const double stretch = pushed / (2 * 6.98e13 * 0.02);  // of the friction springs
-        if (share < 1) {
-            verify("dynamics: block between platens, friction below its limit (N)", constrained, pushed, 1e-2, "the push");
-            EXPECT_LT(slip, 10 * stretch);
-        } else {
-            verify("dynamics: block between platens, friction when it slips (N)", constrained, limit, 1e-9, "tan(phi) N");
-            EXPECT_GT(slip, 100 * stretch);
-            // Booked: traction times slip, within what slips first and last at the corners.
-            expect_close(m.energies.platen - at_rest.energies.platen, limit * slip, 0.02, limit * slip);
-        }
-        expect_close(m.energies.balance_error(), 0, 5e-3, m.energies.stored() + m.energies.platen);
-    }
-}
-
 TEST(Platen, TheMembraneExertsPressureTimesLength) {
     SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law());
     run.press_on({BoundaryPart::left, BoundaryPart::right}, 0.5);

@@ -191,27 +191,5 @@ TEST(TimeStep, FreeFlightIsExact) {
            "n dt v, summed as the scheme does");
 }
 
-// A pressure on the left side alone: u(n) = a Δt² n (n + 1)/2 for the centre of mass.
-TEST(TimeStep, ConstantForceIsExactInTheSchemesOwnArithmetic) {
-    SmallRun run(test::one_diagonal_grid(3, 3, 0.02, 0.02), augig_law());
-    run.press_on({BoundaryPart::left}, 0.5);
-    const double pressure = 1;  // Pa: the side's length changes by less than 1e-10 of it
-    test::LinearPressure constant;
-    constant.set(pressure);
-    const IntervalLoading loading = constant.to(pressure, 0, 1);
-    run.state.loading.amplitudes = {pressure};
-    run.begin();
-    const double acceleration = pressure * run.specimen.height / run.mass();
-    const double dt = run.parameters.time_step;
-    for (int n = 1; n <= 500; ++n) {
-        run.steps(1, loading);
-        const double expected = acceleration * dt * dt * n * (n + 1) / 2;
-        const Vector2 mean = run.mean(run.state.displacement);
-        expect_close(mean.y, 0, 1e-10, expected);
-        expect_close(run.mean(run.state.velocity).x, acceleration * dt * n, 1e-10, acceleration * dt * n);
-        verify("dynamics: constant force, displacement step by step (m)", mean.x, expected, 1e-10, "a dt^2 n (n + 1)/2");
-    }
-}
-
 }  // namespace
 }  // namespace graincrack

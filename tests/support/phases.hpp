@@ -18,17 +18,12 @@ struct PhasedSpecimen {
     }
 };
 
-/// The same grains in three phases, in no pattern, all of Augig granite.
-inline PhasedSpecimen equal_phases(Specimen s) {
-    s.phase_names = {"quartz", "feldspar", "mica"};
-    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
-    Fabric fabric = uniform_fabric(augig_granite().rock, augig_contact(), s.phase_names.size());
-    return {std::move(s), std::move(fabric)};
-}
-
-/// The same with values that differ from phase to phase and from class to class, and a strength factor on every contact.
+/// The same grains in three phases, in no pattern, with values that differ from phase to phase and from class to class, and a
+/// strength factor on every contact.
 inline PhasedSpecimen varied_phases(Specimen specimen) {
-    PhasedSpecimen varied = equal_phases(std::move(specimen));
+    specimen.phase_names = {"quartz", "feldspar", "mica"};
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) specimen.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
+    PhasedSpecimen varied{std::move(specimen), uniform_fabric(augig_granite().rock, augig_contact(), 3)};
     for (std::size_t c = 0; c < varied.specimen.n_contacts(); ++c) {
         varied.specimen.contact_strength_factor.push_back(0.6 + 0.1 * static_cast<double>(c * 5 % 9));
     }
