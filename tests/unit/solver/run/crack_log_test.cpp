@@ -141,7 +141,9 @@ TEST(CrackLog, ARowIsOfTheStepsItNames) {
     const std::vector<Crack> rows = crack_log.rows(run.assemblage, run.state.fracture_energy);
     ASSERT_EQ(rows.size(), 2U);
     const double dt = run.parameters.time_step;
-    const double whole = 0.01 * test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i).fracture_energy;
+    const double released = run.measured().energies.fracture_tension;
+    EXPECT_GT(released, 0);
+    expect_close(rows[0].energy_released + rows[1].energy_released, released, 1e-12, released);
     for (const Crack& row : rows) {
         const Instant& failure = instants.at(static_cast<std::size_t>(row.step));
         EXPECT_EQ(row.time, static_cast<double>(row.step) * dt);
@@ -158,7 +160,6 @@ TEST(CrackLog, ARowIsOfTheStepsItNames) {
         EXPECT_EQ(row.length, 0.01);
         EXPECT_TRUE(row.damaged_10.time < row.damaged_50.time && row.damaged_50.time < row.broken.time &&
                     row.broken.time < row.separated.time);
-        expect_close(row.energy_released, whole, 1e-3, whole);
         for (const CrackMoment& moment : {row.damaged_10, row.damaged_50, row.broken, row.separated}) {
             const auto step = static_cast<std::size_t>(std::lround(moment.time / dt));
             EXPECT_GT(moment.time, row.time);
