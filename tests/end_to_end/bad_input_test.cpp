@@ -73,7 +73,7 @@ const std::vector<BadInput> mesher{
      "double.tsv: line 3: lies upon double.tsv: line 2"},
     {"FlawOfUnknownClass", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws class.tsv -o out.h5", 3,
      "class.tsv: line 2"},
-    {"FlawsWithoutColumns", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws text.h5 -o out.h5", 3, "x1_mm"},
+    {"FlawsWithoutRows", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws text.h5 -o out.h5", 3, "text.h5: no rows"},
     {"MissingFlaws", "graincrack-mesh disc --diameter 20mm --grains 200 --flaws none.tsv -o out.h5", 3, "none.tsv"},
     {"PolygonWhoseSidesCross", "graincrack-mesh polygon cross.tsv --grains 200 -o out.h5", 3, "cross.tsv"},
     {"HoleAcrossTheRim", "graincrack-mesh disc --diameter 20mm --grains 200 --hole 8mm,0,4mm -o out.h5", 2, "--hole"},
