@@ -163,19 +163,17 @@ TEST_F(Ranks, ADeadRankEndsTheRunWhoseLastCheckpointResumes) {
     expect_same_run(shell, "run.h5", "whole.h5");
 }
 
-// It passes the signal on after a second, and kills the ranks as soon as the first of them has ended or after another second. Its
-// exit code is its own.
-TEST_F(Ranks, LeaveACheckpointWhenMpirunIsStopped) {
+TEST_F(Ranks, AreStoppedBySIGTERMWithACheckpoint) {
     const Shell shell;
-    shell.must(make_disc + "disc.h5");
-    const Outcome stopped = shell.run(
-        start_on_ranks(2, "graincrack-solve brazilian disc.h5 --material augig-granite --rate 0.001mm/s --quiet -o run.h5") +
-        wait_for_file("run.h5.part") + "sleep 0.3\nkill -TERM $job\n" + end_of_job);
-    EXPECT_NE(stopped.exit_code, 0);
+    shell.must(make_long_specimen + long_test + "--quiet -o whole.h5");
+    const Outcome stopped = shell.run(start_on_ranks(2, long_test + "--quiet -o run.h5") + wait_for_file("run.h5.part") +
+                                      "sleep 0.3\nkill -TERM $(cat pid.*)\n" + end_of_job);
+    EXPECT_EQ(stopped.exit_code, 128 + 15) << stopped.err;
     EXPECT_EQ(stopped.out, "");
     EXPECT_EQ(n_lines(lines_of("graincrack-solve: ", stopped.err)), 1) << stopped.err;
-    EXPECT_EQ(shell.names(), "disc.h5\nrun.h5.checkpoint\n");
-    shell.must("graincrack-post info --check run.h5.checkpoint");
+    EXPECT_EQ(shell.names(), "run.h5.checkpoint\nspecimen.h5\nwhole.h5\n");
+    shell.must(on_ranks(3) + long_test + "--quiet --restart run.h5.checkpoint -o run.h5");
+    expect_same_run(shell, "run.h5", "whole.h5");
 }
 
 }  // namespace
