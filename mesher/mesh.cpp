@@ -11,7 +11,6 @@
 #include "mesher/cells/polygon.hpp"
 #include "mesher/cells/statistics.hpp"
 #include "mesher/elements/divided_cells.hpp"
-#include "mesher/elements/lattice.hpp"
 
 namespace graincrack::mesher {
 

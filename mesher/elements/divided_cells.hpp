@@ -1,4 +1,4 @@
-// Polygonal cells divided into triangles of a given size.
+// Cells divided into triangles: polygons by a given size, triangles into similar ones.
 #pragma once
 
 #include <functional>
@@ -14,5 +14,9 @@ namespace graincrack::mesher {
 /// \throws UsageError if more than ten million points are needed
 PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_size,
                         const std::function<double(Point)>& relative_size = {});
+
+/// Makes each triangular cell a body of n × n triangles.
+/// \throws UsageError if a specimen of it would need more than 2³¹ − 1 nodes
+PlaneMesh lattice_mesh(PlaneCells cells, int n);
 
 }  // namespace graincrack::mesher

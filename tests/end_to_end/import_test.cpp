@@ -85,21 +85,6 @@ TEST(Import, SaysWhatItFound) {
         std::string::npos);
 }
 
-TEST(Import, APictureBecomesGrainsWithMinerals) {
-    const Shell shell;
-    shell.must(
-        "for i in 1 2 3 4 5 6; do printf '7 7 7 9 9 9 9\\n'; done >picture.tsv\n"
-        "printf 'key\\tphase\\n9\\tmica\\n7\\tquartz\\n' >key.tsv\n"
-        "graincrack-mesh import picture.tsv --pixel-size 2mm --phase-key key.tsv --element-size 6mm --smallest-piece 4 --quiet "
-        "-o s.h5");
-    const std::string info = shell.must("graincrack-post info --check s.h5");
-    EXPECT_NE(info.find("  width                    14 mm\n"), std::string::npos) << info;
-    EXPECT_NE(info.find("  phases                   mica 0.5714, quartz 0.4286\n"), std::string::npos) << info;
-    EXPECT_NE(info.find("  boundary_parts           bottom, right, top, left\n"), std::string::npos) << info;
-    const Outcome jagged = shell.run("graincrack-mesh import picture.tsv --pixel-size 2mm --jagged --dry-run");
-    EXPECT_NE(jagged.out.find("boundaries along pixels"), std::string::npos) << jagged.err;
-}
-
 // A picture in four colours, of which one knows no numbers: its key is written, named and read, and its grains break.
 TEST(Import, APictureInColoursBecomesCrystalsThatBreak) {
     const Shell shell;

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "mesher/elements/lattice.hpp"
+#include "mesher/elements/divided_cells.hpp"
 #include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
 #include "share/file/specimen_validation.hpp"

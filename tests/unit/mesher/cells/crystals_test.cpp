@@ -87,17 +87,6 @@ TEST(Crystals, FewHaveTheirSizesWithoutShortEdges) {
     }
 }
 
-TEST(Crystals, ElementsHaveTheirSize) {
-    for (const double size : {0.0005, 0.001}) {
-        Request request = crystals_of(rectangle(0.02, 0.04), 30);
-        request.fabric.element_size = size;
-        const Specimen s = mesh(request);
-        const double mean_area = 0.02 * 0.04 / static_cast<double>(s.n_elements());
-        EXPECT_NEAR(std::sqrt(4 * mean_area / std::numbers::sqrt3) / size, 1, 0.12);
-        EXPECT_GT(s.statistics.min_angle, 0.2);
-    }
-}
-
 TEST(Crystals, DiscsKeepTheirPoles) {
     for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
         Request request = crystals_of(disc(0.08), 150);

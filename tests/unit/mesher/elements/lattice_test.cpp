@@ -1,4 +1,4 @@
-#include "mesher/elements/lattice.hpp"
+#include "mesher/elements/divided_cells.hpp"
 
 #include <gtest/gtest.h>
 

@@ -110,31 +110,6 @@ TEST(StrengthField, TheAutocorrelationIsExponential) {
     }
 }
 
-// The same in a specimen, with the factors of pairs of grain boundaries.
-TEST(StrengthField, FactorsAreCorrelatedOverTheLength) {
-    constexpr double length = 2e-3;
-    Request request = rectangle_of(30000);
-    request.fabric.strength = {5, length, {}};
-    const Specimen s = mesh(request);
-    std::vector<Point> middle;
-    for (const auto& nodes : s.contact_nodes) {
-        const auto& p = s.node_position[static_cast<std::size_t>(nodes[0])];
-        const auto& q = s.node_position[static_cast<std::size_t>(nodes[1])];
-        middle.push_back({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])});
-    }
-    std::vector<double> factor[2];
-    for (std::size_t i = 0; i < middle.size(); i += 10) {
-        for (std::size_t j = 0; j < middle.size(); ++j) {
-            const double distance = graincrack::mesher::length(middle[i] - middle[j]);
-            if (std::abs(distance / length - 1) > 0.03) continue;
-            factor[0].push_back(s.contact_strength_factor[i]);
-            factor[1].push_back(s.contact_strength_factor[j]);
-        }
-    }
-    ASSERT_GT(factor[0].size(), 10000U);
-    EXPECT_NEAR(-1 / std::log(correlation_of(factor[0], factor[1])), 1, 0.1);
-}
-
 TEST(StrengthField, ContactsOfAGrainBoundaryHaveOneFactorWhateverTheElements) {
     for (const std::optional<double> correlation : {std::optional<double>{}, std::optional<double>{0.01}}) {
         Request request = rectangle_of(1122);

@@ -209,19 +209,6 @@ TEST(Labels, AlongPixelsHaveTheAreaOfTheirPixels) {
     for (std::size_t i = 0; i < areas.size(); ++i) EXPECT_NEAR(areas[i], pieces.pixels_of_piece[i], 1e-10);
 }
 
-TEST(Labels, AtRandomConform) {
-    RandomNumbers random(20);
-    for (int call = 0; call < 500; ++call) {
-        const int width = 1 + static_cast<int>(random.below(14));
-        const int height = 1 + static_cast<int>(random.below(14));
-        const auto n_labels = 1 + random.below(call % 2 == 0 ? 3 : 40);
-        const std::string text = picture(width, height, [&](int, int) { return random.below(n_labels); });
-        LabelOptions options = options_of(1 + static_cast<int>(random.below(6)), random.below(3) == 0);
-        if (random.below(2) == 0) options.element_size = 0.5 + 20 * random.uniform() * random.uniform();
-        expect_conforming(import_labels(text, options, "random"), width, height, std::to_string(call) + ":\n" + text);
-    }
-}
-
 /// Grains of points at random: each pixel belongs to the nearest.
 std::string cells_picture(int size, int n, std::uint64_t seed) {
     RandomNumbers random(seed);

@@ -82,22 +82,6 @@ TEST(FixedSeeds, DiscHasTheAreaOfTheCircleAndTouchesThePlatens) {
     }
 }
 
-TEST(FixedSeeds, LoadingArcIsTheAngleOfThePoleFacet) {
-    RandomNumbers random(1);
-    const Seeds facet = fixed_seeds(facet_disc, 50, 5e-3, 0.07, random);
-    double left = 0;
-    double right = 0;
-    for (const Point p : facet.points) {
-        if (p.y != 0.04) continue;
-        left = std::min(left, p.x);
-        right = std::max(right, p.x);
-    }
-    EXPECT_NEAR(left, -right, 1e-15);
-    EXPECT_NEAR(facet.loading_arc, 2 * std::atan2(right, 0.04), 1e-12);
-    EXPECT_NEAR(facet.loading_arc, 2 * 3.14159265358979 / 50, 1e-3);
-    EXPECT_EQ(fixed_seeds(vertex_disc, 50, 5e-3, 0.07, random).loading_arc, 0);
-}
-
 TEST(FixedSeeds, PrescribedEdgesKeepTheParityOfTheBoundary) {
     Region region = rectangle(0.08, 0.06);
     region.edges = {{{-0.05, 0}, {0.05, 0.001}}, {{0, -0.03}, {0, 0.01}}, {{-0.0399, -0.03}, {-0.02, 0}}};

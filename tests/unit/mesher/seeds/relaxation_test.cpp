@@ -26,27 +26,6 @@ Seeds relaxed(std::uint64_t seed, std::size_t n_inner, double sampling_distance)
     return relax_points(depth, fixed, inner, {edge, 0.1, n_inner});
 }
 
-double variation(const Seeds& mesh) {
-    std::vector<double> lengths;
-    for (const Edge& e : mesh.edges) {
-        lengths.push_back(length(mesh.points[static_cast<std::size_t>(e[1])] - mesh.points[static_cast<std::size_t>(e[0])]));
-    }
-    const double n = static_cast<double>(lengths.size());
-    const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / n;
-    double squares = 0;
-    for (const double l : lengths) squares += (l - mean) * (l - mean);
-    return std::sqrt(squares / n) / mean;
-}
-
-TEST(PointRelaxation, MeetsTheNumberOfPointsFromAnySample) {
-    for (const double distance : {0.65, 0.77, 0.9, 1.3}) {
-        const Seeds mesh = relaxed(1, 200, distance);
-        EXPECT_EQ(mesh.points.size(), 260U) << distance;
-        EXPECT_EQ(mesh.triangles.size(), 2 * 200 + 60 - 2U) << distance;
-        EXPECT_LT(variation(mesh), 0.13) << distance;
-    }
-}
-
 TEST(PointRelaxation, LeavesTheOutlineAlone) {
     const Seeds mesh = relaxed(2, 200, 0.77);
     RandomNumbers random(2);
@@ -71,17 +50,6 @@ TEST(PointRelaxation, CornersBelongToTwoGrains) {
                 << seed;
         }
     }
-}
-
-TEST(PointRelaxation, WiderSpreadIsMadeOnRequest) {
-    RandomNumbers random(3);
-    const DepthGrid depth(tall_region, 0.7 * 4e-3);
-    const Seeds fixed = fixed_seeds(tall_region, 120, 4e-3, 0.1, random);
-    const auto inner = sample_points(tall_region, depth, 0.77 * 4e-3, 0.7 * 4e-3, random);
-    EXPECT_NEAR(variation(relax_points(depth, fixed, inner, {4e-3, 0.15, 870})), 0.15, 0.02);
-    SizeField size(tall_region, 4e-3, {}, {}, 0.3);
-    size.draw(bounds(tall_region), random);
-    EXPECT_NEAR(variation(relax_points(depth, fixed, inner, {4e-3, 0.25, 870}, size)), 0.25, 0.03);
 }
 
 }  // namespace
