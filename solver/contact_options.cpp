@@ -109,9 +109,9 @@ void apply_contact_options(const ContactOptions& o, SimulationRequest& request) 
     request.material = read_material(o.material);
     request.law = law_of(o, request.material);
     check_use(o, request.law);
-    const bool brazilian = request.loading.test == TestKind::brazilian;
-    request.plane = o.plane.empty() ? (brazilian ? PlaneCondition::stress : PlaneCondition::strain)
-                                    : (o.plane == "stress" ? PlaneCondition::stress : PlaneCondition::strain);
+    request.plane = o.plane.empty()       ? description_of(request.loading.test).plane
+                    : o.plane == "stress" ? PlaneCondition::stress
+                                          : PlaneCondition::strain;
     request.material.contact = overlay(o.given, request.material.contact);
     request.contact = contact_parameters(request.material, request.plane, o.fracture_energy);
     check_energies(request.contact, request.law);

@@ -51,18 +51,19 @@ void print_program(const SolveOptions& options, const Specimen& specimen) {
         "#\n"
         "#   graincrack-solve program {} --program FILE.toml --material {} --plane {}{} -o run.h5\n{}",
         name_of(options.request.loading.test), options.specimen, options.specimen, options.request.material.name,
-        name_of(options.request.plane), options.request.loading.test == TestKind::bend ? " --platen-friction 0" : "",
+        name_of(options.request.plane),
+        description_of(options.request.loading.test).loading == Loading::bending ? " --platen-friction 0" : "",
         program_text(program));
 }
 
 /// The strength a test is made for, from its largest axial stress (brazilian: load over D t); of bending the largest load.
 std::string strength_of(const RunHeader& h, double width) {
     if (h.peak_axial_stress <= 0) return "";
-    if (h.test == name_of(TestKind::bend)) {
+    if (h.loading() == Loading::bending) {
         return fmt::format("largest load {:.4g} kN/m at a span of {:.4g} mm (plane {}); ", h.peak_axial_stress * width * 1e-3,
                            h.span * 1e3, name_of(h.plane));
     }
-    const double factor = h.test == name_of(TestKind::brazilian) ? 2 / std::numbers::pi : 1;
+    const double factor = h.loading() == Loading::splitting ? 2 / std::numbers::pi : 1;
     return fmt::format("strength {:.2f} MPa (plane {}); ", factor * h.peak_axial_stress * 1e-6, name_of(h.plane));
 }
 

@@ -139,9 +139,10 @@ void add_sensitivity_flag(OptionSet command, SimulationRequest& request) {
         "twice the elements along an edge; print the changes of the results and store them in the run file");
 }
 
-void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& raw, TestKind test) {
+void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& raw, const TestDescription& test) {
     LoadingRequest& loading = request.loading;
-    if (test == TestKind::bend) {
+    const bool rolls = test.loading == Loading::bending;
+    if (rolls) {
         add_quantity(command, "--span", loading.span, quantity::span,
                      "distance of the lower rollers, which stand at the nodes next to its ends; default: four heights of a beam, "
                      "0.6 diameters of a half-disc");
@@ -149,14 +150,14 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
             command, "--roller-width", loading.roller_width, quantity::roller_width,
             "width of the flat faces of the rollers; default: the mean edge of the boundary, so that each meets one node");
     }
-    if (test == TestKind::triaxial) {
+    if (test.is_confined) {
         add_quantity(command, "--confining-pressure", raw.confining_pressure, quantity::confining_pressure,
                      "confining pressure on the lateral edges")
             .required();
     }
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
-                 test == TestKind::bend ? "friction angle between rock and rollers; default: 0, since they roll"
-                                        : "friction angle between rock and platens; default: the material's");
+                 rolls ? "friction angle between rock and rollers; default: 0, since they roll"
+                       : "friction angle between rock and platens; default: the material's");
     add_rate_options(command, loading, raw);
     add_quantity_or(command, "--peak-drop", request.peak_drop, quantity::peak_drop, "none", 0,
                     "fall of the stress that ends the test, as a fraction of the peak; none: continue to --max-strain", "0.3");
@@ -170,9 +171,8 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
     add_method_options(command, request, raw);
 }
 
-OptionSet add_test(OptionSet tool, SolveOptions& options, RawOptions& raw, CommonOptions& common, TestKind test,
-                   const std::string& help) {
-    OptionSet command = tool.add_subcommand(std::string(name_of(test)), help);
+OptionSet add_test(OptionSet tool, SolveOptions& options, RawOptions& raw, CommonOptions& common, const TestDescription& test) {
+    OptionSet command = tool.add_subcommand(std::string(test.name), std::string(test.help));
     add_text(command, "specimen", options.specimen, "specimen file, - for stdin").required().type_name("FILE");
     add_contact_options(command, raw.contact);
     add_run_options(command, options.request, raw, test);
@@ -184,8 +184,8 @@ OptionSet add_test(OptionSet tool, SolveOptions& options, RawOptions& raw, Commo
 }
 
 OptionSet add_program(OptionSet tool, SolveOptions& options, RawOptions& raw, CommonOptions& common) {
-    OptionSet command = tool.add_subcommand(
-        "program", "a loading program from a file: stages, boundary conditions, gravity, probes", program_examples);
+    const TestDescription& test = description_of(TestKind::program);
+    OptionSet command = tool.add_subcommand(std::string(test.name), std::string(test.help), program_examples);
     add_text(command, "specimen", options.specimen, "specimen file, - for stdin").required().type_name("FILE");
     add_text(command, "--program", raw.program,
              "loading program: a TOML file, or the name of one of share/programs such as joint-shear; see share/doc/loading.md")
@@ -257,7 +257,7 @@ void complete_request(SimulationRequest& request, const RawOptions& raw) {
     apply_contact_options(raw.contact, request);
     complete_rate(request.loading, raw);
     // Rollers are free to roll, as ASTM E399 and ISRM 2014 ask: friction would carry part of the moment as a thrust.
-    const bool rolls = request.loading.test == TestKind::bend;
+    const bool rolls = description_of(request.loading.test).loading == Loading::bending;
     request.loading.platen_friction = raw.platen_friction.value_or(rolls ? 0 : request.material.platen_friction_angle);
     request.loading.confining_pressure = raw.confining_pressure.value_or(0);
     if (request.vector_target && !is_available(*request.vector_target)) {
@@ -283,16 +283,11 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     CommandLine line("graincrack-solve",
                      "Runs laboratory tests on assemblages of grains by the discrete element method with cohesive contacts",
                      common, examples, {is_built_with_mpi() ? "MPI: yes" : "MPI: no"});
-    const auto add = [&](TestKind test, const std::string& help) {
-        return add_test(line.options(), options, raw, common, test, help);
-    };
-    const std::vector<std::pair<OptionSet, TestKind>> tests{
-        {add(TestKind::uniaxial, "compression between platens"), TestKind::uniaxial},
-        {add(TestKind::triaxial, "compression between platens under confining pressure"), TestKind::triaxial},
-        {add(TestKind::brazilian, "compression of a disc between platens"), TestKind::brazilian},
-        {add(TestKind::tension, "direct tension between bonded platens"), TestKind::tension},
-        {add(TestKind::bend, "bending of a beam or a half-disc on three rollers"), TestKind::bend},
-    };
+    std::vector<std::pair<OptionSet, TestKind>> tests;
+    for (const TestDescription& test : all_tests()) {
+        if (test.loading == Loading::program) continue;
+        tests.emplace_back(add_test(line.options(), options, raw, common, test), test.kind);
+    }
     OptionSet program = add_program(line.options(), options, raw, common);
     if (!line.parse(argc, argv)) return std::nullopt;
     for (const auto& [command, test] : tests) {

@@ -43,7 +43,7 @@ constexpr std::int64_t again = 50;  ///< of each confirmation, by their number
 std::vector<double> values_of(const Target& target, const std::vector<const Measures*>& runs) {
     std::vector<double> values;
     for (const Measures* run : runs) {
-        const double value = target.kind.read(*run);
+        const double value = target.read(*run);
         if (std::isfinite(value)) values.push_back(value);
     }
     return values;
@@ -51,10 +51,10 @@ std::vector<double> values_of(const Target& target, const std::vector<const Meas
 
 double log_or_nan(double value) { return value > 0 ? std::log(value) : NAN; }
 
-/// What the surfaces say of a target that was not met.
-struct Miss {
+/// The prediction of the surfaces for a target that was not met.
+struct Misfit {
     bool expected = false;      ///< it is off at the optimum of the surfaces too
-    bool out_of_reach = false;  ///< no place of the boxes has it
+    bool out_of_reach = false;  ///< no design point of the boxes has it
     std::string remedy;         ///< which parameter would have to go where
 };
 
@@ -70,17 +70,17 @@ public:
 private:
     [[nodiscard]] const Study& study() const { return problem_.study; }
     [[nodiscard]] const Target* target(const char* name) const;
-    /// Of a test, at each point of a design.
-    [[nodiscard]] std::size_t specimens_at_point(const std::string& test) const {
-        return test == "brazilian" ? study().discs : 1;
+    /// The number of specimens of a test at each point of a design.
+    [[nodiscard]] std::size_t specimens_at_point(const Test& test) const {
+        return test.loading() == Loading::splitting ? study().discs : 1;
     }
     void record(std::string stage, std::string what, std::string result) {
         decision.steps.push_back({std::move(stage), std::move(what), std::move(result)});
     }
-    /// The finished runs of `n` specimens. What is missing is noted, and less is returned.
-    std::vector<const Measures*> get(WantedRun run, std::size_t n);
+    /// The finished runs of `n` specimens. Missing runs are requested and left out.
+    std::vector<const Measures*> get(RequestedRun run, std::size_t n);
     void require_all() const {
-        if (!decision.wanted.empty()) throw RunsMissing{};
+        if (!decision.requested.empty()) throw RunsMissing{};
     }
     [[nodiscard]] static Point with_grains(Point point, double modulus, double ratio);
 
@@ -89,15 +89,15 @@ private:
     void make_design(const Box& box);
     void fit(const Box& box);
     [[nodiscard]] bool meets_targets() const;
-    void find_place();
+    void find_design_point();
     void correct_elasticity();
     [[nodiscard]] std::size_t specimens_for(const Test& test, std::size_t most) const;
     [[nodiscard]] Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs) const;
-    [[nodiscard]] WantedRun run_at_optimum(std::size_t t, std::string reason) const;
+    [[nodiscard]] RequestedRun run_at_optimum(std::size_t t, std::string reason) const;
     std::string confirm();
     void add_confirmation();
     void predict();
-    [[nodiscard]] Miss miss_of(const Outcome& outcome) const;
+    [[nodiscard]] Misfit misfit_of(const Outcome& outcome) const;
     void end();
 
     const Problem& problem_;
@@ -116,17 +116,17 @@ private:
 
 const Target* Calibration::target(const char* name) const {
     const auto found = std::find_if(problem_.targets.begin(), problem_.targets.end(),
-                                    [&](const Target& t) { return t.kind.name == name && t.use == Use::fit; });
+                                    [&](const Target& t) { return t.property.name == name && t.use == Use::fit; });
     return found == problem_.targets.end() ? nullptr : &*found;
 }
 
-std::vector<const Measures*> Calibration::get(WantedRun run, std::size_t n) {
+std::vector<const Measures*> Calibration::get(RequestedRun run, std::size_t n) {
     std::vector<const Measures*> runs;
     for (std::size_t i = 0; i < n; ++i, ++run.seed) {
         if (const Measures* found = find_(run)) {
             runs.push_back(found);
         } else {
-            decision.wanted.push_back(run);
+            decision.requested.push_back(run);
         }
     }
     return runs;
@@ -154,8 +154,8 @@ void Calibration::find_elasticity() {
     constexpr int attempts = 6;
     const Point contacts = point_at(problem_.parameters, first_guess(problem_.parameters));
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        WantedRun run;
-        run.test = Test{"uniaxial", 0, 0.1};
+        RequestedRun run;
+        run.test = Test{std::string(name_of(TestKind::uniaxial)), 0, 0.1};
         run.seed = seeds::elastic;
         run.point = with_grains(contacts, grain_modulus_, grain_ratio_);
         run.max_strain = limit;
@@ -167,25 +167,25 @@ void Calibration::find_elasticity() {
             if (t == nullptr) return otherwise;
             const std::vector<double> values = values_of(*t, runs);
             if (!values.empty()) return sample(values).mean.value;
-            throw InputError(
-                fmt::format("calibrate: uniaxial runs have no {}; the table of `moduli` must have a row for each", t->kind.name));
+            throw InputError(fmt::format("calibrate: uniaxial runs have no {}; the table of `moduli` must have a row for each",
+                                         t->property.name));
         };
-        const double wanted_e = e != nullptr ? e->value : grain_modulus_;
-        const double wanted_nu = nu != nullptr ? nu->value : grain_ratio_;
-        const double measured_e = mean(e, wanted_e);
-        const double measured_nu = mean(nu, wanted_nu);
+        const double requested_e = e != nullptr ? e->value : grain_modulus_;
+        const double requested_nu = nu != nullptr ? nu->value : grain_ratio_;
+        const double measured_e = mean(e, requested_e);
+        const double measured_nu = mean(nu, requested_nu);
         const std::string grains = fmt::format("grains E {:.5g} GPa, ν {:.4g}", grain_modulus_ * 1e-9, grain_ratio_);
         const std::string assemblage = fmt::format("assemblage E {:.5g} GPa, ν {:.4g}", measured_e * 1e-9, measured_nu);
         record("elasticity", grains, assemblage);
-        if (std::abs(measured_e / wanted_e - 1) <= 0.01 && std::abs(measured_nu - wanted_nu) <= 0.0075) return;
-        grain_modulus_ *= wanted_e / measured_e;
-        grain_ratio_ += wanted_nu - measured_nu;
+        if (std::abs(measured_e / requested_e - 1) <= 0.01 && std::abs(measured_nu - requested_nu) <= 0.0075) return;
+        grain_modulus_ *= requested_e / measured_e;
+        grain_ratio_ += requested_nu - measured_nu;
         const bool outside = grain_modulus_ > 2 * problem_.young_modulus || grain_modulus_ < 0.5 * problem_.young_modulus ||
                              !(grain_ratio_ >= 0.01 && grain_ratio_ <= 0.45);
         if (outside || attempt + 1 == attempts) {
             throw Ended{
                 Ending::not_reached,
-                fmt::format("E {:.4g} GPa and ν {:.3g} are out of reach: {} make an {}", wanted_e * 1e-9, wanted_nu, grains,
+                fmt::format("E {:.4g} GPa and ν {:.3g} are out of reach: {} make an {}", requested_e * 1e-9, requested_nu, grains,
                             assemblage),
                 "give contacts that are stiffer than the process zone's (contact.normal_stiffness, contact.shear_stiffness)"};
         }
@@ -202,94 +202,94 @@ void Calibration::add_value(std::size_t r, const std::vector<const Measures*>& r
     peaks_[r].push_back(!values.empty());
 }
 
-/// Adds the points of one more design: a specimen of each test at each place, three discs.
+/// Adds the points of one more design: a specimen of each test at each design point, three discs.
 void Calibration::make_design(const Box& box) {
     const auto p = static_cast<std::size_t>(box.size());
     const std::size_t n = study().points > 0 ? study().points : 4 * (p + 2);
-    const std::vector<Place> places = sobol_places(box, designs_ * n, n);
+    const std::vector<DesignPoint> points = sobol_points(box, designs_ * n, n);
     ++designs_;
     for (std::size_t t = 0; t < tests_.size(); ++t) {
         for (std::size_t i = 0; i < n; ++i) {
-            WantedRun run;
+            RequestedRun run;
             run.test = tests_[t];
             run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + static_cast<std::int64_t>(designs_) * seeds::design +
                        static_cast<std::int64_t>(i) * seeds::point;
-            run.point = with_grains(point_at(problem_.parameters, places[i]), grain_modulus_, grain_ratio_);
+            run.point = with_grains(point_at(problem_.parameters, points[i]), grain_modulus_, grain_ratio_);
             run.label = fmt::format("d{}p{:02}", designs_, i + 1);
             run.reason = fmt::format("design {}, point {} of {}", designs_, i + 1, n);
-            const auto runs = get(run, specimens_at_point(run.test.name));
+            const auto runs = get(run, specimens_at_point(run.test));
             for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
                 if (run.test.has(fit_.responses[r].target)) add_value(r, runs);
             }
         }
     }
-    fit_.places.insert(fit_.places.end(), places.begin(), places.end());
+    fit_.points.insert(fit_.points.end(), points.begin(), points.end());
     require_all();
 }
 
-/// Surfaces through the points inside a box, and the place where they meet the targets best.
+/// Surfaces through the points inside a box, and the design point where they meet the targets best.
 void Calibration::fit(const Box& box) {
     fit_.box = box;
-    std::vector<Place> places;
+    std::vector<DesignPoint> points;
     std::vector<std::size_t> inside;
-    for (std::size_t i = 0; i < fit_.places.size(); ++i) {
-        if (!box.contains(fit_.places[i])) continue;
-        places.push_back(fit_.places[i]);
+    for (std::size_t i = 0; i < fit_.points.size(); ++i) {
+        if (!box.contains(fit_.points[i])) continue;
+        points.push_back(fit_.points[i]);
         inside.push_back(i);
     }
-    std::vector<Aim> aims;
+    std::vector<Residual> residuals;
     std::vector<Logistic> logistics;
     for (Response& response : fit_.responses) {
         std::vector<double> values;
         for (const std::size_t i : inside) values.push_back(response.values[i]);
-        response.surface = ResponseSurface::fit(box, places, values);
+        response.surface = LocalSurface::fit(box, points, values);
     }
     for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
         const Response& response = fit_.responses[r];
         if (response.target.use != Use::fit || response.target.is_elastic()) continue;
         if (response.surface) {
-            aims.push_back({&*response.surface, std::log(response.target.value), response.target.log_deviation()});
+            residuals.push_back({&*response.surface, std::log(response.target.value), response.target.log_deviation()});
         }
-        if (!response.target.kind.needs_first_peak || response.measured == response.tests) continue;
+        if (!response.target.property.needs_first_peak || response.measured == response.tests) continue;
         std::vector<std::size_t> tested;
         std::copy_if(inside.begin(), inside.end(), std::back_inserter(tested),
                      [&](std::size_t i) { return peaks_[r][i].has_value(); });
         Eigen::MatrixXd factors(static_cast<Eigen::Index>(tested.size()), box.size());
         Eigen::VectorXd happened(factors.rows());
         for (std::size_t i = 0; i < tested.size(); ++i) {
-            factors.row(static_cast<Eigen::Index>(i)) = fit_.places[tested[i]].transpose();
+            factors.row(static_cast<Eigen::Index>(i)) = fit_.points[tested[i]].transpose();
             happened(static_cast<Eigen::Index>(i)) = *peaks_[r][tested[i]] ? 1 : 0;
         }
         logistics.push_back(fit_logistic(factors, happened));
     }
-    std::vector<LeastShare> shares;
-    for (const Logistic& logistic : logistics) shares.push_back({&logistic, study().first_peak_share});
-    if (aims.empty()) {
+    std::vector<ProbabilityConstraint> constraints;
+    for (const Logistic& logistic : logistics) constraints.push_back({&logistic, study().first_peak_fraction});
+    if (residuals.empty()) {
         throw Ended{Ending::undecided, fmt::format("no target can be fitted from {} points", inside.size()),
                     "ask for more points (setting points=N), or for targets that these tests have"};
     }
-    fit_.optimum = find_optimum(box, first_guess(problem_.parameters), aims, shares);
-    decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.place), grain_modulus_, grain_ratio_);
+    fit_.optimum = find_optimum(box, first_guess(problem_.parameters), residuals, constraints);
+    decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.point), grain_modulus_, grain_ratio_);
     decision.fit = fit_;
     record("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_),
-           label_of(point_at(problem_.parameters, fit_.optimum.place)));
+           label_of(point_at(problem_.parameters, fit_.optimum.point)));
 }
 
-/// Whether the surfaces expect every target at the optimum, each within a quarter of its deviation.
+/// True if the surfaces expect every target at the optimum, each within a quarter of its deviation.
 bool Calibration::meets_targets() const {
     return std::all_of(fit_.responses.begin(), fit_.responses.end(), [&](const Response& response) {
         if (response.target.use != Use::fit || response.target.is_elastic() || !response.surface) return true;
-        const double off = response.surface->value(fit_.optimum.place) - std::log(response.target.value);
+        const double off = response.surface->value(fit_.optimum.point) - std::log(response.target.value);
         return std::abs(off) <= 0.25 * response.target.log_deviation();
     });
 }
 
 /// Designs until the optimum is inside the last box and new specimens are within every bound there. Where they are not, they join
 /// the points of the design, and others are asked at the new optimum; then follows a smaller design about it.
-void Calibration::find_place() {
+void Calibration::find_design_point() {
     const auto p = static_cast<Eigen::Index>(problem_.parameters.size());
     const Box limits = limits_of(problem_.parameters);
-    Box box{Place::Zero(p), Place::Ones(p)};
+    Box box{DesignPoint::Zero(p), DesignPoint::Ones(p)};
     all_ = box;
     std::size_t moves = 0;
     std::size_t zooms = 0;
@@ -303,16 +303,16 @@ void Calibration::find_place() {
     begin_design(box);
     while (true) {
         fit(box);
-        const Place at = fit_.optimum.place;
+        const DesignPoint at = fit_.optimum.point;
         const Box moved = box.about(at, 1, limits);
-        // At an edge: so near that the box would move by nearly half of its width. Directions that are kept do not move it, nor
-        // does an edge at which every target is met.
+        // At an edge: so near that the box would move by nearly half of its width. Directions that are unidentified do not move
+        // it, nor does an edge at which every target is met.
         std::string moving;
         const bool is_met = meets_targets();
         for (Eigen::Index k = 0; k < p; ++k) {
             const bool at_edge =
                 std::abs(box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - box.centre(k)) > 0.1 * box.half(k);
-            if (at_edge && !is_met && fit_.optimum.kept_share(k) < 0.5) {
+            if (at_edge && !is_met && fit_.optimum.unidentified_fraction(k) < 0.5) {
                 moving += (moving.empty() ? "" : ", ") + problem_.parameters[static_cast<std::size_t>(k)].key;
             }
         }
@@ -343,14 +343,14 @@ void Calibration::find_place() {
 
 /// E and ν change a little with the contacts: the grains of the confirmation are scaled once more, by the surfaces.
 void Calibration::correct_elasticity() {
-    const Place at = fit_.optimum.place;
+    const DesignPoint at = fit_.optimum.point;
     double modulus = grain_modulus_;
     double ratio = grain_ratio_;
     for (const Response& response : fit_.responses) {
         if (response.target.use != Use::fit || !response.surface) continue;
         const double expected = std::exp(response.surface->value(at));
-        if (response.target.kind.name == "young_modulus") modulus *= response.target.value / expected;
-        if (response.target.kind.name == "poisson_ratio") {
+        if (response.target.property.name == "young_modulus") modulus *= response.target.value / expected;
+        if (response.target.property.name == "poisson_ratio") {
             ratio = std::clamp(ratio + response.target.value - expected, 0.01, 0.45);
         }
     }
@@ -374,7 +374,7 @@ std::size_t Calibration::specimens_for(const Test& test, std::size_t most) const
         const Target& target = response.target;
         if (target.use != Use::fit || !test.has(target)) continue;
         if (!response.surface) return most;
-        const double scatter = response.surface->scatter() * std::sqrt(static_cast<double>(specimens_at_point(test.name)));
+        const double scatter = response.surface->scatter() * std::sqrt(static_cast<double>(specimens_at_point(test)));
         const auto half = [&] { return student_t_95(static_cast<int>(n) - 1) * scatter / std::sqrt(static_cast<double>(n)); };
         while (n < most && !(n > 1 && half() <= target.log_deviation())) ++n;
     }
@@ -387,15 +387,15 @@ Outcome Calibration::outcome_of(const Target& target, const std::vector<const Me
     if (!values.empty()) outcome.ours = sample(values);
     const auto share = static_cast<double>(values.size()) / static_cast<double>(runs.size());
     if (std::isfinite(target.value)) {
-        const bool lacking = target.kind.needs_first_peak && share < study().first_peak_share;
+        const bool lacking = target.property.needs_first_peak && share < study().first_peak_fraction;
         outcome.verdict = !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
     }
     return outcome;
 }
 
 /// New specimens of a test at the optimum.
-WantedRun Calibration::run_at_optimum(std::size_t t, std::string reason) const {
-    WantedRun run;
+RequestedRun Calibration::run_at_optimum(std::size_t t, std::string reason) const {
+    RequestedRun run;
     run.test = confirmed_[t];
     run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
                static_cast<std::int64_t>(confirmations_) * seeds::again;
@@ -418,8 +418,9 @@ std::string Calibration::confirm() {
             if (target.use == Use::fit && confirmed_[t].has(target)) fitted.push_back(&target);
         }
         if (fitted.empty()) continue;
-        const std::size_t most = confirmed_[t].name == "brazilian" ? study().confirmation_discs : study().confirmation_rectangles;
-        const WantedRun run = run_at_optimum(t, "the optimum on new specimens");
+        const std::size_t most =
+            confirmed_[t].loading() == Loading::splitting ? study().confirmation_discs : study().confirmation_rectangles;
+        const RequestedRun run = run_at_optimum(t, "the optimum on new specimens");
         const std::size_t n = specimens_for(confirmed_[t], most);
         std::vector<const Measures*> found = get(run, n);
         if (found.size() < n) continue;
@@ -444,18 +445,18 @@ std::string Calibration::confirm() {
 /// The specimens of the last confirmation become points at the optimum, of as many specimens as a point has. E and ν are left
 /// out, for the grains were scaled.
 void Calibration::add_confirmation() {
-    std::size_t points = 0;
-    for (const auto& [test, runs] : confirmed_runs_) points = std::max(points, runs.size() / specimens_at_point(test.name));
-    fit_.places.insert(fit_.places.end(), points, Place(fit_.optimum.place));
+    std::size_t n_points = 0;
+    for (const auto& [test, runs] : confirmed_runs_) n_points = std::max(n_points, runs.size() / specimens_at_point(test));
+    fit_.points.insert(fit_.points.end(), n_points, DesignPoint(fit_.optimum.point));
     for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
         Response& response = fit_.responses[r];
         for (const auto& [test, runs] : confirmed_runs_) {
             if (!test.has(response.target) || response.target.is_elastic()) continue;
-            const auto n = static_cast<std::ptrdiff_t>(specimens_at_point(test.name));
+            const auto n = static_cast<std::ptrdiff_t>(specimens_at_point(test));
             for (auto run = runs.begin(); runs.end() - run >= n; run += n) add_value(r, {run, run + n});
         }
-        response.values.resize(fit_.places.size(), NAN);
-        peaks_[r].resize(fit_.places.size());
+        response.values.resize(fit_.points.size(), NAN);
+        peaks_[r].resize(fit_.points.size());
     }
 }
 
@@ -481,7 +482,7 @@ void Calibration::predict() {
         const auto outcome = std::find_if(decision.outcomes.begin(), decision.outcomes.end(),
                                           [&](const Outcome& o) { return o.target.name() == response.target.name(); });
         if (outcome == decision.outcomes.end() || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 3) continue;
-        const auto n = static_cast<double>(specimens_at_point(response.target.test()));
+        const auto n = static_cast<double>(specimens_at_point({response.target.test()}));
         response.pure_error = *outcome->ours->deviation / outcome->ours->mean.value / std::sqrt(n);
         response.pure_freedom = static_cast<int>(outcome->ours->n) - 1;
     }
@@ -492,8 +493,8 @@ void Calibration::predict() {
 std::string off_text(const Outcome& o) {
     const Target& t = o.target;
     if (!o.ours) return fmt::format("{}: none of {} tests has a value", t.symbol(), o.tests);
-    const double scale = t.kind.absolute ? 1 : 100 / t.value;
-    const char* unit = t.kind.absolute ? "" : " %";
+    const double scale = t.property.absolute ? 1 : 100 / t.value;
+    const char* unit = t.property.absolute ? "" : " %";
     const double half = o.ours->mean.high ? *o.ours->mean.high - o.ours->mean.value : NAN;
     std::string text = fmt::format("{} differs by {:+.3g}{} (± {:.2g}{}, bound {:.2g}{})", t.symbol(),
                                    (o.ours->mean.value - t.value) * scale, unit, half * scale, unit, t.deviation * scale, unit);
@@ -501,7 +502,7 @@ std::string off_text(const Outcome& o) {
     return text;
 }
 
-Miss Calibration::miss_of(const Outcome& outcome) const {
+Misfit Calibration::misfit_of(const Outcome& outcome) const {
     const Target& t = outcome.target;
     const auto response = std::find_if(fit_.responses.begin(), fit_.responses.end(),
                                        [&](const Response& r) { return r.target.name() == t.name(); });
@@ -510,30 +511,30 @@ Miss Calibration::miss_of(const Outcome& outcome) const {
         return {true, true,
                 fmt::format("{} of {} tests of the designs have a value of {}", response->measured, response->tests, t.symbol())};
     }
-    const Place& place = fit_.optimum.place;
-    const double wanted = std::log(t.value);
-    const double here = response->surface->value(place);
-    const double allowed = 0.5 * t.log_deviation() + 2 * std::sqrt(response->surface->variance(place));
+    const DesignPoint& point = fit_.optimum.point;
+    const double requested = std::log(t.value);
+    const double here = response->surface->value(point);
+    const double allowed = 0.5 * t.log_deviation() + 2 * std::sqrt(response->surface->variance(point));
     const bool lacking = outcome.ours && outcome.ours->n < outcome.tests && outcome.verdict == "outside";
-    if (std::abs(here - wanted) <= allowed && !lacking) return {};
-    // Whether this target alone is in reach, by a surface through the points of all designs.
-    const auto wide = ResponseSurface::fit(all_, fit_.places, response->values);
+    if (std::abs(here - requested) <= allowed && !lacking) return {};
+    // This target alone may be in reach or not, by a surface through the points of all designs.
+    const auto wide = LocalSurface::fit(all_, fit_.points, response->values);
     double lowest = here;
     double highest = here;
-    for (const Place& at : sobol_places(all_, 0, 1024)) {
+    for (const DesignPoint& at : sobol_points(all_, 0, 1024)) {
         const double spread = 2 * std::sqrt(wide->variance(at));
         lowest = std::min(lowest, wide->value(at) - spread);
         highest = std::max(highest, wide->value(at) + spread);
     }
     // The parameter that moves it most, and where it would have to go alone.
-    const Place gradient = response->surface->gradient(place);
+    const DesignPoint gradient = response->surface->gradient(point);
     Eigen::Index k = 0;
     gradient.cwiseAbs().maxCoeff(&k);
     const Parameter& p = problem_.parameters[static_cast<std::size_t>(k)];
-    const double to = place(k) + (wanted - here) / gradient(k);
-    return {true, wanted < lowest || wanted > highest,
+    const double to = point(k) + (requested - here) / gradient(k);
+    return {true, requested < lowest || requested > highest,
             fmt::format("{} alone would need {} to change from {} to {} (first box {} to {})", t.symbol(), p.key,
-                        value_text(p.key, p.value(place(k)), " "),
+                        value_text(p.key, p.value(point(k)), " "),
                         std::abs(to) < 10 ? value_text(p.key, p.value(to), " ") : "far outside", value_text(p.key, p.low, " "),
                         value_text(p.key, p.high, " "))};
 }
@@ -548,10 +549,10 @@ void Calibration::end() {
     for (const Outcome& o : decision.outcomes) {
         if (o.target.use == Use::predict || o.verdict == "within") continue;
         add(missed, off_text(o) + ": " + o.verdict);
-        const Miss miss = miss_of(o);
-        if (miss.expected) add(remedies, miss.remedy);
-        expected = expected || miss.expected;
-        out_of_reach = out_of_reach || miss.out_of_reach;
+        const Misfit misfit = misfit_of(o);
+        if (misfit.expected) add(remedies, misfit.remedy);
+        expected = expected || misfit.expected;
+        out_of_reach = out_of_reach || misfit.out_of_reach;
         outside = outside || o.verdict == "outside";
         if (o.ours && o.ours->deviation) {
             const double n =
@@ -579,7 +580,7 @@ void Calibration::end() {
 }
 
 void Calibration::run() {
-    // What is fitted comes first, then other targets and everything else that the same tests measure.
+    // Fitted targets come first, then other targets and everything else that the same tests measure.
     std::vector<Target> fitted;
     for (const Target& t : problem_.targets) {
         if (t.use == Use::fit) fitted.push_back(t);
@@ -588,8 +589,9 @@ void Calibration::run() {
     confirmed_ = tests_of(problem_.targets);
     const auto add_response = [&](const Target& t) {
         for (const Response& known : fit_.responses) {
-            if (known.target.name() == t.name() || (known.target.test() == t.test() && known.target.kind.read == t.kind.read &&
-                                                    known.target.confining_pressure == t.confining_pressure)) {
+            if (known.target.name() == t.name() ||
+                (known.target.test() == t.test() && known.target.property.column == t.property.column &&
+                 known.target.confining_pressure == t.confining_pressure)) {
                 return;
             }
         }
@@ -598,18 +600,18 @@ void Calibration::run() {
     for (const Target& t : fitted) add_response(t);
     for (const Test& test : tests_) {
         for (const Target& t : problem_.targets) {
-            if (test.has(t) && t.kind.peak_drop <= test.peak_drop) add_response(t);
+            if (test.has(t) && t.property.peak_drop <= test.peak_drop) add_response(t);
         }
-        for (const TargetKind& kind : target_kinds()) {
-            if (kind.pressure == PressureOf::name && !(test.confining_pressure > 0)) continue;
-            if (kind.pressure == PressureOf::none && test.confining_pressure > 0) continue;
-            Target t{kind, test.confining_pressure, NAN, NAN, Use::predict};
-            if (test.has(t) && kind.peak_drop <= test.peak_drop) add_response(t);
+        for (const Property& property : all_properties()) {
+            if (property.pressure == PressureOf::name && !(test.confining_pressure > 0)) continue;
+            if (property.pressure == PressureOf::none && test.confining_pressure > 0) continue;
+            const Target t{property, test.confining_pressure, NAN, NAN, Use::predict};
+            if (test.has(t) && property.peak_drop <= test.peak_drop) add_response(t);
         }
     }
     peaks_.resize(fit_.responses.size());
     find_elasticity();
-    find_place();
+    find_design_point();
     predict();
     end();
 }
@@ -626,7 +628,7 @@ Decision decide(const Problem& problem, const FindRun& find) {
     try {
         calibration.run();
     } catch (const RunsMissing&) {
-        decision.reason = decision.wanted.front().reason;
+        decision.reason = decision.requested.front().reason;
     } catch (const Ended& end) {
         decision.ending = end.ending;
         decision.reason = end.reason;

@@ -1,5 +1,5 @@
-// What a calibration decides: a pure function of targets, parameters and finished runs. Called again when the runs that it wanted
-// are finished, it takes the same decisions and goes on; nothing is remembered but runs.
+// The decisions of a calibration: a pure function of targets, parameters and finished runs. Called again when the runs that it
+// requested are finished, it takes the same decisions and goes on; nothing is remembered but runs.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "post/calibrate/optimum.hpp"
-#include "post/calibrate/run.hpp"
+#include "post/calibrate/study.hpp"
 #include "post/statistics/statistics.hpp"
 
 namespace graincrack::calibrate {
 
 enum class Ending {
-    wanted,         ///< runs are missing
+    requested,      ///< runs are missing
     calibrated,     ///< the confirmation is within the bounds
     not_reached,    ///< a target is out of reach
     contradictory,  ///< each target is in reach, but not all together
@@ -25,18 +25,18 @@ std::string label_of(Ending ending);
 /// A quantity at all points of the designs. Targets come first, then what else the same tests measure.
 struct Response {
     Target target;
-    std::vector<double> values;              ///< ln of the mean over the specimens of a point; NaN: none of them has it
-    std::optional<ResponseSurface> surface;  ///< through the points inside the last box
-    std::optional<double> pure_error;        ///< standard deviation of a value between equal points, by repeated tests
-    int pure_freedom = 0;                    ///< its degrees of freedom
-    std::size_t tests = 0;                   ///< of the designs
-    std::size_t measured = 0;                ///< of them that have it
+    std::vector<double> values;           ///< ln of the mean over the specimens of a point; NaN: none of them has it
+    std::optional<LocalSurface> surface;  ///< through the points inside the last box
+    std::optional<double> pure_error;     ///< standard deviation of a value between equal points, by repeated tests
+    int pure_freedom = 0;                 ///< its degrees of freedom
+    std::size_t tests = 0;                ///< of the designs
+    std::size_t measured = 0;             ///< of them that have it
 };
 
 /// The last fit.
 struct Fit {
     Box box;
-    std::vector<Place> places;  ///< of all designs
+    std::vector<DesignPoint> points;  ///< of all designs
     std::vector<Response> responses;
     Optimum optimum;
 };
@@ -57,17 +57,17 @@ struct Step {
 };
 
 struct Decision {
-    Ending ending = Ending::wanted;
-    std::string reason;             ///< one sentence: which target, by how much
-    std::string next;               ///< what to do next
-    std::vector<WantedRun> wanted;  ///< none twice, none that is finished
-    Point point;                    ///< calibrated, else the nearest so far
+    Ending ending = Ending::requested;
+    std::string reason;                   ///< one sentence: which target, by how much
+    std::string next;                     ///< what to do next
+    std::vector<RequestedRun> requested;  ///< none twice, none that is finished
+    Point point;                          ///< calibrated, else the nearest so far
     std::optional<Fit> fit;
     std::vector<Outcome> outcomes;
     std::vector<Step> steps;
 };
 
-/// What is calibrated and how.
+/// The input of a calibration.
 struct Problem {
     std::vector<Target> targets;
     std::vector<Parameter> parameters;

@@ -1,7 +1,7 @@
-// Places in the space of the free parameters, boxes of them, and designs that fill a box.
+// Design points in the space of the free parameters, boxes of them, and designs that fill a box.
 //
-// A place has a coordinate for each parameter, 0 in the middle and ±1 at the edges of the first box, so that coordinates stay the
-// same when a box moves or becomes smaller.
+// A design point has a coordinate for each parameter, 0 in the middle and ±1 at the edges of the first box, so that its
+// coordinates stay the same when a box moves or becomes smaller.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,28 +10,30 @@
 
 namespace graincrack::calibrate {
 
-using Place = Eigen::VectorXd;
+using DesignPoint = Eigen::VectorXd;
 
 struct Box {
-    Place centre;
-    Place half;  ///< of the widths
+    DesignPoint centre;
+    DesignPoint half;  ///< of the widths
 
     [[nodiscard]] Eigen::Index size() const { return centre.size(); }
     /// Coordinates that are ±1 at the edges of this box.
-    [[nodiscard]] Place local(const Place& place) const { return (place - centre).cwiseQuotient(half); }
-    [[nodiscard]] bool contains(const Place& place) const { return local(place).lpNorm<Eigen::Infinity>() <= 1 + 1e-9; }
-    [[nodiscard]] Place nearest(const Place& place) const { return place.cwiseMax(centre - half).cwiseMin(centre + half); }
+    [[nodiscard]] DesignPoint local(const DesignPoint& point) const { return (point - centre).cwiseQuotient(half); }
+    [[nodiscard]] bool contains(const DesignPoint& point) const { return local(point).lpNorm<Eigen::Infinity>() <= 1 + 1e-9; }
+    [[nodiscard]] DesignPoint nearest(const DesignPoint& point) const {
+        return point.cwiseMax(centre - half).cwiseMin(centre + half);
+    }
     /// The box about another centre, so many times as wide, moved or cut where it would leave the limits.
-    [[nodiscard]] Box about(const Place& at, double times, const Box& limits) const;
+    [[nodiscard]] Box about(const DesignPoint& at, double times, const Box& limits) const;
 };
 
 /// The box that both corners span.
-Box box_between(const Place& low, const Place& high);
+Box box_between(const DesignPoint& low, const DesignPoint& high);
 /// The smallest box that holds two boxes.
 Box hull(const Box& a, const Box& b);
 
-/// Places first, first + 1, … of the sequence of Sobol' in a box. They fill it evenly, however many there are.
+/// Points first, first + 1, … of the sequence of Sobol' in a box. They fill it evenly, however many there are.
 /// \pre at most 40 parameters
-std::vector<Place> sobol_places(const Box& box, std::size_t first, std::size_t n);
+std::vector<DesignPoint> sobol_points(const Box& box, std::size_t first, std::size_t n);
 
 }  // namespace graincrack::calibrate

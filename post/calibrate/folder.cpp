@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <set>
 
-#include "post/calibrate/report.hpp"
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
 #include "share/file/output_file.hpp"
@@ -51,21 +50,21 @@ std::string material_text(const Material& rock, const Decision& decision, const 
     for (const auto& [key, value] : decision.point) settings.emplace_back(key, value_text(key, value, " "));
     settings.emplace_back("name", rock.name + ", " + what);
     std::string text = material_with(rock.file.string(), settings);
-    // What an earlier calibration fitted holds no longer.
+    // The [fitted] of an earlier calibration holds no longer.
     if (const std::size_t earlier = text.find("\n[fitted]"); earlier != std::string::npos) text.erase(earlier + 1);
     text += "\n[fitted]  # property: what it was fitted to, and what new specimens have\n";
     for (const Outcome& o : decision.outcomes) {
         if (o.target.use != Use::fit || !o.ours) continue;
         text += fmt::format("{} = \"{}; {} on {} new specimens\"\n", o.target.fitted_name(), o.target.text(o.target.value),
-                            with_interval(o.ours->mean, o.target.kind.si), o.ours->n);
+                            with_interval(o.ours->mean, o.target.property.si), o.ours->n);
     }
     return text;
 }
 
-std::string wanted_table(const Material& rock, const Study& study, const std::vector<WantedRun>& wanted) {
+std::string requested_table(const Material& rock, const Study& study, const std::vector<RequestedRun>& requested) {
     std::string text = "file\tspecimen\tmesh\tmaterial\tsolve\treason\n";
     std::set<std::string> known;
-    for (const WantedRun& run : wanted) {
+    for (const RequestedRun& run : requested) {
         const RunRow row = row_of(rock, study, run);
         if (!known.insert(row.file).second) continue;
         text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", row.file, row.specimen, row.mesh, row.material, row.solve, run.reason);
@@ -74,9 +73,9 @@ std::string wanted_table(const Material& rock, const Study& study, const std::ve
 }
 
 /// Time of runs, by the mean of finished ones of the same test; of a test without any, none is counted.
-double time_of(const std::vector<WantedRun>& wanted, const FinishedRuns& finished) {
+double time_of(const std::vector<RequestedRun>& requested, const FinishedRuns& finished) {
     double sum = 0;
-    for (const WantedRun& run : wanted) {
+    for (const RequestedRun& run : requested) {
         std::vector<double> times;
         for (const auto& [name, measures] : finished) {
             const auto time = measures.find("wall_time_s");
@@ -119,13 +118,13 @@ Problem read_problem(const Material& rock, const std::vector<std::string>& setti
 
 FolderDecision calibrate_folder(const std::string& folder, const std::string& material, const std::vector<std::string>& settings,
                                 std::ostream& diagnostics) {
-    const fs::path place(folder);
-    const auto path = [&](const char* name) { return (place / name).string(); };
+    const fs::path parent(folder);
+    const auto path = [&](const char* name) { return (parent / name).string(); };
     const Material rock = read_rock(material.empty() ? path("material.toml") : material);
     write_notes(diagnostics, "calibrate", rock);
     const Problem problem = read_problem(rock, settings);
     const FinishedRuns finished = read_finished(folder);
-    FolderDecision out{decide(problem, [&](const WantedRun& run) -> const Measures* {
+    FolderDecision out{decide(problem, [&](const RequestedRun& run) -> const Measures* {
         const auto found = finished.find(row_of(rock, problem.study, run).file);
         return found == finished.end() ? nullptr : &found->second;
     })};
@@ -133,9 +132,9 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
     for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "identify.png"}) {
         remove_file(path(name));
     }
-    if (decision.ending == Ending::wanted) {
-        write_whole_file(path("wanted.tsv"), wanted_table(rock, problem.study, decision.wanted));
-        out.wanted_time = time_of(decision.wanted, finished);
+    if (decision.ending == Ending::requested) {
+        write_whole_file(path("wanted.tsv"), requested_table(rock, problem.study, decision.requested));
+        out.requested_time = time_of(decision.requested, finished);
         return out;
     }
     std::optional<Material> at;

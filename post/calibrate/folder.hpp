@@ -4,7 +4,7 @@
 //     strength.tsv     `strength` of the finished runs; absent: none are finished       given
 //     moduli.tsv       `moduli` of those of rectangles under compression                given
 //     toughness.tsv    `toughness` of those of half-discs                               given
-//     wanted.tsv       the next runs with their reasons                                 written while runs are missing
+//     requested.tsv       the next runs with their reasons                                 written while runs are missing
 //     calibrated.toml  the material with the values found, and [fitted]                 written if calibrated
 //     nearest.toml     the same for the nearest point                                   written if it ends otherwise
 //     report.md        targets, results, values with intervals, every step              written in the end
@@ -17,25 +17,26 @@
 #include <vector>
 
 #include "post/calibrate/decide.hpp"
-#include "post/calibrate/identify.hpp"
+#include "post/calibrate/report.hpp"
 #include "post/calibrate/study.hpp"
 
 namespace graincrack::calibrate {
 
-/// What finished runs measured, by the name of their file without its folder.
+/// Numbers of finished runs, by the name of their file without its folder.
 using FinishedRuns = std::map<std::string, Measures>;
 
 /// From the tables `strength` and, if they are there, `moduli` and `toughness` of a folder. \throws InputError for a table
 /// without files
 FinishedRuns read_finished(const std::string& folder);
 
-/// What a material asks of a calibration: [targets], [parameters], [study] and [laboratory]. \param settings as of `read_study`
+/// The input that a material gives: [targets], [parameters], [study] and [laboratory]. \param settings as of `read_study`
 /// \throws InputError, UsageError
 Problem read_problem(const Material& rock, const std::vector<std::string>& settings = {});
 
 struct FolderDecision {
     Decision decision;
-    double wanted_time = 0;  ///< s of one processor for what is wanted, by finished runs of the same tests; 0 if there are none
+    double requested_time =
+        0;  ///< s of one processor for what is requested, by finished runs of the same tests; 0 if there are none
     std::vector<Sensitivity> sensitivities = {};  ///< in the end
 };
 

@@ -12,71 +12,103 @@ namespace graincrack::calibrate {
 
 namespace {
 
+std::vector<double> local_factors(const Box& box, const DesignPoint& point) {
+    const DesignPoint local = box.local(point);
+    return {local.begin(), local.end()};
+}
+
+}  // namespace
+
+std::optional<LocalSurface> LocalSurface::fit(const Box& box, const std::vector<DesignPoint>& points,
+                                              const std::vector<double>& values) {
+    std::vector<std::vector<double>> factors;
+    std::vector<double> known;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::isnan(values[i])) continue;
+        factors.push_back(local_factors(box, points[i]));
+        known.push_back(values[i]);
+    }
+    const auto p = static_cast<std::size_t>(box.size());
+    if (known.size() < p + 3) return std::nullopt;
+    std::vector<SurfaceTerm> quadratic = quadratic_terms(p);
+    const auto end_of_linear = quadratic.begin() + static_cast<std::ptrdiff_t>(p) + 1;
+    const std::vector<SurfaceTerm> linear(quadratic.begin(), end_of_linear);
+    quadratic.erase(quadratic.begin(), end_of_linear);
+    auto surface = ResponseSurface::fit(linear, std::move(factors), std::move(known));
+    if (!surface) return std::nullopt;  // all values at one level of a parameter
+    return LocalSurface(box, extend_forward(*std::move(surface), quadratic));
+}
+
+std::vector<double> LocalSurface::local(const DesignPoint& point) const { return local_factors(box_, point); }
+
+namespace {
+
 /// Standard deviation along a direction, in half widths of the first box, beyond which the data do not determine it.
-constexpr double untold = 0.5;
-/// What keeping such a direction at the first guess may add to the sum of squares, half a standard deviation of one target,
-/// beside a fifth of it: a slope that is little more than scatter can reduce a large misfit a little.
-constexpr double costs_little = 0.25;
-/// A share below its bound counts as much as a target off by one standard deviation where its logit is off by this.
+constexpr double identified = 0.5;
+/// Increase of the sum of squares at which an unidentified direction still stays at the first guess: half a standard deviation of
+/// one target, beside a fifth of the sum: a slope that is little more than scatter can reduce a large misfit a little.
+constexpr double small_increase = 0.25;
+/// A probability below its bound counts as much as a target off by one standard deviation where its logit is off by this.
 constexpr double logit_deviation = 0.25;
 
 /// Residuals of a least-squares problem with their derivatives.
 class LeastSquares {
 public:
-    LeastSquares(const Place& first, const std::vector<Aim>& aims, const std::vector<LeastShare>& shares)
-        : first_(first), aims_(aims), shares_(shares) {}
-    std::vector<Place> kept;  ///< directions held at the first guess
+    LeastSquares(const DesignPoint& first, const std::vector<Residual>& residuals,
+                 const std::vector<ProbabilityConstraint>& constraints)
+        : first_(first), residuals_(residuals), constraints_(constraints) {}
+    std::vector<DesignPoint> unidentified;  ///< directions held at the first guess
 
-    void evaluate(const Place& place, Eigen::VectorXd& residuals, Eigen::MatrixXd& slopes) const {
-        const auto n = static_cast<Eigen::Index>(aims_.size() + shares_.size() + kept.size());
-        residuals.setZero(n);
-        slopes.setZero(n, place.size());
+    void evaluate(const DesignPoint& point, Eigen::VectorXd& values, Eigen::MatrixXd& slopes) const {
+        const auto n = static_cast<Eigen::Index>(residuals_.size() + constraints_.size() + unidentified.size());
+        values.setZero(n);
+        slopes.setZero(n, point.size());
         Eigen::Index i = 0;
-        for (const Aim& aim : aims_) {
-            residuals(i) = (aim.surface->value(place) - aim.value) / aim.deviation;
-            slopes.row(i++) = aim.surface->gradient(place).transpose() / aim.deviation;
+        for (const Residual& residual : residuals_) {
+            values(i) = (residual.surface->value(point) - residual.value) / residual.deviation;
+            slopes.row(i++) = residual.surface->gradient(point).transpose() / residual.deviation;
         }
-        for (const LeastShare& share : shares_) {
-            const double lacking = std::log(share.least / (1 - share.least)) - share.share->logit(place);
+        for (const ProbabilityConstraint& constraint : constraints_) {
+            const double lacking = std::log(constraint.least / (1 - constraint.least)) - constraint.probability->logit(point);
             if (lacking > 0) {
-                residuals(i) = lacking / logit_deviation;
-                slopes.row(i) = -share.share->coefficients.tail(place.size()).transpose() / logit_deviation;
+                values(i) = lacking / logit_deviation;
+                slopes.row(i) = -constraint.probability->coefficients.tail(point.size()).transpose() / logit_deviation;
             }
             ++i;
         }
         constexpr double firmly = 1e3;
-        for (const Place& direction : kept) {
-            residuals(i) = firmly * direction.dot(place - first_);
+        for (const DesignPoint& direction : unidentified) {
+            values(i) = firmly * direction.dot(point - first_);
             slopes.row(i++) = firmly * direction.transpose();
         }
     }
-    [[nodiscard]] double sum(const Place& place) const {
-        Eigen::VectorXd residuals;
+    [[nodiscard]] double sum(const DesignPoint& point) const {
+        Eigen::VectorXd values;
         Eigen::MatrixXd slopes;
-        evaluate(place, residuals, slopes);
-        return residuals.squaredNorm();
+        evaluate(point, values, slopes);
+        return values.squaredNorm();
     }
 
 private:
-    const Place& first_;
-    const std::vector<Aim>& aims_;
-    const std::vector<LeastShare>& shares_;
+    const DesignPoint& first_;
+    const std::vector<Residual>& residuals_;
+    const std::vector<ProbabilityConstraint>& constraints_;
 };
 
 /// Levenberg and Marquardt's method; coordinates at an edge that would leave the box stay there.
-Place minimise(const LeastSquares& problem, const Box& box, Place place) {
+DesignPoint minimise(const LeastSquares& problem, const Box& box, DesignPoint point) {
     Eigen::VectorXd r;
     Eigen::MatrixXd slopes;
     double damping = 1e-3;
-    double sum = problem.sum(place);
+    double sum = problem.sum(point);
     for (int i = 0; i < 200 && damping < 1e12; ++i) {
-        problem.evaluate(place, r, slopes);
-        const Place downhill = -(slopes.transpose() * r);
+        problem.evaluate(point, r, slopes);
+        const DesignPoint downhill = -(slopes.transpose() * r);
         Eigen::MatrixXd matrix = slopes.transpose() * slopes;
         const double scale = matrix.diagonal().maxCoeff() + 1e-300;
-        Place right = downhill;
-        for (Eigen::Index k = 0; k < place.size(); ++k) {
-            const double local = (place(k) - box.centre(k)) / box.half(k);
+        DesignPoint right = downhill;
+        for (Eigen::Index k = 0; k < point.size(); ++k) {
+            const double local = (point(k) - box.centre(k)) / box.half(k);
             matrix(k, k) += damping * scale;
             if (std::abs(local) < 1 - 1e-12 || local * downhill(k) < 0) continue;
             matrix.row(k).setZero();
@@ -84,11 +116,11 @@ Place minimise(const LeastSquares& problem, const Box& box, Place place) {
             matrix(k, k) = 1;
             right(k) = 0;
         }
-        const Place next = box.nearest(place + matrix.ldlt().solve(right));
+        const DesignPoint next = box.nearest(point + matrix.ldlt().solve(right));
         const double now = problem.sum(next);
         if (now < sum) {
             const bool settled = sum - now < 1e-12 * (1 + sum);
-            place = next;
+            point = next;
             sum = now;
             damping *= 0.2;
             if (settled) break;
@@ -96,19 +128,19 @@ Place minimise(const LeastSquares& problem, const Box& box, Place place) {
             damping *= 5;
         }
     }
-    return place;
+    return point;
 }
 
-Place minimise_everywhere(const LeastSquares& problem, const Box& box, const Place& first) {
-    std::vector<Place> starts = sobol_places(box, 0, 64);
+DesignPoint minimise_everywhere(const LeastSquares& problem, const Box& box, const DesignPoint& first) {
+    std::vector<DesignPoint> starts = sobol_points(box, 0, 64);
     std::partial_sort(starts.begin(), starts.begin() + 3, starts.end(),
-                      [&](const Place& a, const Place& b) { return problem.sum(a) < problem.sum(b); });
+                      [&](const DesignPoint& a, const DesignPoint& b) { return problem.sum(a) < problem.sum(b); });
     starts.resize(3);
     starts.insert(starts.begin(), box.nearest(first));
-    Place best;
+    DesignPoint best;
     double least = std::numeric_limits<double>::infinity();
-    for (const Place& start : starts) {
-        const Place found = minimise(problem, box, start);
+    for (const DesignPoint& start : starts) {
+        const DesignPoint found = minimise(problem, box, start);
         const double sum = problem.sum(found);
         if (sum < least * (1 - 1e-9)) {
             least = sum;
@@ -118,10 +150,10 @@ Place minimise_everywhere(const LeastSquares& problem, const Box& box, const Pla
     return best;
 }
 
-double share_in(const std::vector<Place>& directions, Eigen::Index coordinate) {
-    double share = 0;
-    for (const Place& direction : directions) share += direction(coordinate) * direction(coordinate);
-    return share;
+double fraction_in(const std::vector<DesignPoint>& directions, Eigen::Index coordinate) {
+    double fraction = 0;
+    for (const DesignPoint& direction : directions) fraction += direction(coordinate) * direction(coordinate);
+    return fraction;
 }
 
 }  // namespace
@@ -130,65 +162,81 @@ double Optimum::half_interval(Eigen::Index coordinate) const {
     return student_t_95(freedom) * std::sqrt(covariance(coordinate, coordinate));
 }
 
-double Optimum::kept_share(Eigen::Index coordinate) const { return share_in(kept, coordinate); }
+double Optimum::unidentified_fraction(Eigen::Index coordinate) const { return fraction_in(unidentified, coordinate); }
 
-double Optimum::untold_share(Eigen::Index coordinate) const { return share_in(kept, coordinate) + share_in(moved, coordinate); }
+double Optimum::undetermined_fraction(Eigen::Index coordinate) const {
+    return fraction_in(unidentified, coordinate) + fraction_in(moved, coordinate);
+}
 
-Optimum find_optimum(const Box& box, const Place& first, const std::vector<Aim>& aims, const std::vector<LeastShare>& shares) {
-    LeastSquares problem(first, aims, shares);
+namespace {
+
+/// Directions that are neither unidentified nor moved, a column each.
+Eigen::MatrixXd identified_directions(const Eigen::MatrixXd& all, const Optimum& optimum) {
+    Eigen::MatrixXd directions(all.rows(), 0);
+    for (Eigen::Index k = 0; k < all.cols(); ++k) {
+        const auto has = [&](const std::vector<DesignPoint>& some) {
+            return std::any_of(some.begin(), some.end(), [&](const DesignPoint& d) { return d == all.col(k); });
+        };
+        if (has(optimum.unidentified) || has(optimum.moved)) continue;
+        directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);
+        directions.rightCols(1) = all.col(k);
+    }
+    return directions;
+}
+
+/// The covariance of a point that follows from measured values and surfaces along some directions; both scatter. \param slopes
+/// of the surfaces, a row each \param total variance of each \param weights of the measured values
+Eigen::MatrixXd covariance_along(const Eigen::MatrixXd& directions, const Eigen::MatrixXd& slopes, const Eigen::VectorXd& total,
+                                 const Eigen::VectorXd& weights) {
+    if (directions.cols() == 0) return Eigen::MatrixXd::Zero(directions.rows(), directions.rows());
+    const Eigen::MatrixXd along = slopes * directions;
+    const Eigen::MatrixXd weighted = along.transpose() * weights.asDiagonal();
+    const Eigen::MatrixXd gain = directions * (weighted * along).ldlt().solve(weighted);
+    return gain * total.asDiagonal() * gain.transpose();
+}
+
+}  // namespace
+
+Optimum find_optimum(const Box& box, const DesignPoint& first, const std::vector<Residual>& residuals,
+                     const std::vector<ProbabilityConstraint>& constraints) {
+    LeastSquares problem(first, residuals, constraints);
     Optimum optimum;
-    const auto n = static_cast<Eigen::Index>(aims.size());
+    const auto n = static_cast<Eigen::Index>(residuals.size());
     Eigen::MatrixXd slopes(n, box.size());
     Eigen::VectorXd total(n);  // variance of measured value and surface
-    const auto go_to = [&](const Place& place) {
-        optimum.place = place;
+    Eigen::VectorXd weights(n);
+    const auto go_to = [&](const DesignPoint& point) {
+        optimum.point = point;
         for (Eigen::Index i = 0; i < n; ++i) {
-            const Aim& aim = aims[static_cast<std::size_t>(i)];
-            slopes.row(i) = aim.surface->gradient(place).transpose();
-            total(i) = aim.deviation * aim.deviation + aim.surface->variance(place);
+            const Residual& residual = residuals[static_cast<std::size_t>(i)];
+            slopes.row(i) = residual.surface->gradient(point).transpose();
+            total(i) = residual.deviation * residual.deviation + residual.surface->variance(point);
+            weights(i) = 1 / std::pow(residual.deviation, 2);
         }
     };
     go_to(minimise_everywhere(problem, box, first));
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(total.cwiseSqrt().cwiseInverse().asDiagonal() * slopes, Eigen::ComputeFullV);
     const Eigen::VectorXd& values = svd.singularValues();
     optimum.condition = values.size() == box.size() ? values(0) / values(values.size() - 1) : INFINITY;
-    double sum = problem.sum(optimum.place);
-    for (Eigen::Index k = box.size() - 1; k >= 0 && (k >= values.size() || values(k) * untold < 1); --k) {
-        problem.kept.emplace_back(svd.matrixV().col(k));
-        const Place place = minimise_everywhere(problem, box, first);
-        const double with_it = problem.sum(place);
-        if (with_it <= 1.2 * sum + costs_little) {
-            go_to(place);
+    double sum = problem.sum(optimum.point);
+    for (Eigen::Index k = box.size() - 1; k >= 0 && (k >= values.size() || values(k) * identified < 1); --k) {
+        problem.unidentified.emplace_back(svd.matrixV().col(k));
+        const DesignPoint point = minimise_everywhere(problem, box, first);
+        const double with_it = problem.sum(point);
+        if (with_it <= 1.2 * sum + small_increase) {
+            go_to(point);
             sum = with_it;
         } else {
-            problem.kept.pop_back();
+            problem.unidentified.pop_back();
             if (k >= values.size() || values(k) < 1e-9 * values(0)) optimum.moved.emplace_back(svd.matrixV().col(k));
         }
     }
-    optimum.kept = problem.kept;
-    Eigen::MatrixXd told = svd.matrixV();  // of which those are left out that are kept or moved
-    for (Eigen::Index k = told.cols() - 1; k >= 0; --k) {
-        const auto is_in = [&](const std::vector<Place>& directions) {
-            return std::any_of(directions.begin(), directions.end(), [&](const Place& d) { return d == svd.matrixV().col(k); });
-        };
-        if (!is_in(optimum.kept) && !is_in(optimum.moved)) continue;
-        told.middleCols(k, told.cols() - 1 - k) = told.rightCols(told.cols() - 1 - k).eval();
-        told.conservativeResize(Eigen::NoChange, told.cols() - 1);
-    }
-    // The place follows from the measured values and the surfaces by G; both scatter.
-    optimum.covariance.setZero(box.size(), box.size());
-    if (told.cols() > 0) {
-        Eigen::VectorXd weights(n);
-        for (Eigen::Index i = 0; i < n; ++i) weights(i) = 1 / std::pow(aims[static_cast<std::size_t>(i)].deviation, 2);
-        const Eigen::MatrixXd along = slopes * told;
-        const Eigen::MatrixXd g =
-            told * (along.transpose() * weights.asDiagonal() * along).ldlt().solve(along.transpose() * weights.asDiagonal());
-        optimum.covariance = g * total.asDiagonal() * g.transpose();
-    }
+    optimum.unidentified = problem.unidentified;
+    optimum.covariance = covariance_along(identified_directions(svd.matrixV(), optimum), slopes, total, weights);
     optimum.freedom = std::numeric_limits<int>::max();
-    for (const Aim& aim : aims) {
-        optimum.deviations.push_back((aim.surface->value(optimum.place) - aim.value) / aim.deviation);
-        optimum.freedom = std::min(optimum.freedom, aim.surface->freedom());
+    for (const Residual& residual : residuals) {
+        optimum.deviations.push_back((residual.surface->value(optimum.point) - residual.value) / residual.deviation);
+        optimum.freedom = std::min(optimum.freedom, residual.surface->freedom());
     }
     return optimum;
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr Quantity part_of_first{"part", Dimension::one, 0, 100, "part of the first guess", true};
 
-/// What default boxes follow from.
+/// Properties that default boxes follow from.
 struct Basis {
     const Material& rock;
     double edge;
@@ -153,14 +153,11 @@ DisplayUnit unit_of(const std::string& key) {
 }
 
 Basis basis_of(const Material& rock, double edge) {
-    const auto of = [&](const char* key) {
-        const auto found = rock.laboratory.find(key);
-        return found == rock.laboratory.end() ? NAN : found->second;
-    };
+    const auto of = [&](const char* key) { return rock.laboratory_value(key).value_or(NAN); };
     Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional", false};
     basis.crystals = basis.frictional && rock.grains.tessellation == "trigon";
     if (const auto b = laboratory_slope(rock); b && std::isnan(basis.friction_angle)) {
-        basis.friction_angle = std::asin((*b - 1) / (*b + 1));
+        basis.friction_angle = friction_angle_of(*b);
     }
     return basis;
 }
@@ -172,7 +169,7 @@ const Parameter ratio_boxes[] = {
     {"pairs.within.fracture_energy", true, 1, 30, 1, 100, 8, "crystals tougher than their boundaries"}};
 
 /// The box of a ratio: a key of [ratios], or a factor within crystals. It begins with what the material has itself; where that is
-/// outside of the box, or the key has none, from half to twice that. Of other keys no bounds. The cohesion of crystals begins
+/// outside of the box, or the key has none, from half to twice that. Other keys have no bounds. The cohesion of crystals begins
 /// with what the rock's UCS over its Brazilian strength wants.
 Parameter ratio_box(const Basis& basis, const std::string& key) {
     const Material& rock = basis.rock;
@@ -305,8 +302,8 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
 
 Box limits_of(const std::vector<Parameter>& parameters) {
     const auto n = static_cast<Eigen::Index>(parameters.size());
-    Place low(n);
-    Place high(n);
+    DesignPoint low(n);
+    DesignPoint high(n);
     for (Eigen::Index k = 0; k < n; ++k) {
         const Parameter& p = parameters[static_cast<std::size_t>(k)];
         low(k) = p.coordinate(p.least);
@@ -315,18 +312,18 @@ Box limits_of(const std::vector<Parameter>& parameters) {
     return box_between(low, high);
 }
 
-Place first_guess(const std::vector<Parameter>& parameters) {
-    Place place(static_cast<Eigen::Index>(parameters.size()));
+DesignPoint first_guess(const std::vector<Parameter>& parameters) {
+    DesignPoint point(static_cast<Eigen::Index>(parameters.size()));
     for (std::size_t k = 0; k < parameters.size(); ++k) {
-        place(static_cast<Eigen::Index>(k)) = parameters[k].coordinate(parameters[k].first);
+        point(static_cast<Eigen::Index>(k)) = parameters[k].coordinate(parameters[k].first);
     }
-    return place;
+    return point;
 }
 
-Point point_at(const std::vector<Parameter>& parameters, const Place& place) {
+Point point_at(const std::vector<Parameter>& parameters, const DesignPoint& at) {
     Point point;
     for (std::size_t k = 0; k < parameters.size(); ++k) {
-        point.emplace_back(parameters[k].key, parameters[k].value(place(static_cast<Eigen::Index>(k))));
+        point.emplace_back(parameters[k].key, parameters[k].value(at(static_cast<Eigen::Index>(k))));
     }
     return point;
 }

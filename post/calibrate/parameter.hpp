@@ -37,14 +37,14 @@ struct Parameter {
 /// \throws InputError naming file and key of what is wrong
 std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file, double edge);
 
-/// The limits of all boxes, the first guess, and the values at a place.
+/// The limits of all boxes, the first guess, and the values at a design point.
 Box limits_of(const std::vector<Parameter>& parameters);
-Place first_guess(const std::vector<Parameter>& parameters);
-Point point_at(const std::vector<Parameter>& parameters, const Place& place);
+DesignPoint first_guess(const std::vector<Parameter>& parameters);
+Point point_at(const std::vector<Parameter>& parameters, const DesignPoint& at);
 
 /// A value in the unit of files and reports, to six digits: "38.2MPa", "38.2 MPa" with a space between.
 std::string value_text(const std::string& key, double value, const char* between = "");
-/// What a material file is given for a point.
+/// The settings of a material file for a point.
 std::vector<MaterialSetting> settings_of(const Point& point);
 /// "contact.cohesion 38.2 MPa, …"
 std::string label_of(const Point& point);

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "post/calibrate/identify.hpp"
-#include "post/statistics/regression.hpp"
+#include "post/statistics/response_surface.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
@@ -48,7 +47,7 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
         const ContactParameters contact = contact_parameters(*at, PlaneCondition::strain, std::nullopt);
         const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * contact.fracture_energy);
         const bool is_tested = std::any_of(problem.targets.begin(), problem.targets.end(),
-                                           [](const Target& t) { return t.kind.name == "toughness"; });
+                                           [](const Target& t) { return t.property.name == "toughness"; });
         text += fmt::format(
             "- K_IC was {}tested on half-discs. The fracture energy of contacts, {:.4g} J/m², corresponds to √(Ẽ G_I) = {:.3g} "
             "MPa √m; the rock has {:.3g} MPa √m\n",
@@ -67,12 +66,12 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
     Cells peaks;
     if (decision.fit) {
         for (const Response& r : decision.fit->responses) {
-            if (r.target.kind.needs_first_peak) {
+            if (r.target.property.needs_first_peak) {
                 peaks.push_back(fmt::format("{} in {} of {} tests", r.target.symbol(), r.measured, r.tests));
             }
         }
         for (const Outcome& o : decision.outcomes) {
-            if (o.target.kind.needs_first_peak) {
+            if (o.target.property.needs_first_peak) {
                 peaks.push_back(fmt::format("at the end {} in {} of {}", o.target.symbol(), o.ours ? o.ours->n : 0, o.tests));
             }
         }
@@ -95,20 +94,20 @@ std::string outcomes_text(const Decision& decision) {
     for (const Outcome& o : decision.outcomes) {
         const Target& t = o.target;
         const bool known = std::isfinite(t.value);
-        const double scale = t.kind.absolute ? 1 : 100 / t.value;
-        const char* unit = t.kind.absolute ? "" : " %";
-        text += markdown_row({t.symbol() + (t.kind.unit.empty() ? "" : ", " + t.kind.unit),
-                              t.use == Use::fit ? "fitted" : "predicted", known ? fmt::format("{:.5g}", t.value / t.kind.si) : "",
-                              o.ours ? with_interval(o.ours->mean, t.kind.si) : "",
-                              fmt::format("{} of {}", o.ours ? o.ours->n : 0, o.tests),
-                              known && o.ours ? fmt::format("{:+.3g}{}", (o.ours->mean.value - t.value) * scale, unit) : "",
-                              known ? fmt::format("± {:.3g}{}", t.deviation * scale, unit) : "", o.verdict});
+        const double scale = t.property.absolute ? 1 : 100 / t.value;
+        const char* unit = t.property.absolute ? "" : " %";
+        text += markdown_row(
+            {t.symbol() + (t.property.unit.empty() ? "" : ", " + t.property.unit), t.use == Use::fit ? "fitted" : "predicted",
+             known ? fmt::format("{:.5g}", t.value / t.property.si) : "",
+             o.ours ? with_interval(o.ours->mean, t.property.si) : "", fmt::format("{} of {}", o.ours ? o.ours->n : 0, o.tests),
+             known && o.ours ? fmt::format("{:+.3g}{}", (o.ours->mean.value - t.value) * scale, unit) : "",
+             known ? fmt::format("± {:.3g}{}", t.deviation * scale, unit) : "", o.verdict});
     }
     return text;
 }
 
 /// "0.8 contact.cohesion − 0.6 contact.friction_angle", in widths of the first box
-std::string direction_text(const std::vector<Parameter>& parameters, const Place& direction) {
+std::string direction_text(const std::vector<Parameter>& parameters, const DesignPoint& direction) {
     std::string text;
     for (Eigen::Index k = 0; k < direction.size(); ++k) {
         if (std::abs(direction(k)) < 0.1) continue;
@@ -131,24 +130,24 @@ std::string values_text(const Problem& problem, const Decision& decision) {
         }
         const auto k = static_cast<Eigen::Index>(p - problem.parameters.begin());
         const double half = optimum.half_interval(k);
-        const double place = optimum.place(k);
+        const double at = optimum.point(k);
         text += markdown_row({key, in(value),
-                              optimum.untold_share(k) > 0.5
+                              optimum.undetermined_fraction(k) > 0.5
                                   ? "not determined by the data"
-                                  : fmt::format("{} to {}", in(p->value(place - half)), in(p->value(place + half))),
+                                  : fmt::format("{} to {}", in(p->value(at - half)), in(p->value(at + half))),
                               in(p->first), fmt::format("{} to {}", in(p->low), in(p->high)),
                               fmt::format("{} to {}", in(p->least), in(p->most)), p->source});
     }
     text +=
         "\nIntervals include the scatter about the response surfaces and the uncertainty of the measured values (the deviations "
         "of the targets).\n";
-    for (const Place& direction : optimum.kept) {
+    for (const DesignPoint& direction : optimum.unidentified) {
         text += fmt::format(
             "\nThe data do not determine the combination {} (in widths of the first box): it was kept at the first guess, or as "
             "near to it as the last box allows.\n",
             direction_text(problem.parameters, direction));
     }
-    for (const Place& direction : optimum.moved) {
+    for (const DesignPoint& direction : optimum.moved) {
         text += fmt::format(
             "\nThe data do not determine the combination {} (in widths of the first box): it was moved from the first guess "
             "because a target would be missed there, and other places along it may do as well.\n",
@@ -157,10 +156,10 @@ std::string values_text(const Problem& problem, const Decision& decision) {
     text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
                                              : "\nThere are fewer targets than parameters.";
     Cells pairs;
-    for (Eigen::Index k = 0; k < optimum.place.size(); ++k) {
+    for (Eigen::Index k = 0; k < optimum.point.size(); ++k) {
         for (Eigen::Index l = 0; l < k; ++l) {
             const double c = optimum.covariance(k, l) / std::sqrt(optimum.covariance(k, k) * optimum.covariance(l, l));
-            if (std::isfinite(c) && optimum.untold_share(k) < 0.5 && optimum.untold_share(l) < 0.5) {
+            if (std::isfinite(c) && optimum.undetermined_fraction(k) < 0.5 && optimum.undetermined_fraction(l) < 0.5) {
                 pairs.push_back(fmt::format("{} and {} {:+.2f}", problem.parameters[static_cast<std::size_t>(l)].key,
                                             problem.parameters[static_cast<std::size_t>(k)].key, c));
             }
@@ -182,14 +181,14 @@ std::string surfaces_text(const Fit& fit) {
                                   "", "", "", "", "", ""});
             continue;
         }
-        const ResponseSurface& s = *r.surface;
+        const LocalSurface& s = *r.surface;
         std::string lack;
         if (r.pure_error) {
             lack = fmt::format("{:.2g}", f_tail(std::pow(s.scatter() / *r.pure_error, 2), s.freedom(), r.pure_freedom));
         }
         text += markdown_row({r.target.symbol(), std::to_string(s.n_values()), std::to_string(s.n_quadratic()),
                               percent(s.scatter()), percent(s.prediction_error()), r.pure_error ? percent(*r.pure_error) : "",
-                              lack, r.target.text(std::exp(s.value(fit.optimum.place)))});
+                              lack, r.target.text(std::exp(s.value(fit.optimum.point)))});
     }
     return text;
 }
@@ -207,8 +206,8 @@ std::string identify_text(const Problem& problem, const Fit& fit) {
         for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
             const Sensitivity& s = all[i + k];
             const std::string number = fmt::format("{:.2f}", s.exponent.value);
-            cells.push_back(fmt::format("{} ({:.2f} to {:.2f})", s.is_told() ? "**" + number + "**" : number, *s.exponent.low,
-                                        *s.exponent.high));
+            cells.push_back(fmt::format("{} ({:.2f} to {:.2f})", s.is_significant() ? "**" + number + "**" : number,
+                                        *s.exponent.low, *s.exponent.high));
         }
         text += markdown_row(cells);
     }
@@ -216,6 +215,32 @@ std::string identify_text(const Problem& problem, const Fit& fit) {
 }
 
 }  // namespace
+
+std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters, const Fit& fit) {
+    std::vector<Sensitivity> all;
+    const DesignPoint& point = fit.optimum.point;
+    for (const Response& response : fit.responses) {
+        if (!response.surface) continue;
+        const DesignPoint gradient = response.surface->gradient(point);
+        const Eigen::MatrixXd covariance = response.surface->gradient_covariance(point);
+        for (Eigen::Index k = 0; k < point.size(); ++k) {
+            const Parameter& p = parameters[static_cast<std::size_t>(k)];
+            const double by_log = p.coordinate_by_log(p.value(point(k)));
+            all.push_back({response.target.symbol(), p.key,
+                           estimate(gradient(k) * by_log, covariance(k, k) * by_log * by_log, response.surface->freedom())});
+        }
+    }
+    return all;
+}
+
+std::string identify_table(const std::vector<Sensitivity>& sensitivities) {
+    std::string text = "response\tparameter\texponent\texponent_low\texponent_high\n";
+    for (const Sensitivity& s : sensitivities) {
+        text += fmt::format("{}\t{}\t{:.4g}\t{:.4g}\t{:.4g}\n", s.response, s.parameter, s.exponent.value, *s.exponent.low,
+                            *s.exponent.high);
+    }
+    return text;
+}
 
 std::string with_interval(const Estimate& e, double si) {
     if (!e.low || !e.high) return fmt::format("{:.5g}", e.value / si);

@@ -1,13 +1,28 @@
-// The report of a calibration, in Markdown.
+// The report of a calibration, in Markdown, and the sensitivities of responses to parameters.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "post/calibrate/decide.hpp"
 
 namespace graincrack::calibrate {
+
+/// The effect of a parameter on a response: the exponent d ln response / d ln parameter of its surface.
+struct Sensitivity {
+    std::string response;   ///< "first peak at 8 MPa"
+    std::string parameter;  ///< "contact.cohesion"
+    Estimate exponent;      ///< at the optimum, with its 95 % interval
+    [[nodiscard]] bool is_significant() const { return *exponent.low > 0 || *exponent.high < 0; }
+};
+
+/// The sensitivities of all pairs that have a surface, response by response.
+std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters, const Fit& fit);
+
+/// The table identify.tsv: response, parameter, exponent, exponent_low, exponent_high.
+std::string identify_table(const std::vector<Sensitivity>& sensitivities);
 
 /// \param rock as it was given \param at the same with the values found, if there are any \param n_runs that are finished
 std::string report_text(const Material& rock, const std::optional<Material>& at, const Problem& problem, const Decision& decision,

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -38,7 +39,7 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
     const auto count = [](std::size_t& to) {
         return [&to](const std::vector<double>& v) { to = static_cast<std::size_t>(v[0]); };
     };
-    // What the study says of the grains' size replaces what the material's fabric says.
+    // A grain size of the study replaces that of the material's fabric.
     const auto grains_of = [&study](double& to) {
         return [&study, &to](const std::vector<double>& v) {
             to = v[0];
@@ -70,7 +71,7 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
             {"confirmation_discs", {specimens, count(study.confirmation_discs)}},
             {"confirmation_rectangles", {specimens, count(study.confirmation_rectangles)}},
             {"predicted_specimens", {specimens, count(study.predicted)}},
-            {"first_peak_share", {share, number(study.first_peak_share)}}};
+            {"first_peak_share", {share, number(study.first_peak_fraction)}}};
 }
 
 /// Fowler, Noll & Vo's hash (FNV-1a) in 32 bits.
@@ -80,7 +81,7 @@ std::uint32_t digest(const std::string& text) {
     return hash;
 }
 
-/// What the solver reads of a material. \param point values that replace some of them, and are named elsewhere
+/// The values of a material that the solver reads. \param point values that replace some of them, and are named elsewhere
 std::string made_of(const Material& m, const Point& point) {
     const Rock& r = m.rock;
     const bool has_process_zone =
@@ -132,12 +133,12 @@ std::pair<std::string, std::string> grain_options(const GrainFabric& said) {
 }
 
 /// The shape of the specimens of a test as the mesher has it, and a name for it. The slit of a half-disc has half its radius
-std::pair<std::string, std::string> shape_options(const Specimens& s, const std::string& test) {
+std::pair<std::string, std::string> shape_options(const Specimens& s, Loading loading) {
     constexpr double mm = 1e3;
-    if (test == "brazilian") {
+    if (loading == Loading::splitting) {
         return {fmt::format("disc --diameter {:.6g}mm", s.diameter * mm), fmt::format("disc{:.6g}", s.diameter * mm)};
     }
-    if (test == "bend") {
+    if (loading == Loading::bending) {
         const double diameter = s.half_disc_diameter.value_or(s.diameter) * mm;
         return {fmt::format("half-disc --diameter {:.6g}mm --slit {:.6g}mm", diameter, diameter / 4),
                 fmt::format("half-disc{:.6g}", diameter)};
@@ -147,13 +148,15 @@ std::pair<std::string, std::string> shape_options(const Specimens& s, const std:
 }
 
 /// The size of grains as an option of the mesher, and a name for it.
-std::pair<std::string, std::string> size_option(const Specimens& s, const std::string& test) {
+std::pair<std::string, std::string> size_option(const Specimens& s, Loading loading) {
     const auto length = [](const char* option, const char* letter, double value) {
         return std::pair(fmt::format(" {} {:.6g}mm", option, value * 1e3), fmt::format("{}{:.6g}", letter, value * 1e3));
     };
     if (s.grain_size) return length("--grain-size", "d", *s.grain_size);
     if (s.edge) return length("--edge", "e", *s.edge);
-    const double n = test == "brazilian" ? s.disc_grains : test == "bend" ? s.half_disc_grains() : s.grains;
+    const double n = loading == Loading::splitting ? s.disc_grains
+                     : loading == Loading::bending ? s.half_disc_grains()
+                                                   : s.grains;
     return {fmt::format(" --grains {:.7g}", n), fmt::format("g{:.7g}", n)};
 }
 
@@ -167,6 +170,34 @@ void take_size_of_crystals(Specimens& made, double grain_size) {
 
 }  // namespace
 
+double Specimens::mean_edge() const {
+    if (edge) return *edge;
+    if (grain_size) return *grain_size * std::sqrt(std::numbers::pi / std::numbers::sqrt3);
+    return std::sqrt(4 * width * height / (std::numbers::sqrt3 * grains));
+}
+
+double Specimens::half_disc_grains() const {
+    const double ratio = half_disc_diameter.value_or(diameter) / diameter;
+    return std::max(2.0, std::round(0.5 * ratio * ratio * disc_grains));
+}
+
+std::vector<Test> tests_of(const std::vector<Target>& targets) {
+    std::vector<Test> tests;
+    for (const Target& target : targets) {
+        const auto same = std::find_if(tests.begin(), tests.end(), [&](const Test& t) { return t.has(target); });
+        if (same == tests.end()) {
+            tests.push_back({target.test(), target.confining_pressure, target.property.peak_drop});
+        } else {
+            same->peak_drop = std::max(same->peak_drop, target.property.peak_drop);
+        }
+    }
+    const auto length = [](const Test& t) {
+        return t.loading() == Loading::compression ? t.confining_pressure : -static_cast<double>(t.loading());
+    };
+    std::stable_sort(tests.begin(), tests.end(), [&](const Test& a, const Test& b) { return length(a) > length(b); });
+    return tests;
+}
+
 Study read_study(const Material& rock, const TomlFile& file, const std::vector<std::string>& settings) {
     Study study;
     study.specimens.grain_size = rock.grains.grain_size;
@@ -174,11 +205,9 @@ Study read_study(const Material& rock, const TomlFile& file, const std::vector<s
         take_size_of_crystals(study.specimens, *rock.grains.grain_size);
     }
     // 1.5 % for Augig granite (UCS 122 MPa, E 25.8 GPa), for other rocks in proportion to the strain UCS/E.
-    const auto ucs = rock.laboratory.find("compressive_strength");
-    const auto e = rock.laboratory.find("young_modulus");
-    if (ucs != rock.laboratory.end() && e != rock.laboratory.end()) {
-        study.max_strain = rounded(0.015 * (ucs->second / e->second) / (122e6 / 25.8e9), 2);
-    }
+    const auto ucs = rock.laboratory_value("compressive_strength");
+    const auto e = rock.laboratory_value("young_modulus");
+    if (ucs && e) study.max_strain = rounded(0.015 * (*ucs / *e) / (122e6 / 25.8e9), 2);
     auto keys = study_keys(study);
     const auto known_key = [&](const std::string& name, const std::string& where) -> StudyKey& {
         const auto key = keys.find(name);
@@ -214,10 +243,11 @@ Study read_study(const Material& rock, const TomlFile& file, const std::vector<s
     return study;
 }
 
-RunRow row_of(const Material& rock, const Study& study, const WantedRun& run) {
+RunRow row_of(const Material& rock, const Study& study, const RequestedRun& run) {
     const Specimens& s = study.specimens;
-    const auto [shape, shape_name] = shape_options(s, run.test.name);
-    const auto [size, size_name] = size_option(s, run.test.name);
+    const TestDescription& test = test_named(run.test.name);
+    const auto [shape, shape_name] = shape_options(s, test.loading);
+    const auto [size, size_name] = size_option(s, test.loading);
     const auto [grain, grain_name] = grain_options(rock.grains);
     const auto [fabric, fabric_name] = fabric_options(rock.fabric);
     RunRow row;
@@ -227,13 +257,13 @@ RunRow row_of(const Material& rock, const Study& study, const WantedRun& run) {
         row.material += fmt::format("{}--set {}={}", row.material.empty() ? "" : " ", key, value);
     }
     row.solve = run.test.name;
-    if (run.test.name == "triaxial") row.solve += " --confining-pressure " + pressure_text(run.test.confining_pressure);
-    if (run.test.name == "bend") {
+    if (test.is_confined) row.solve += " --confining-pressure " + pressure_text(run.test.confining_pressure);
+    if (test.loading == Loading::bending) {
         row.solve += fmt::format(" --span {:.6g}mm", 0.6e3 * s.half_disc_diameter.value_or(s.diameter));  // ISRM 2014
     }
     // As the Brazilian test, with which they are compared.
-    if (run.test.name == "tension" || run.test.name == "bend") row.solve += " --plane stress";
-    if (run.test.is_compression()) {
+    if (test.is_tensile() && test.plane != PlaneCondition::stress) row.solve += " --plane stress";
+    if (test.loading == Loading::compression) {
         row.solve +=
             fmt::format(" --max-strain {:.5g} --peak-drop {} --rate-tolerance {:.6g}", run.max_strain.value_or(study.max_strain),
                         run.test.peak_drop < 1 ? fmt::format("{:g}", run.test.peak_drop) : "none", study.rate_tolerance);

@@ -1,47 +1,23 @@
-// Targets of a calibration: what a rock has in the laboratory and the assemblage shall have too. What can be a target is one
-// table.
+// Targets of a calibration: properties that a rock has in the laboratory and the assemblage shall have too.
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
+#include "post/measure/property.hpp"
 #include "share/base/toml_file.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack::calibrate {
 
-/// What the tables `strength`, `moduli` and `toughness` say of a run, by column; what does not apply is not there.
+/// Numbers of a run in the tables `strength`, `moduli` and `toughness`, by column; a number that does not apply is not there.
 using Measures = std::map<std::string, double>;
-
-/// Where a kind of target takes its confining pressure from: the end of its name, "first_peak_8MPa".
-enum class PressureOf { none, name, either };
-
-/// A row of the table: what can be a target, which test has it and how it is read from it.
-struct TargetKind {
-    std::string name;    ///< of [targets], without a pressure
-    std::string symbol;  ///< in reports
-    std::string test;    ///< brazilian, tension, bend, compression
-    PressureOf pressure = PressureOf::none;
-    Quantity quantity;
-    std::string unit;  ///< of reports
-    double si = 1;     ///< that unit in SI
-    /// Usual deviation of a measured value: a part of it, or the amount if `absolute`.
-    double deviation = 0.05;
-    bool absolute = false;
-    /// Fall below the peak, a part of it, to which the test must go on; 1: to the strain limit.
-    double peak_drop = 1;
-    bool needs_first_peak = false;
-    /// SI; NaN if the test has none.
-    double (*read)(const Measures& measures) = nullptr;
-    std::string fitted_key = {};  ///< in [fitted], where it is another than the name
-};
-const std::vector<TargetKind>& target_kinds();
 
 enum class Use { fit, predict };
 
 struct Target {
-    TargetKind kind;
+    Property property;
     double confining_pressure = 0;  ///< Pa
     double value = 0;               ///< SI; NaN of a prediction without a measured value
     double deviation = 0;           ///< of the measured value, SI; also how far the confirmation may be off
@@ -50,10 +26,12 @@ struct Target {
     [[nodiscard]] std::string name() const;         ///< "first_peak_8MPa"
     [[nodiscard]] std::string fitted_name() const;  ///< of the same in [fitted]: "confined_strength_8MPa"
     [[nodiscard]] std::string symbol() const;       ///< "first peak at 8 MPa"
-    [[nodiscard]] std::string test() const;         ///< brazilian, tension, bend, uniaxial, triaxial
+    [[nodiscard]] std::string test() const;         ///< name of the test that measures it
     /// Met by scaling the grains.
-    [[nodiscard]] bool is_elastic() const { return kind.name == "young_modulus" || kind.name == "poisson_ratio"; }
-    [[nodiscard]] double usual_deviation() const;  ///< of its value, by its kind
+    [[nodiscard]] bool is_elastic() const { return property.name == "young_modulus" || property.name == "poisson_ratio"; }
+    /// Its value in a run, SI; NaN if the tables have none.
+    [[nodiscard]] double read(const Measures& measures) const;
+    [[nodiscard]] double usual_deviation() const;  ///< of its value, by its property
     [[nodiscard]] double log_deviation() const { return deviation / value; }
     [[nodiscard]] std::string text(double value_in_si) const;  ///< with the unit: "8.8 MPa"
 };

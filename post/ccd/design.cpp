@@ -1,8 +1,28 @@
 #include "post/ccd/design.hpp"
 
+#include <fmt/format.h>
+
+#include <charconv>
 #include <cmath>
 
+#include "post/statistics/statistics.hpp"
+#include "share/base/error.hpp"
+#include "share/base/text.hpp"
+
 namespace graincrack::ccd {
+
+Assignment parse_assignment(const std::string& text, const std::string& option, const std::string& form) {
+    const auto refuse = [&] { throw UsageError(option + " " + text + ": " + form + " is needed"); };
+    const auto [name, numbers] = key_and_value(text, option, form);
+    Assignment out{name, {}};
+    for (const std::string_view number : split(numbers, ':')) {
+        double value = 0;
+        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+        if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(value)) refuse();
+        out.values.push_back(value);
+    }
+    return out;
+}
 
 double star_distance(Star star, std::size_t n_factors) {
     return star == Star::face_centred ? 1 : std::pow(2, static_cast<double>(n_factors) / 4);
@@ -25,6 +45,88 @@ std::vector<std::vector<double>> coded_runs(std::size_t n_factors, Star star, st
     }
     runs.insert(runs.end(), n_centre, std::vector<double>(n_factors, 0.0));
     return runs;
+}
+
+namespace {
+
+/// The first other column that is linear in a coded one, up to the rounding of printed digits.
+Factor quantity_of(const TableFile& table, const std::string& coded_name, const std::vector<double>& coded) {
+    for (const std::string& column : table.columns()) {
+        if (column == coded_name || column == "run") continue;
+        std::vector<double> values;
+        try {
+            values = table.numbers(column);
+        } catch (const InputError&) {
+            continue;  // a column of text
+        }
+        const std::optional<Line> line = fit_line(coded, values);
+        constexpr double rounding = 1e-6;
+        if (line && line->slope != 0 && line->r_squared > 1 - rounding) {
+            return {column, line->intercept - line->slope, line->intercept + line->slope};
+        }
+    }
+    return {coded_name, -1, 1};
+}
+
+std::vector<std::vector<double>> transposed(const std::vector<std::vector<double>>& columns) {
+    std::vector<std::vector<double>> rows(columns[0].size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const auto& column : columns) rows[i].push_back(column[i]);
+    }
+    return rows;
+}
+
+}  // namespace
+
+Runs read_runs(const TableFile& table, const std::vector<Factor>& given) {
+    Runs runs;
+    std::vector<std::vector<double>> columns;
+    for (std::size_t k = 1; table.has(fmt::format("x{}", k)); ++k) {
+        const std::string name = fmt::format("x{}", k);
+        columns.push_back(table.numbers(name));
+        if (given.empty()) runs.factors.push_back(quantity_of(table, name, columns.back()));
+    }
+    if (columns.empty()) {
+        for (const Factor& factor : given) {
+            columns.push_back(table.numbers(factor.name));
+            for (double& value : columns.back()) value = factor.coded(value);
+        }
+    }
+    if (columns.empty()) {
+        throw InputError(table.name() +
+                         ": no columns x1, x2, …; a table as ccd design writes it, or --factor NAME=LOW:HIGH for "
+                         "its columns, is needed");
+    }
+    if (!given.empty()) {
+        if (given.size() != columns.size()) {
+            throw UsageError(
+                fmt::format("--factor: {} given, {} has {}; give each or none", given.size(), table.name(), columns.size()));
+        }
+        runs.factors = given;
+    }
+    runs.coded = transposed(columns);
+    return runs;
+}
+
+Factor parse_factor(const std::string& text) {
+    const Assignment given = parse_assignment(text, "--factor", "NAME=LOW:HIGH");
+    if (given.values.size() != 2 || !(given.values[0] < given.values[1])) {
+        throw UsageError("--factor " + text + ": NAME=LOW:HIGH with LOW below HIGH is needed");
+    }
+    return {given.name, given.values[0], given.values[1]};
+}
+
+ResponseSurface fit_quadratic(const std::vector<std::vector<double>>& coded, const std::vector<double>& response) {
+    const std::vector<SurfaceTerm> terms = quadratic_terms(coded.empty() ? 0 : coded[0].size());
+    auto surface = ResponseSurface::fit(terms, coded, response);
+    if (surface) return *std::move(surface);
+    throw InputError(fmt::format("ccd: {} runs do not determine the {} terms of the model; more runs at other factors are needed",
+                                 coded.size(), terms.size()));
+}
+
+ResponseSurface fit_response(const TableFile& table, const Runs& runs, const std::string& response, const ModelChoice& choice) {
+    ResponseSurface full = fit_quadratic(runs.coded, table.numbers(response));
+    return choice.reduce ? eliminate_backward(std::move(full), choice.alpha) : full;
 }
 
 }  // namespace graincrack::ccd

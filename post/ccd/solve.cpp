@@ -1,16 +1,72 @@
 #include "post/ccd/solve.hpp"
 
-#include <gsl/gsl_linalg.h>
+#include <fmt/format.h>
 #include <gsl/gsl_multimin.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
 
+#include "post/ccd/design.hpp"
+#include "share/base/error.hpp"
+
 namespace graincrack::ccd {
+
+double Goal::operator()(double value) const {
+    double share = 0;
+    if (kind != Kind::minimum && value < target) {
+        share = (value - low) / (target - low);
+    } else if (kind != Kind::maximum && value > target) {
+        share = (high - value) / (high - target);
+    } else {
+        share = 1;
+    }
+    return std::clamp(share, 0.0, 1.0);
+}
+
+Goal parse_goal(const std::string& text, Goal::Kind kind, const std::string& option) {
+    const char* const form = kind == Goal::Kind::target    ? "NAME=TARGET or NAME=LOW:TARGET:HIGH"
+                             : kind == Goal::Kind::maximum ? "NAME=LOW:GOOD"
+                                                           : "NAME=GOOD:HIGH";
+    const Assignment given = parse_assignment(text, option, form);
+    const std::vector<double>& v = given.values;
+    const bool rises = std::is_sorted(v.begin(), v.end(), std::less_equal<>());
+    const std::size_t wanted = kind == Goal::Kind::target && v.size() != 1 ? 3 : kind == Goal::Kind::target ? 1 : 2;
+    if (v.size() != wanted || !rises) {
+        throw UsageError(fmt::format("{} {}: {} with rising numbers is needed", option, text, form));
+    }
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (kind == Goal::Kind::maximum) return {kind, given.name, v[0], v[1], none};
+    if (kind == Goal::Kind::minimum) return {kind, given.name, none, v[0], v[1]};
+    if (v.size() == 3) return {kind, given.name, v[0], v[1], v[2]};
+    return {kind, given.name, none, v[0], none};
+}
+
+void set_limits(Goal& goal, const std::vector<double>& measured) {
+    if (goal.kind != Goal::Kind::target || !std::isnan(goal.low)) return;
+    const auto [low, high] = std::minmax_element(measured.begin(), measured.end());
+    goal.low = *low;
+    goal.high = *high;
+    if (goal.low < goal.target && goal.target < goal.high) return;
+    throw UsageError(
+        fmt::format("--target {}={:.6g}: not between the measured {:.6g} and {:.6g}; give limits, {}=LOW:TARGET:HIGH",
+                    goal.response, goal.target, goal.low, goal.high, goal.response));
+}
+
+double overall_desirability(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) {
+        if (!(value > 0)) return 0;
+        sum += std::log(value);
+    }
+    return std::exp(sum / static_cast<double>(values.size()));
+}
 
 namespace {
 
@@ -23,9 +79,9 @@ double distance(const Place& a, const Place& b) {
 }
 double norm(const Place& a) { return distance(a, Place(a.size(), 0.0)); }
 
-double desirability(const std::vector<Model>& models, const std::vector<Goal>& goals, const Place& place) {
+double desirability(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals, const Place& place) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < goals.size(); ++i) values.push_back(goals[i](models[i].predict(place)));
+    for (std::size_t i = 0; i < goals.size(); ++i) values.push_back(goals[i](models[i].value(place)));
     return overall_desirability(values);
 }
 
@@ -58,64 +114,35 @@ Place descend(const Objective& objective, Place start, double step) {
     return start;
 }
 
-/// The x of least norm with J x = b, by singular values; empty if rows of J depend on each other.
-std::optional<Place> min_norm(const std::vector<Place>& jacobian, const std::vector<double>& b) {
-    const std::size_t m = jacobian.size();
-    const std::size_t n = jacobian[0].size();
-    std::vector<double> u(n * m);  // Jᵀ = U S Vᵀ
-    for (std::size_t i = 0; i < m; ++i) {
-        for (std::size_t k = 0; k < n; ++k) u[k * m + i] = jacobian[i][k];
-    }
-    std::vector<double> v(m * m);
-    std::vector<double> s(m);
-    std::vector<double> work(m);
-    gsl_matrix_view U = gsl_matrix_view_array(u.data(), n, m);
-    gsl_matrix_view V = gsl_matrix_view_array(v.data(), m, m);
-    gsl_vector_view S = gsl_vector_view_array(s.data(), m);
-    gsl_vector_view W = gsl_vector_view_array(work.data(), m);
-    gsl_linalg_SV_decomp(&U.matrix, &V.matrix, &S.vector, &W.vector);
-    if (!(s[m - 1] > 1e-10 * s[0])) return std::nullopt;
-    Place x(n, 0.0);
-    for (std::size_t j = 0; j < m; ++j) {
-        double share = 0;
-        for (std::size_t i = 0; i < m; ++i) share += v[i * m + j] * b[i];
-        for (std::size_t k = 0; k < n; ++k) x[k] += u[k * m + j] * share / s[j];
-    }
-    return x;
-}
-
 /// The point nearest to the centre at which all targets are met, by iteration: for the models linearised at a point the nearest
 /// solution is known, and the next iteration linearises there. Empty if the iteration does not converge.
-std::optional<Place> nearest_to_centre(const std::vector<Model>& models, const std::vector<Goal>& goals, Place place) {
-    constexpr double step = 1e-4;
-    constexpr double share = 0.3;  // of each correction: the full one may overshoot where the models are curved
+std::optional<Place> nearest_to_centre(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals, Place place) {
+    constexpr double fraction = 0.3;  // of each correction: the full one may overshoot where the models are curved
+    const auto q = static_cast<Eigen::Index>(models.size());
+    const auto n = static_cast<Eigen::Index>(place.size());
     for (int round = 0; round < 500; ++round) {
-        std::vector<Place> jacobian;
-        std::vector<double> b;
-        for (std::size_t i = 0; i < models.size(); ++i) {
-            Place slope(place.size());
-            for (std::size_t k = 0; k < place.size(); ++k) {
-                Place low = place;
-                Place high = place;
-                low[k] -= step;
-                high[k] += step;
-                slope[k] = (models[i].predict(high) - models[i].predict(low)) / (2 * step);  // exact for a quadratic
-            }
-            b.push_back(goals[i].target - models[i].predict(place) +
-                        std::inner_product(slope.begin(), slope.end(), place.begin(), 0.0));
-            jacobian.push_back(std::move(slope));
+        Eigen::MatrixXd jacobian(q, n);
+        Eigen::VectorXd targets(q);
+        const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(place.data(), n);
+        for (Eigen::Index i = 0; i < q; ++i) {
+            const ResponseSurface& model = models[static_cast<std::size_t>(i)];
+            jacobian.row(i) = model.slopes(place).transpose() * model.coefficients;
+            targets(i) = goals[static_cast<std::size_t>(i)].target - model.value(place) + jacobian.row(i).dot(at);
         }
-        std::optional<Place> next = min_norm(jacobian, b);
-        if (!next) return std::nullopt;
-        if (distance(*next, place) < 1e-11) return next;
-        for (std::size_t k = 0; k < place.size(); ++k) place[k] += share * ((*next)[k] - place[k]);
+        Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        svd.setThreshold(1e-10);
+        if (svd.rank() < q) return std::nullopt;
+        const Eigen::VectorXd step = svd.solve(targets) - at;  // to the solution of least norm
+        const double part = step.norm() < 1e-11 ? 1 : fraction;
+        for (Eigen::Index k = 0; k < n; ++k) place[static_cast<std::size_t>(k)] += part * step(k);
+        if (part == 1) return place;
     }
     return std::nullopt;
 }
 
 /// One optimum in place of the many that a search finds on a line (or a surface) of equal desirability.
-std::vector<Optimum> without_choice(const std::vector<Model>& models, const std::vector<Goal>& goals, const Region& region,
-                                    std::vector<Optimum> optima) {
+std::vector<Optimum> without_choice(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals,
+                                    const Region& region, std::vector<Optimum> optima) {
     const auto targets = static_cast<std::size_t>(
         std::count_if(goals.begin(), goals.end(), [](const Goal& g) { return g.kind == Goal::Kind::target; }));
     constexpr double met = 1 - 1e-6;
@@ -170,7 +197,7 @@ std::vector<Place> Region::grid(std::size_t per_factor) const {
     return points;
 }
 
-std::vector<Optimum> solve(const std::vector<Model>& models, const std::vector<Goal>& goals, const Region& region) {
+std::vector<Optimum> solve(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals, const Region& region) {
     const Objective objective = [&](const Place& place) {
         return region.holds(place) ? -desirability(models, goals, place) : norm(place);
     };
@@ -203,44 +230,33 @@ std::vector<Optimum> solve(const std::vector<Model>& models, const std::vector<G
     return without_choice(models, goals, region, std::move(distinct));
 }
 
-ConfidenceRegion::ConfidenceRegion(std::vector<Model> models, std::vector<double> targets)
+ConfidenceRegion::ConfidenceRegion(std::vector<ResponseSurface> models, std::vector<double> targets)
     : models_(std::move(models)), targets_(std::move(targets)) {
     const std::size_t q = models_.size();
     if (q == 0) return;
-    int freedom = models_[0].regression().freedom;
-    for (const Model& model : models_) freedom = std::min(freedom, model.regression().freedom);
+    int freedom = models_[0].freedom();
+    for (const ResponseSurface& model : models_) freedom = std::min(freedom, model.freedom());
     const int second = freedom - static_cast<int>(q) + 1;
     if (second < 1) return;
-    covariance_.assign(q, std::vector<double>(q, 0.0));
-    const std::vector<Place>& runs = models_[0].coded();
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-        std::vector<double> residual;
-        for (const Model& model : models_) residual.push_back(model.response()[r] - model.predict(runs[r]));
-        for (std::size_t i = 0; i < q; ++i) {
-            for (std::size_t j = 0; j < q; ++j) covariance_[i][j] += residual[i] * residual[j] / freedom;
-        }
-    }
+    Eigen::MatrixXd residuals(models_[0].residuals.size(), static_cast<Eigen::Index>(q));
+    for (std::size_t i = 0; i < q; ++i) residuals.col(static_cast<Eigen::Index>(i)) = models_[i].residuals;
+    covariance_ = residuals.transpose() * residuals / freedom;
     const double factor = static_cast<double>(q) * freedom / second;
     limit_ = factor * f_quantile(0.05, static_cast<int>(q), second);
 }
 
 double ConfidenceRegion::operator()(const Place& coded) const {
-    const std::size_t q = models_.size();
-    std::vector<double> matrix(q * q);
-    std::vector<double> difference(q);
-    std::vector<double> solution(q);
-    std::vector<double> leverage;
-    for (const Model& model : models_) leverage.push_back(model.leverage(coded));
-    for (std::size_t i = 0; i < q; ++i) {
-        difference[i] = models_[i].predict(coded) - targets_[i];
-        for (std::size_t j = 0; j < q; ++j) matrix[i * q + j] = covariance_[i][j] * std::sqrt(leverage[i] * leverage[j]);
+    const Eigen::Index q = covariance_.rows();
+    Eigen::VectorXd difference(q);
+    Eigen::VectorXd root(q);  // of the leverages
+    for (Eigen::Index i = 0; i < q; ++i) {
+        const ResponseSurface& model = models_[static_cast<std::size_t>(i)];
+        difference(i) = model.value(coded) - targets_[static_cast<std::size_t>(i)];
+        root(i) = std::sqrt(model.leverage(coded));
     }
-    gsl_matrix_view V = gsl_matrix_view_array(matrix.data(), q, q);
-    const gsl_vector_view d = gsl_vector_view_array(difference.data(), q);
-    gsl_vector_view x = gsl_vector_view_array(solution.data(), q);
-    if (gsl_linalg_cholesky_decomp1(&V.matrix) != 0) return difference[0] == 0 ? 0 : HUGE_VAL;
-    gsl_linalg_cholesky_solve(&V.matrix, &d.vector, &x.vector);
-    return std::inner_product(difference.begin(), difference.end(), solution.begin(), 0.0) / limit_;
+    const Eigen::LLT<Eigen::MatrixXd> variance(root.asDiagonal() * covariance_ * root.asDiagonal());
+    if (variance.info() != Eigen::Success) return difference(0) == 0 ? 0 : HUGE_VAL;
+    return difference.dot(variance.solve(difference)) / limit_;
 }
 
 }  // namespace graincrack::ccd

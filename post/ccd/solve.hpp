@@ -1,12 +1,35 @@
-// Factors at which the responses meet their goals: the largest desirability within the design.
+// Desirability of responses (Derringer & Suich 1980): how near each response comes to its goal, and all of them together; factors
+// at which the responses meet their goals: the largest desirability within the design.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "post/ccd/desirability.hpp"
-#include "post/ccd/model.hpp"
+#include "post/statistics/response_surface.hpp"
 
 namespace graincrack::ccd {
+
+/// The goal for a response.
+struct Goal {
+    enum class Kind { target, maximum, minimum } kind = Kind::target;
+    std::string response;
+    double low = 0;     ///< target, maximum: desirability 0 at or below
+    double target = 0;  ///< target: the best value; maximum, minimum: desirability 1 from here on
+    double high = 0;    ///< target, minimum: desirability 0 at or above
+    /// 0 (useless) to 1 (goal reached), linear between.
+    [[nodiscard]] double operator()(double response_value) const;
+};
+
+/// Reads "NAME=T" or "NAME=LOW:T:HIGH" (target), "NAME=LOW:GOOD" (maximum), "NAME=GOOD:HIGH" (minimum). Without limits a
+/// target takes them from `set_limits`. \throws UsageError naming `option`
+Goal parse_goal(const std::string& text, Goal::Kind kind, const std::string& option);
+
+/// The limits of a target that has none: the extremes of the measured responses.
+/// \throws UsageError if the target is not between them
+void set_limits(Goal& goal, const std::vector<double>& measured);
+
+/// Geometric mean. \pre values is not empty
+double overall_desirability(const std::vector<double>& values);
 
 /// The region in which a design allows predictions: each factor within the range of its runs, and no farther from the centre than
 /// the farthest run.
@@ -37,7 +60,7 @@ struct Optimum {
 /// All places of the largest desirability that the search finds, the nearest to the centre first: a grid, then simplexes
 /// (Nelder–Mead, GSL) from its best points. One place if the goals leave factors free. Empty if the desirability is 0 everywhere.
 /// \param models one for each goal
-std::vector<Optimum> solve(const std::vector<Model>& models, const std::vector<Goal>& goals, const Region& region);
+std::vector<Optimum> solve(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals, const Region& region);
 
 /// The factors for which the targets lie within the joint 95 % confidence region of the responses' means (Box & Hunter
 /// 1954): δᵀ V⁻¹ δ ≤ q ν/(ν − q + 1) F(q, ν − q + 1), δ the q differences to the targets, V_ij = S_ij √(h_i h_j), S the
@@ -45,17 +68,17 @@ std::vector<Optimum> solve(const std::vector<Model>& models, const std::vector<G
 class ConfidenceRegion {
 public:
     /// \param models of the responses that have targets, one for each; the same runs in all
-    ConfidenceRegion(std::vector<Model> models, std::vector<double> targets);
-    /// Whether the residuals have enough degrees of freedom for a region.
+    ConfidenceRegion(std::vector<ResponseSurface> models, std::vector<double> targets);
+    /// True if the residuals have enough degrees of freedom for a region.
     [[nodiscard]] bool is_known() const { return limit_ > 0; }
     /// The statistic over its limit: up to 1 within the region.
     [[nodiscard]] double operator()(const std::vector<double>& coded) const;
     [[nodiscard]] bool holds(const std::vector<double>& coded) const { return (*this)(coded) <= 1; }
 
 private:
-    std::vector<Model> models_;
+    std::vector<ResponseSurface> models_;
     std::vector<double> targets_;
-    std::vector<std::vector<double>> covariance_;
+    Eigen::MatrixXd covariance_;
     double limit_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "share/base/error.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack::ccd {
 
@@ -17,58 +18,52 @@ std::vector<Factor> parse_factors(const std::vector<std::string>& texts) {
     return factors;
 }
 
-Cell optional_cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
-
-void write_terms(TableWriter& table, const std::string& response, const Model& model) {
-    const Regression& fit = model.regression();
-    for (std::size_t i = 0; i < model.terms().size(); ++i) {
-        const double error = fit.standard_error(i);
-        const Estimate value = estimate(fit.coefficients[i], error * error, fit.freedom);
-        const bool known = fit.freedom > 0;
-        table.row({response, model.terms()[i].name(), value.value, known ? Cell(error) : Cell(),
-                   known ? Cell(value.value / error) : Cell(), optional_cell(model.p_value(i)), optional_cell(value.low),
-                   optional_cell(value.high)});
+void write_terms(TableWriter& table, const std::string& response, const ResponseSurface& model) {
+    for (std::size_t i = 0; i < model.terms.size(); ++i) {
+        const double error = model.standard_error(i);
+        const Estimate value = estimate(model.coefficients[static_cast<Eigen::Index>(i)], error * error, model.freedom());
+        const bool known = model.freedom() > 0;
+        table.row({response, model.terms[i].name(), value.value, known ? Cell(error) : Cell(),
+                   known ? Cell(value.value / error) : Cell(), model.p_value(i), value.low, value.high});
     }
 }
 
 /// Sums of squares; that of a term is what leaving it out alone would add to the residual (partial, type III).
-void write_anova(TableWriter& table, const std::string& response, const Model& model) {
-    const Regression& fit = model.regression();
-    const double variance = fit.variance();
+void write_anova(TableWriter& table, const std::string& response, const ResponseSurface& model) {
+    const double variance = model.variance();
     const auto row = [&](const std::string& source, double sum, int freedom, std::optional<double> f, std::optional<double> p) {
-        table.row({response, source, sum, static_cast<std::int64_t>(freedom), freedom > 0 ? Cell(sum / freedom) : Cell(),
-                   optional_cell(f), optional_cell(p)});
+        table.row({response, source, sum, static_cast<std::int64_t>(freedom), freedom > 0 ? Cell(sum / freedom) : Cell(), f, p});
     };
     const auto tested = model.significance();
-    row("model", fit.total_sum - fit.residual_sum, static_cast<int>(model.terms().size()) - 1,
+    row("model", model.total_sum() - model.residual_sum(), static_cast<int>(model.terms.size()) - 1,
         tested ? std::optional(tested->f) : std::nullopt, tested ? std::optional(tested->p) : std::nullopt);
-    for (std::size_t i = 1; i < model.terms().size(); ++i) {
-        const double sum = fit.coefficients[i] * fit.coefficients[i] / fit.inverse[i][i];
-        row(model.terms()[i].name(), sum, 1, variance > 0 ? std::optional(sum / variance) : std::nullopt, model.p_value(i));
+    for (std::size_t i = 1; i < model.terms.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        const double sum = model.coefficients(k) * model.coefficients(k) / model.inverse(k, k);
+        row(model.terms[i].name(), sum, 1, variance > 0 ? std::optional(sum / variance) : std::nullopt, model.p_value(i));
     }
-    row("residual", fit.residual_sum, fit.freedom, std::nullopt, std::nullopt);
+    row("residual", model.residual_sum(), model.freedom(), std::nullopt, std::nullopt);
     if (const auto lack = model.lack_of_fit()) {
         row("lack of fit", lack->sum, lack->freedom, lack->f, lack->p);
         row("pure error", lack->pure_error_sum, lack->pure_error_freedom, std::nullopt, std::nullopt);
     }
-    row("total", fit.total_sum, static_cast<int>(model.response().size()) - 1, std::nullopt, std::nullopt);
+    row("total", model.total_sum(), static_cast<int>(model.response.size()) - 1, std::nullopt, std::nullopt);
 }
 
-void write_summary(TableWriter& table, const std::string& response, const Model& model) {
-    const Regression& fit = model.regression();
+void write_summary(TableWriter& table, const std::string& response, const ResponseSurface& model) {
     const auto tested = model.significance();
     const auto lack = model.lack_of_fit();
     std::string names;
-    for (const Term& term : model.terms()) names += (names.empty() ? "" : ", ") + term.name();
-    table.row({response, names, static_cast<std::int64_t>(model.response().size()), fit.r_squared(),
-               optional_cell(fit.adjusted_r_squared()), fit.predicted_r_squared(), fit.press,
-               fit.freedom > 0 ? Cell(std::sqrt(fit.variance())) : Cell(), tested ? Cell(tested->f) : Cell(),
-               tested ? Cell(tested->p) : Cell(), lack ? Cell(lack->f) : Cell(), lack ? Cell(lack->p) : Cell()});
+    for (const SurfaceTerm& term : model.terms) names += (names.empty() ? "" : ", ") + term.name();
+    table.row({response, names, static_cast<std::int64_t>(model.response.size()), model.r_squared(), model.adjusted_r_squared(),
+               model.predicted_r_squared(), model.press(), model.freedom() > 0 ? Cell(std::sqrt(model.variance())) : Cell(),
+               tested ? Cell(tested->f) : Cell(), tested ? Cell(tested->p) : Cell(), lack ? Cell(lack->f) : Cell(),
+               lack ? Cell(lack->p) : Cell()});
 }
 
 struct FitTableForm {
     std::vector<std::string> columns;
-    void (*write)(TableWriter&, const std::string&, const Model&);
+    void (*write)(TableWriter&, const std::string&, const ResponseSurface&);
 };
 
 FitTableForm form_of(FitTable kind) {
@@ -148,11 +143,11 @@ std::vector<Cell> solution_row(const Problem& problem, std::size_t index, const 
     row.push_back(extent ? Cell(extent->share) : Cell());
     row.push_back(extent ? Cell(std::string(extent->reaches_edge ? "yes" : "no")) : Cell());
     row.emplace_back(static_cast<std::int64_t>(optimum.free_factors));
-    for (const Model& model : problem.models) {
+    for (const ResponseSurface& model : problem.models) {
         const Estimate mean = model.confidence(optimum.coded);
         const Estimate single = model.prediction(optimum.coded);
         row.emplace_back(mean.value);
-        for (const auto& end : {mean.low, mean.high, single.low, single.high}) row.push_back(optional_cell(end));
+        for (const auto& end : {mean.low, mean.high, single.low, single.high}) row.push_back(end);
     }
     return row;
 }
@@ -167,6 +162,23 @@ std::vector<Goal> parse_goals(const GoalOptions& options) {
 }
 
 }  // namespace
+
+void add_model(OptionSet set, ModelOptions& options) {
+    add_texts(set, "--factor", options.factors, "NAME=LOW:HIGH", "factor with its values at -1 and +1, if the table has no x1");
+    add_choice<bool>(set, "--model", options.choice.reduce, {{"full", false}, {"backward", true}},
+                     "full: all quadratic terms; backward: reduced by backward elimination that keeps the hierarchy");
+    static constexpr Quantity significance{"alpha", Dimension::one, 0, 1, "level of significance", true};
+    add_quantity(set, "--alpha", options.choice.alpha, significance, "p value above which elimination removes a term", "0.1");
+}
+
+void add_goals(OptionSet set, GoalOptions& options) {
+    add_texts(set, "--target", options.targets, "NAME=[LOW:]TARGET[:HIGH]",
+              "wanted value of a response; limits default to the measured extremes");
+    add_texts(set, "--maximise", options.maxima, "NAME=LOW:GOOD",
+              "response to be as large as possible: desirability 0 at LOW, 1 at GOOD");
+    add_texts(set, "--minimise", options.minima, "NAME=GOOD:HIGH",
+              "response to be as small as possible: desirability 1 at GOOD, 0 at HIGH");
+}
 
 void write_design(std::ostream& out, const DesignOptions& options, TableFormat format) {
     const std::vector<Factor> factors = parse_factors(options.factors);
@@ -191,7 +203,7 @@ void write_fit(std::ostream& out, const std::string& file, const FitOptions& opt
     if (options.responses.empty()) throw UsageError("ccd fit: no response; give --response NAME, a column of the table");
     const TableFile input(file);
     const Runs runs = read_runs(input, parse_factors(options.model.factors));
-    std::vector<Model> models;
+    std::vector<ResponseSurface> models;
     for (const auto& response : options.responses) models.push_back(fit_response(input, runs, response, options.model.choice));
     const FitTableForm form = form_of(options.table);
     TableWriter table(out, form.columns, format);
@@ -202,8 +214,8 @@ Problem solve_problem(const std::string& file, const SolveOptions& options) {
     std::vector<Goal> goals = parse_goals(options.goals);
     const TableFile input(file);
     Runs runs = read_runs(input, parse_factors(options.model.factors));
-    std::vector<Model> models;
-    std::vector<Model> with_target;
+    std::vector<ResponseSurface> models;
+    std::vector<ResponseSurface> with_target;
     std::vector<double> targets;
     for (Goal& goal : goals) {
         set_limits(goal, input.numbers(goal.response));

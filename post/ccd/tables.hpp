@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "post/ccd/design.hpp"
-#include "post/ccd/runs.hpp"
 #include "post/ccd/solve.hpp"
+#include "post/options/command.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack::ccd {
@@ -47,11 +47,17 @@ struct SolveOptions {
     GoalOptions goals;
 };
 
+inline constexpr FileArguments design_table{"table", "table of the runs: x1, x2, … and the responses"};
+/// --factor, --model, --alpha: how a model is fitted to the runs of a design.
+void add_model(OptionSet set, ModelOptions& options);
+/// --target, --maximise, --minimise: the goals for the responses.
+void add_goals(OptionSet set, GoalOptions& options);
+
 /// A solved problem: a model for each goal, the optima, and the confidence region of the factors.
 struct Problem {
     Runs runs;
     std::vector<Goal> goals;
-    std::vector<Model> models;
+    std::vector<ResponseSurface> models;
     std::vector<Optimum> optima;
     ConfidenceRegion confidence;  ///< of the responses with targets
 };

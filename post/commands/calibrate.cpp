@@ -36,7 +36,7 @@ void write_heat_map(const std::string& file, const std::vector<calibrate::Sensit
             columns.push_back(s.parameter.substr(table));
             std::replace(columns.back().begin(), columns.back().end(), '_', ' ');
         }
-        cells.back().push_back({s.exponent.value, fmt::format("{:.2f}", s.exponent.value), !s.is_told()});
+        cells.back().push_back({s.exponent.value, fmt::format("{:.2f}", s.exponent.value), !s.is_significant()});
     }
     write_picture(draw_heat_map("d ln response / d ln parameter; white: the 95 % interval contains 0", rows, columns, cells, 1),
                   file);
@@ -45,13 +45,14 @@ void write_heat_map(const std::string& file, const std::vector<calibrate::Sensit
 void write_decision(const CalibrateOptions& options, const Call& call) {
     using calibrate::Ending;
     const std::string& folder = call.file();
-    const auto [decision, wanted_time, sensitivities] =
+    const auto [decision, requested_time, sensitivities] =
         calibrate::calibrate_folder(folder, options.material, options.settings, call.diagnostics());
     if (!sensitivities.empty()) write_heat_map(folder + "/identify.png", sensitivities);
-    if (decision.ending == Ending::wanted) {
+    if (decision.ending == Ending::requested) {
         fmt::print(call.out, "{}/wanted.tsv\n", folder);
-        const std::size_t n = decision.wanted.size();
-        const std::string time = wanted_time > 0 ? fmt::format(" (about {:.2g} min of one processor)", wanted_time / 60) : "";
+        const std::size_t n = decision.requested.size();
+        const std::string time =
+            requested_time > 0 ? fmt::format(" (about {:.2g} min of one processor)", requested_time / 60) : "";
         fmt::print(call.diagnostics(), "graincrack-post: calibrate: {} {} wanted{}: {}\n", n, n == 1 ? "run is" : "runs are",
                    time, decision.reason);
         return;

@@ -1,6 +1,5 @@
 #include "post/commands/commands.hpp"
 
-#include "post/ccd/design_options.hpp"
 #include "post/ccd/tables.hpp"
 #include "post/options/command.hpp"
 #include "share/options/option_set.hpp"
@@ -31,7 +30,7 @@ void add_design_options(OptionSet set, DesignTableOptions& options) {
 
 void add_fit_options(OptionSet set, FitTableOptions& options) {
     using ccd::FitTable;
-    add_model(set, options.ccd.model);
+    ccd::add_model(set, options.ccd.model);
     add_texts(set, "--response", options.ccd.responses, "NAME", "column to fit; may be given again");
     add_choice<FitTable>(set, "--table", options.ccd.table,
                          {{"terms", FitTable::terms}, {"anova", FitTable::anova}, {"summary", FitTable::summary}},
@@ -40,8 +39,8 @@ void add_fit_options(OptionSet set, FitTableOptions& options) {
 }
 
 void add_solve_options(OptionSet set, SolutionTableOptions& options) {
-    add_model(set, options.ccd.model);
-    add_goals(set, options.ccd.goals);
+    ccd::add_model(set, options.ccd.model);
+    ccd::add_goals(set, options.ccd.goals);
     add_format(set, options.format);
 }
 
@@ -58,7 +57,7 @@ Command fit_command() {
     return make_command<FitTableOptions>(
         "fit", "quadratic response surfaces: coefficients, analysis of variance, lack of fit",
         {"table7.csv --response C_MPa --response phi_deg", "table7.csv --response C_MPa --model backward --table anova"},
-        design_table, add_fit_options, [](const FitTableOptions& options, const Call& call) {
+        ccd::design_table, add_fit_options, [](const FitTableOptions& options, const Call& call) {
             ccd::write_fit(call.out, call.file(), options.ccd, options.format);
         });
 }
@@ -68,7 +67,7 @@ Command solve_command() {
         "solve", "factors at which the responses meet their goals (desirability), within the design",
         {"table7.csv --target C_MPa=21 --target phi_deg=53",
          "table7.csv --target phi_deg=53 --maximise C_MPa=10:30 --model backward --alpha 0.05"},
-        design_table, add_solve_options, [](const SolutionTableOptions& options, const Call& call) {
+        ccd::design_table, add_solve_options, [](const SolutionTableOptions& options, const Call& call) {
             ccd::write_solution(call.out, call.file(), options.ccd, options.format);
         });
 }

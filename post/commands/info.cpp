@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "post/run/specimen_options.hpp"
+#include "post/run/crystals.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/units.hpp"
 #include "share/file/file_checks.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "post/run/crack_label.hpp"
 #include "post/run/load_curve.hpp"
-#include "post/run/mode_counts.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {

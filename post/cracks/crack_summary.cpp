@@ -7,7 +7,7 @@
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/cracked_crystals.hpp"
 #include "post/cracks/rosette.hpp"
-#include "post/run/mode_counts.hpp"
+#include "post/run/crack_label.hpp"
 #include "post/run/run_state.hpp"
 #include "post/table/column.hpp"
 

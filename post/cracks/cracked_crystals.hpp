@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "post/cracks/fragments.hpp"
-#include "post/run/mode_counts.hpp"
+#include "post/run/crack_label.hpp"
 #include "post/table/table.hpp"
 
 namespace graincrack {

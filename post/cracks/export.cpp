@@ -77,7 +77,7 @@ struct Series {
     std::string folder;
     PlatenFaceSet platens;
     /// Platens press on the specimen, and move as the history says; those of direct tension are its own ends.
-    [[nodiscard]] bool has_platens() const { return data.header.test != "tension" && data.header.max_strain > 0; }
+    [[nodiscard]] bool has_platens() const { return data.header.loading() != Loading::tension && data.header.max_strain > 0; }
 };
 
 /// Load and strain in the row of the history at, or next after, a time.

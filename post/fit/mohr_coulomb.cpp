@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "share/base/error.hpp"
@@ -15,11 +17,10 @@ double mohr_coulomb_slope(double friction_angle) {
     return (1 + sine) / (1 - sine);
 }
 
+double friction_angle_of(double slope) { return slope > 0 ? std::asin((slope - 1) / (slope + 1)) : -std::numbers::pi / 2; }
+
 std::optional<double> laboratory_slope(const Material& material) {
-    const auto entry = [&material](const char* key) {
-        const auto found = material.laboratory.find(key);
-        return found == material.laboratory.end() ? std::nullopt : std::optional(found->second);
-    };
+    const auto entry = [&material](const char* key) { return material.laboratory_value(key); };
     if (const auto angle = entry("friction_angle")) return mohr_coulomb_slope(*angle);
     const auto ucs = entry("compressive_strength");
     const auto confined = entry("confined_strength");
@@ -38,38 +39,23 @@ std::optional<double> laboratory_slope(const Material& material) {
 MohrCoulomb fit_mohr_coulomb(std::span<const double> confining, std::span<const double> strength) {
     if (confining.size() != strength.size()) throw std::invalid_argument("a confining pressure is needed for each strength");
     const std::size_t n = confining.size();
-    double mean_x = 0;
-    double mean_y = 0;
     for (std::size_t i = 0; i < n; ++i) {
         if (!std::isfinite(confining[i]) || !std::isfinite(strength[i])) {
             throw InputError(fmt::format("envelope: test {} of {} has no finite strength and confining pressure", i + 1, n));
         }
-        mean_x += confining[i] / static_cast<double>(n);
-        mean_y += strength[i] / static_cast<double>(n);
     }
-    double sxx = 0;
-    double sxy = 0;
-    double syy = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double dx = confining[i] - mean_x;
-        const double dy = strength[i] - mean_y;
-        sxx += dx * dx;
-        sxy += dx * dy;
-        syy += dy * dy;
-    }
-    const double round_off = 1e-12 * mean_x;
-    if (n < 2 || sxx <= static_cast<double>(n) * round_off * round_off) {
+    const auto [least, most] = std::minmax_element(confining.begin(), confining.end());
+    constexpr double round_off = 1e-12;
+    const std::optional<Line> line = n < 2 || *most - *least <= round_off * *most ? std::nullopt : fit_line(confining, strength);
+    if (!line) {
         throw InputError(
             fmt::format("envelope: {} {} at one confining pressure; cohesion and friction angle need two or more pressures", n,
                         n == 1 ? "strength" : "strengths"));
     }
-    MohrCoulomb fit;
-    fit.slope = sxy / sxx;
-    fit.intercept = mean_y - fit.slope * mean_x;
+    MohrCoulomb fit{*line};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     fit.cohesion = fit.slope > 0 ? fit.intercept / (2 * std::sqrt(fit.slope)) : nan;
-    fit.friction_angle = fit.slope > 0 ? std::asin((fit.slope - 1) / (fit.slope + 1)) : nan;
-    fit.r_squared = syy > 0 ? sxy * sxy / (sxx * syy) : 1;
+    fit.friction_angle = fit.slope > 0 ? friction_angle_of(fit.slope) : nan;
     return fit;
 }
 

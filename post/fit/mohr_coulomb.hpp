@@ -4,21 +4,22 @@
 #include <optional>
 #include <span>
 
+#include "post/statistics/statistics.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack {
 
-/// A straight Mohr–Coulomb envelope σ1 = a + b σ3 fitted to peak strengths. Strengths positive in compression.
-struct MohrCoulomb {
-    double intercept = 0;       ///< a, the uniaxial strength of the line, Pa
-    double slope = 0;           ///< b
+/// A straight Mohr–Coulomb envelope σ1 = intercept + slope σ3 fitted to peak strengths. Strengths positive in compression.
+struct MohrCoulomb : Line {
     double cohesion = 0;        ///< C = a / (2 √b), Pa; NaN if b ≤ 0
     double friction_angle = 0;  ///< φ with sin φ = (b − 1)/(b + 1), rad; NaN if b ≤ 0, negative if b < 1
-    double r_squared = 0;       ///< coefficient of determination; 1 if all strengths are equal
 };
 
 /// b = (1 + sin φ)/(1 − sin φ) of a line σ1 = 2C√b + b σ3. \param friction_angle φ, rad
 double mohr_coulomb_slope(double friction_angle);
+
+/// φ of a line of slope b; −90° for a line that falls, or does not rise. rad
+double friction_angle_of(double slope);
 
 /// b of the line σ1 = UCS + b σ3 that [laboratory] has: of its friction angle, else of its confined strength, else of its
 /// cohesion; empty without these. \throws InputError if the confined strength is not above the uniaxial one

@@ -74,7 +74,7 @@ std::vector<Caveat> find_caveats(const BrazilianSplit& split, double peak, const
 
 }  // namespace
 
-bool splits(const RunData& run) { return run.header.test == "brazilian" && run.specimen.shape != "ring"; }
+bool splits(const RunData& run) { return run.header.loading() == Loading::splitting && run.specimen.shape != "ring"; }
 
 double strength_share_of_arcs(double angle) { return angle > 0 ? std::pow(std::sin(angle) / angle, 2) : 1; }
 

@@ -5,10 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "post/measure/caveat.hpp"
 #include "post/run/load_curve.hpp"
 
 namespace graincrack {
+
+/// A caveat: a reason to doubt the strength of a test.
+struct Caveat {
+    std::string kind;  ///< without numbers, so that the runs that have it can be counted: "first cracks outside 0.5 R"
+    std::string text;  ///< with them: "first cracks at 0.81 R, not inside 0.5 R"
+};
 
 struct BrazilianSplit {
     /// 2F/(π t D) when the open cracks of one network (linked by closed ones too) first span `spanning_share` of the
@@ -24,7 +29,7 @@ struct BrazilianSplit {
 };
 inline constexpr double spanning_share = 0.8;
 
-/// Whether a run is to split a disc. A ring breaks from its hole.
+/// True if a run is to split a disc. A ring breaks from its hole.
 bool splits(const RunData& run);
 
 /// Tensile strength by Griffith's criterion at the centre of a disc, over 2F/(π t D), where an even pressure acts on arcs seen
@@ -38,7 +43,7 @@ double ring_stress(double disc, double ratio);
 /// naming `file` if it has no such part
 double hole_ratio(const Specimen& specimen, const std::string& file);
 
-/// What splits a disc is what opens, whatever traction it began with: cracks are points past their peak, told by the sign of
+/// Open cracks split a disc, whatever traction they began with: cracks are points past their peak, tensile by the sign of the
 /// opening. \param log crack log of the run, in any order
 BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen, const std::vector<Crack>& log);
 

@@ -15,7 +15,7 @@ namespace graincrack {
 namespace {
 
 void object_to_end(std::vector<Caveat>& found, const RunData& run) {
-    if (run.header.test == "program") return;  // its stages need no peak
+    if (run.header.loading() == Loading::program) return;  // its stages need no peak
     const Strength strength = measure_strength(run);
     if (strength.has_peak()) return;
     const std::string& kind = strength.peak_kind;

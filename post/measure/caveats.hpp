@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "post/measure/brazilian.hpp"
-#include "post/measure/caveat.hpp"
 #include "post/run/load_curve.hpp"
 
 namespace graincrack {

@@ -30,7 +30,7 @@ std::string warning(const Moduli& moduli, const std::string& kind) {
     return label;
 }
 
-/// What the table tells of a run.
+/// A row of the table.
 struct ModuliRow {
     std::string file;
     std::string plane;
@@ -193,7 +193,7 @@ Slopes regression(const LoadCurve& curve, double low_share, double high_share) {
 ElasticPair elastic_pair(const Slopes& slopes, const RunHeader& header) {
     ElasticPair pair;
     pair.plane_young_modulus = slopes.stress;
-    pair.plane_poisson_ratio = header.test == "tension" ? -slopes.lateral : slopes.lateral;
+    pair.plane_poisson_ratio = header.loading() == Loading::tension ? -slopes.lateral : slopes.lateral;
     const bool strain = header.plane == PlaneCondition::strain;
     pair.poisson_ratio = strain ? fpz::material_poisson_ratio(pair.plane_poisson_ratio) : pair.plane_poisson_ratio;
     pair.young_modulus = strain ? fpz::material_young_modulus(slopes.stress, pair.plane_poisson_ratio) : pair.plane_young_modulus;
@@ -212,7 +212,7 @@ std::optional<double> post_peak_slope(const RunData& run, const LoadCurve& curve
 }  // namespace
 
 std::optional<Moduli> measure_moduli(const RunData& run) {
-    if (run.header.test == "brazilian" || run.header.test == "bend") return std::nullopt;
+    if (run.header.loading() == Loading::splitting || run.header.loading() == Loading::bending) return std::nullopt;
     const LoadCurve curve = load_curve(run);
     const CurvePoint half = half_peak(curve);
     const auto grows = [&](const std::vector<double>& strain) { return half.of(strain) > strain[curve.start]; };

@@ -20,7 +20,7 @@ namespace {
 constexpr double largest_change = 0.05;  // beyond it, twice as slow is not yet in the range where the error is linear
 constexpr double least_ratio = 1.2;      // of the rates: the limit has the scatter of the change over the ratio less one
 
-/// What the rate is proportional to: the tolerance of an automatic rate, or a fixed platen speed, m/s.
+/// A measure of the rate: the tolerance of an automatic rate, or a fixed platen speed, m/s.
 double rate_of(const RunHeader& h) { return h.rate == "auto" ? h.rate_tolerance * h.rate_share : h.platen_speed; }
 
 /// A specimen under one test.

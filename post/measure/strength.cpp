@@ -6,7 +6,7 @@
 #include <array>
 
 #include "post/measure/caveats.hpp"
-#include "post/run/mode_counts.hpp"
+#include "post/run/crack_label.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "post/statistics/statistics.hpp"
@@ -19,7 +19,7 @@ namespace graincrack {
 
 namespace {
 
-/// What the table tells of a run.
+/// A row of the table.
 struct StrengthRow {
     RunData run;
     Strength strength;
@@ -30,7 +30,7 @@ struct StrengthRow {
     OtherCounts cracks;                   ///< at the peak
     [[nodiscard]] const RunHeader& header() const { return run.header; }
     [[nodiscard]] const ContactParameters& contact() const { return run.header.contact; }
-    /// What a checkpoint does not have yet.
+    /// A value that a checkpoint does not have yet.
     [[nodiscard]] Cell at_end(double value) const { return header().stop_reason == "checkpoint" ? Cell() : Cell(value); }
     [[nodiscard]] bool is_of_first_peak() const { return kind != StrengthKind::largest && strength.has_earlier_peak(); }
     [[nodiscard]] double grain_steps() const {
@@ -50,7 +50,7 @@ StrengthRow read_strength_row(const std::string& path, StrengthKind kind) {
     StrengthRow row{run_data(reader), {}, kind, std::nullopt, 0, std::nullopt, {}};
     row.strength = measure_strength(row.run);
     const LoadCurve curve = load_curve(row.run);
-    if (row.header().test == "brazilian" && row.run.specimen.shape == "ring") {
+    if (row.header().loading() == Loading::splitting && row.run.specimen.shape == "ring") {
         row.ring_strength = ring_stress(row.strength.value(), hole_ratio(reader.specimen(), reader.name()));
     } else if (splits(row.run)) {
         const Specimen specimen = reader.specimen();
@@ -155,7 +155,7 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
         columns.push_back(
             {"largest", megapascal, [](const R& r) { return r.is_of_first_peak() ? Cell(r.strength.value()) : Cell(" "); }});
     }
-    if (any([](const R& r) { return r.header().test == "bend"; })) {
+    if (any([](const R& r) { return r.header().loading() == Loading::bending; })) {
         columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
         columns.push_back({"flexural strength", megapascal, [](const R& r) { return r.strength.flexural_strength; }});
     }
@@ -204,9 +204,9 @@ Strength measure_strength(const RunData& run) {
     Strength strength;
     strength.peak_stress = curve.peak_stress();
     strength.peak_load = load_at(run, curve.peak);
-    if (is_compression(run.header) || run.header.test == "program") {
+    if (is_compression(run.header) || run.header.loading() == Loading::program) {
         strength.peak_compressive_stress = strength.peak_stress;
-    } else if (run.header.test != "bend") {
+    } else if (run.header.loading() != Loading::bending) {
         strength.tensile_strength = strength.peak_stress;
     } else if (distinct_shape(run) == "beam") {
         strength.flexural_strength = strength.peak_stress;

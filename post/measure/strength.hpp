@@ -30,16 +30,16 @@ struct Strength {
     /// The same by another definition; empty if the test has no such strength, as tension, Brazilian tests and bending for all
     /// but the largest.
     [[nodiscard]] std::optional<double> value(StrengthKind kind) const;
-    /// Whether the stress of a confined test exceeds its first peak later: then the first peak is what a laboratory reports.
+    /// True if the stress of a confined test exceeds its first peak later: then the first peak is what a laboratory reports.
     [[nodiscard]] bool has_earlier_peak() const {
         return is_confined && first_peak && first_peak->strain < strain_at_peak - smoothing_strain;
     }
-    /// What a laboratory reports: under confining pressure the first peak, if there is one; else the largest stress.
-    /// \param kind `largest`: the largest stress of all tests
+    /// The strength as a laboratory reports it: under confining pressure the first peak, if there is one; else the largest
+    /// stress. \param kind `largest`: the largest stress of all tests
     [[nodiscard]] double reported(StrengthKind kind = StrengthKind::first_peak) const {
         return has_earlier_peak() && kind != StrengthKind::largest ? first_peak->stress : peak_stress;
     }
-    /// Whether that is a peak: the stress fell behind it.
+    /// True if that is a peak: the stress fell behind it.
     [[nodiscard]] bool has_peak(StrengthKind kind = StrengthKind::first_peak) const {
         return peak_kind == "drop" || (has_earlier_peak() && kind != StrengthKind::largest);
     }
@@ -60,10 +60,10 @@ inline constexpr std::array<double, 3> strain_marks{0.01, 0.02, 0.03};
 /// \throws InputError if the run has no usable curve
 Strength measure_strength(const RunData& run);
 
-/// What to do with a run stopped at the strain limit: its largest stress is no peak, and a fit through such values depends on
+/// The treatment of a run stopped at the strain limit: its largest stress is no peak, and a fit through such values depends on
 /// the strain limit that was chosen.
 enum class StrainLimitRuns { refuse, accept };
-/// Whether the run was stopped at the strain limit.
+/// True if the run was stopped at the strain limit.
 /// \param what requires a peak, with an article: "an envelope"
 /// \throws InputError if the run has no peak and is not accepted without one: stopped at the strain limit unless
 ///         accepted, stopped otherwise always

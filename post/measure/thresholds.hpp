@@ -10,7 +10,7 @@
 
 namespace graincrack {
 
-/// What "volume" means in a plane model. Neither compares with a laboratory value directly: there a cylinder widens to all
+/// The meaning of "volume" in a plane model. Neither compares with a laboratory value directly: there a cylinder widens to all
 /// sides, here one side is held (plane strain) or free (plane stress).
 enum class VolumeKind {
     plane,     ///< ε1 + ε3, the change of area; in plane strain the true change of volume
@@ -19,7 +19,7 @@ enum class VolumeKind {
 
 /// Stresses in Pa, strains by the gauges over the central half, contraction positive. Empty: not reached before the peak.
 struct Thresholds {
-    /// Where the crack strain (volumetric strain less the elastic line, Martin & Chandler 1994) has fallen by
+    /// Stress at which the crack strain (volumetric strain less the elastic line, Martin & Chandler 1994) has fallen by
     /// `crack_strain_offset`. The elastic line is fitted between `elastic_share` of the way to the peak.
     std::optional<double> initiation_by_crack_strain;
     /// Largest distance of the lateral strain below the line from the start to crack damage (Nicksiar & Martin 2012).
@@ -62,7 +62,7 @@ struct AllThresholds {
     /// The default crack damage, CD: reversal of the pseudo-3D volumetric strain.
     [[nodiscard]] std::optional<double> damage() const { return pseudo_3d.damage; }
 };
-/// What the default definitions measure, in words.
+/// The default definitions in words.
 inline constexpr const char* default_initiation_name = "onset of crack volumetric strain";
 inline constexpr const char* default_damage_name = "reversal of volumetric strain";
 

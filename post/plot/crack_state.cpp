@@ -40,7 +40,7 @@ void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, doub
 
 }  // namespace
 
-bool has_platens_to_draw(const RunData& run) { return run.header.test != "tension"; }
+bool has_platens_to_draw(const RunData& run) { return run.header.loading() != Loading::tension; }
 
 bool has_pre_existing_cracks(const Specimen& specimen) {
     return std::any_of(specimen.contact_kind.begin(), specimen.contact_kind.end(), starts_broken);

@@ -50,7 +50,7 @@ std::vector<Run> prepare(const std::vector<RunData>& data) {
         Run prepared{&run, load_curve(run), {}, {}};
         prepared.first_peak = measure_first_peak(run, prepared.curve);
         prepared.lateral = prepared.curve.lateral_strain;
-        if (run.header.test != "tension") {
+        if (run.header.loading() != Loading::tension) {
             for (double& strain : prepared.lateral) strain = -strain;
         }
         runs.push_back(std::move(prepared));

@@ -56,7 +56,7 @@ void add_abscissa(OptionSet set, Abscissa& abscissa) {
 }
 
 Course course_of(const RunData& run, Abscissa abscissa) {
-    const double sense = run.header.test == "tension" ? 100 : -100;
+    const double sense = run.header.loading() == Loading::tension ? 100 : -100;
     const std::vector<double> strain = times(run.history[HistoryColumn::axial_strain], sense);
     const bool by_strain = abscissa == Abscissa::strain && largest(strain) > 0;
     std::vector<double> values = by_strain ? strain : times(run.history[HistoryColumn::time], 1e3);

@@ -7,7 +7,6 @@
 
 #include "post/chart/chart.hpp"
 #include "post/measure/caveats.hpp"
-#include "post/measure/grain_size.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/options/command.hpp"
@@ -26,25 +25,26 @@ const Stroke laboratory_stroke{palette::tensile, 3.5, Dash::dashed};
 constexpr double half_width = 0.32;  ///< of what is drawn for a test, in distances between tests
 
 std::optional<double> laboratory_of(const StrengthGroup& group, const std::optional<Material>& material) {
-    const char* key = group.is_brazilian() ? "tensile_strength" : group.test == "uniaxial" ? "compressive_strength" : "";
-    if (!material || material->laboratory.count(key) == 0) return std::nullopt;
-    return material->laboratory.at(key) * in_megapascals;
+    const bool is_unconfined = test_named(group.test).loading == Loading::compression && group.confining_pressure == 0;
+    const char* key = group.is_brazilian() ? "tensile_strength" : is_unconfined ? "compressive_strength" : "";
+    const auto value = material ? material->laboratory_value(key) : std::nullopt;
+    return value ? std::optional(*value * in_megapascals) : std::nullopt;
 }
 
-std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<SizedStrengths>& rows,
+std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<StrengthGroup>& rows,
                                const std::optional<Material>& material) {
     std::vector<double> values;
     for (const RunData& run : runs) values.push_back(measure_strength(run).reported() * in_megapascals);
-    for (const SizedStrengths& row : rows) {
-        if (const auto value = laboratory_of(row.group, material)) values.push_back(*value);
+    for (const StrengthGroup& row : rows) {
+        if (const auto value = laboratory_of(row, material)) values.push_back(*value);
     }
     return values;
 }
 
 /// Mean, interval, runs and laboratory of a test about its tick. \param lowest what the axis shows, MPa
-void draw_row(Chart& chart, const std::vector<RunData>& runs, const SizedStrengths& row, double x,
+void draw_row(Chart& chart, const std::vector<RunData>& runs, const StrengthGroup& row, double x,
               const std::optional<Material>& material, double lowest) {
-    const Estimate& mean = row.group.strength.mean;
+    const Estimate& mean = row.strength.mean;
     const auto level = [&](double value, double half, const Stroke& stroke) {
         chart.line(std::vector<double>{x - half, x + half}, std::vector<double>(2, value), stroke);
     };
@@ -54,7 +54,7 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const SizedStrengt
         chart.box(x - half_width, x + half_width, low, *mean.high * in_megapascals, interval);
     }
     if (row.runs.size() > 1) level(mean.value * in_megapascals, half_width, mean_stroke);
-    if (const auto value = laboratory_of(row.group, material)) level(*value, 1.3 * half_width, laboratory_stroke);
+    if (const auto value = laboratory_of(row, material)) level(*value, 1.3 * half_width, laboratory_stroke);
     // Runs side by side in their order, symmetric about the tick.
     const double n = static_cast<double>(row.runs.size());
     for (std::size_t i = 0; i < row.runs.size(); ++i) {
@@ -83,7 +83,7 @@ std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
 
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
                        const std::vector<std::string>& caveats, const PictureStyle& style) {
-    const std::vector<SizedStrengths> rows = group_strengths_by_size(runs);
+    const std::vector<StrengthGroup> rows = group_strengths_by_size(runs);
     const auto [low, high] = padded_range(all_values(runs, rows, material), 0);
     const Axis strength{"strength, MPa", low / 1.6, high * 1.6, true};
     Chart chart(style,
@@ -94,13 +94,13 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
     std::size_t without_peak = 0;
     bool mean = false;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const StrengthGroup& group = rows[i].group;
+        const StrengthGroup& group = rows[i];
         const double x = static_cast<double>(i) + 1;
-        names.emplace_back(x, series_label(group.test, group.confining_pressure, group.shape) +
-                                  (rows[i].size.empty() ? "" : ",\n" + rows[i].size));
-        draw_row(chart, runs, rows[i], x, material, strength.low);
+        names.emplace_back(
+            x, series_label(group.test, group.confining_pressure, group.shape) + (group.size.empty() ? "" : ",\n" + group.size));
+        draw_row(chart, runs, group, x, material, strength.low);
         without_peak += group.without_peak;
-        mean = mean || rows[i].runs.size() > 1;
+        mean = mean || group.runs.size() > 1;
     }
     chart.name_ticks(names);
     if (without_peak < runs.size()) chart.legend(peak, "peak of a run");

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <limits>
 
-#include "post/ccd/design_options.hpp"
 #include "post/chart/chart.hpp"
 #include "post/chart/contour.hpp"
 #include "post/chart/labels.hpp"
@@ -103,12 +102,12 @@ std::vector<Place> places_of(const GridValues& grid, double level) {
 }
 
 /// Round levels of a response, thin, and the target, thick. \return what is to be labelled
-std::vector<LabelledContour> draw_response(Chart& chart, const Plane& plane, const ccd::Model& model, const ccd::Goal& goal,
+std::vector<LabelledContour> draw_response(Chart& chart, const Plane& plane, const ResponseSurface& model, const ccd::Goal& goal,
                                            std::size_t index) {
     const Colour colour = palette::series(index);
     const bool odd = index % 2 == 1;
     const double width = odd ? 2.8 : 1.4;  // apart without colour
-    const GridValues grid = plane.on_grid([&](const std::vector<double>& place) { return model.predict(place); });
+    const GridValues grid = plane.on_grid([&](const std::vector<double>& place) { return model.value(place); });
     const auto [low, high] = padded_range(grid.value, 0);
     std::vector<LabelledContour> contours;
     for (const double level : round_ticks(low, high, 6)) {
@@ -201,10 +200,10 @@ Command surface_plot() {
         "surface", "contours of response surfaces with the optimum and its joint region",
         {"table7.csv --target C_MPa=21 --target phi_deg=53 -o surface.png",
          "table7.csv --target C_MPa=21 --target phi_deg=53 --model backward -o surface.svg"},
-        design_table,
+        ccd::design_table,
         [](OptionSet set, Options& options) {
-            add_model(set, options.problem.model);
-            add_goals(set, options.problem.goals);
+            ccd::add_model(set, options.problem.model);
+            ccd::add_goals(set, options.problem.goals);
             add_chart(set, options);
         },
         [](const Options& options, const Call& call) {

@@ -23,38 +23,9 @@ std::vector<double> tested_pressures(const std::vector<SeedGroup>& groups) {
     std::set<double> pressures;
     for (const SeedGroup& group : groups) {
         const RunHeader& header = group.first().data.header;
-        if (header.test == "triaxial") pressures.insert(header.confining_pressure);
+        if (header.description().is_confined) pressures.insert(header.confining_pressure);
     }
     return {pressures.begin(), pressures.end()};
-}
-
-/// Values by the kind of their target; what a report does not measure is not there.
-const std::map<std::string, ValueOfTest>& values_by_kind() {
-    const auto modulus = [](double ElasticPair::*member) {
-        return [member](const TestReport& t) { return t.moduli ? std::optional(t.moduli->chord.*member) : std::nullopt; };
-    };
-    const auto strength = [](StrengthKind kind) { return [kind](const TestReport& t) { return t.strength.value(kind); }; };
-    static const std::map<std::string, ValueOfTest> values{
-        {"young_modulus", modulus(&ElasticPair::young_modulus)},
-        {"poisson_ratio", modulus(&ElasticPair::poisson_ratio)},
-        {"brazilian", strength_of},
-        {"direct_tension", strength_of},
-        {"toughness", [](const TestReport& t) { return t.mode_i_toughness; }},
-        {"uniaxial", strength_of},
-        {"first_peak", strength_of},
-        {"largest", strength(StrengthKind::largest)},
-        {"residual", strength(StrengthKind::residual)},
-        {"drop", [](const TestReport& t) { return t.strength.first_peak ? t.strength.first_peak->drop : std::nullopt; }},
-        {"crack_initiation", [](const TestReport& t) { return t.threshold(&AllThresholds::initiation); }},
-        {"crack_initiation_count", [](const TestReport& t) { return t.threshold(&AllThresholds::initiation_by_count); }},
-        {"crack_damage", [](const TestReport& t) { return t.threshold(&AllThresholds::damage); }},
-        {"tensile_share",
-         [](const TestReport& t) {
-             const double all = t.by_sign_at_peak.tensile + t.by_sign_at_peak.shear;
-             return all > 0 ? std::optional(t.by_sign_at_peak.tensile / all) : std::nullopt;
-         }},
-        {"strain_at_peak", [](const TestReport& t) { return t.strength.strain_at_peak; }}};
-    return values;
 }
 
 /// Digits after the point that a value has with four significant digits.
@@ -62,11 +33,11 @@ int decimals_of(double value) {
     return value == 0 ? 0 : std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
 }
 
-std::string unit_text(const Target& target) { return target.kind.unit.empty() ? "" : "\u00a0" + target.kind.unit; }
+std::string unit_text(const Target& target) { return target.property.unit.empty() ? "" : "\u00a0" + target.property.unit; }
 
 std::string laboratory_cell(const LaboratoryProperty& property) {
     if (!property.is_measured()) return "";
-    const double si = property.target.kind.si;
+    const double si = property.target.property.si;
     const char* const mark = property.has_own_deviation ? "" : "*";
     return number(property.target.value / si) + " ± " + number(property.target.deviation / si, 2) + mark +
            unit_text(property.target);
@@ -74,13 +45,13 @@ std::string laboratory_cell(const LaboratoryProperty& property) {
 
 std::string difference_cell(const Target& target, double computed) {
     const double difference = computed - target.value;
-    if (!target.kind.absolute) return fmt::format("{:+.1f}\u00a0%", 100 * difference / target.value);
-    return fmt::format("{:+.{}f}", difference / target.kind.si, decimals_of(target.value / target.kind.si));
+    if (!target.property.absolute) return fmt::format("{:+.1f}\u00a0%", 100 * difference / target.value);
+    return fmt::format("{:+.{}f}", difference / target.property.si, decimals_of(target.value / target.property.si));
 }
 
 /// "132.4 MPa\n125 to 140 (4 runs)"
 std::string computed_cell(const Sample& sample, const Target& target) {
-    const double si = target.kind.si;
+    const double si = target.property.si;
     std::string text = number(sample.mean.value / si) + unit_text(target) + "\n";
     if (sample.mean.low) text += number(*sample.mean.low / si) + " to " + number(*sample.mean.high / si) + " ";
     return text + fmt::format("({}\u00a0run{})", sample.n, sample.n == 1 ? "" : "s");
@@ -172,8 +143,7 @@ private:
 void add_envelope_rows(ComparisonTable& table, const std::vector<SizedEnvelope>& envelopes,
                        const std::optional<Material>& material) {
     const auto laboratory = [&](const std::string& key) -> std::optional<double> {
-        if (!material || material->laboratory.count(key) == 0) return std::nullopt;
-        return material->laboratory.at(key);
+        return material ? material->laboratory_value(key) : std::nullopt;
     };
     // The line follows from UCS and strengths under pressure.
     const PropertyOrigin origin = !material || material->fitted.empty()    ? PropertyOrigin::unknown
@@ -186,10 +156,9 @@ void add_envelope_rows(ComparisonTable& table, const std::vector<SizedEnvelope>&
     }
 }
 
+/// Elastic constants and strengths, of which the last is the one under pressure.
 bool stands_before_envelope(const LaboratoryProperty& property) {
-    constexpr std::array names{"young_modulus", "poisson_ratio", "brazilian", "direct_tension",
-                               "toughness",     "uniaxial",      "first_peak"};
-    return std::find(names.begin(), names.end(), property.target.kind.name) != names.end();
+    return order_of(property.target.property) <= order_of(property_named("first_peak"));
 }
 
 /// Crack initiation and damage of uniaxial tests by other definitions than the default. Definitions whose values are equal to
@@ -197,7 +166,7 @@ bool stands_before_envelope(const LaboratoryProperty& property) {
 std::string other_thresholds(const std::vector<SeedGroup>& groups) {
     std::vector<std::pair<std::string, std::string>> rows;  // names, value
     for (const SeedGroup& group : groups) {
-        if (group.first().data.header.test != "uniaxial") continue;
+        if (!group.first().data.header.is_unconfined_compression()) continue;
         const std::size_t first = rows.size();
         for (const ThresholdDefinition& definition : other_threshold_definitions()) {
             const auto sample = group.sample_of([&](const TestReport& t) { return t.threshold(definition.stress); });
@@ -224,13 +193,12 @@ std::string other_thresholds(const std::vector<SeedGroup>& groups) {
 
 }  // namespace
 
-std::optional<double> value_of(const TestReport& test, const Target& target) {
+std::optional<double> value_of(const MeasuredRun& test, const Target& target) {
     const RunHeader& header = test.data.header;
     const bool is_asked = header.test == target.test() &&
                           std::abs(header.confining_pressure - target.confining_pressure) <= 1e-6 * target.confining_pressure;
-    if (!is_asked || distinct_shape(test.data) != (header.test == "bend" ? "half-disc" : "")) return std::nullopt;
-    const auto found = values_by_kind().find(target.kind.name);
-    return found == values_by_kind().end() ? std::nullopt : found->second(test);
+    if (!is_asked || distinct_shape(test.data) != (header.loading() == Loading::bending ? "half-disc" : "")) return std::nullopt;
+    return target.property.value(test);
 }
 
 std::string name_of(Agreement agreement) { return name_in({"", "within", "outside", "undecided"}, agreement); }

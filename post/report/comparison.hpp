@@ -6,7 +6,7 @@
 
 #include "post/fit/envelope.hpp"
 #include "post/report/laboratory.hpp"
-#include "post/report/seed_groups.hpp"
+#include "post/report/test_report.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack {
@@ -18,10 +18,10 @@ struct SizedEnvelope {
     Envelope envelope;
 };
 
-/// A property by the definition of its target, SI; empty if the run is of another test or does not have it.
-std::optional<double> value_of(const TestReport& test, const calibrate::Target& target);
+/// The property of a target, SI; empty if the run is of another test or does not have it.
+std::optional<double> value_of(const MeasuredRun& test, const calibrate::Target& target);
 
-/// Whether computed values agree with the laboratory's.
+/// The agreement of computed values with the laboratory's.
 enum class Agreement {
     unknown,    ///< nothing to compare, or no deviation of the laboratory's value
     within,     ///< the mean is within the deviation

@@ -40,7 +40,7 @@ private:
 PictureStyle figure_style(bool wide = false);
 /// The same of a picture that is so many pixels wide on a screen.
 PictureStyle figure_style_of(double pixels);
-/// Where a figure stands among others.
+/// The position of a figure among others.
 enum class FigurePlace { column, across, middle };
 /// A picture with a caption: as SVG, or, where many shapes would make that long, as PNG.
 std::string figure(const Drawing& drawing, const std::string& caption, FigurePlace place = FigurePlace::column);
@@ -90,7 +90,7 @@ private:
 std::string section(const std::string& id, const std::string& heading, const std::string& content);
 /// \param kind for the style sheet; "" for none
 std::string paragraph(const std::string& text, const std::string& kind = "");
-/// What is shown when its summary is clicked, and in a print.
+/// Content that is shown when its summary is clicked, and in a print.
 std::string details(const std::string& summary, const std::string& content);
 
 /// The whole page.

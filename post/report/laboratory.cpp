@@ -21,56 +21,23 @@ namespace {
 using calibrate::Target;
 using calibrate::Use;
 
-/// What a laboratory calls the kinds of targets; others have their symbol.
-const std::map<std::string, std::string>& laboratory_names() {
-    static const std::map<std::string, std::string> names{{"young_modulus", "Young's modulus E"},
-                                                          {"poisson_ratio", "Poisson's ratio ν"},
-                                                          {"brazilian", "Brazilian tensile strength"},
-                                                          {"direct_tension", "direct tensile strength"},
-                                                          {"toughness", "fracture toughness K_IC"},
-                                                          {"uniaxial", "UCS"},
-                                                          {"first_peak", "σ1"},
-                                                          {"crack_initiation", "crack initiation CI"},
-                                                          {"crack_initiation_count", "CI by count of cracks"},
-                                                          {"crack_damage", "crack damage CD"}};
-    return names;
-}
-
 std::string laboratory_name(const Target& target) {
-    const auto found = laboratory_names().find(target.kind.name);
-    std::string name = found == laboratory_names().end() ? target.kind.symbol : found->second;
+    std::string name = target.property.laboratory;
     if (target.confining_pressure > 0) name += fmt::format(" at σ3 = {:.7g} MPa", target.confining_pressure * 1e-6);
     return name;
 }
 
-std::optional<double> entry_of(const Material& material, const std::string& key) {
-    const auto found = material.laboratory.find(key);
-    return found == material.laboratory.end() ? std::nullopt : std::optional(found->second);
-}
-
 /// UCS + b σ3; empty without UCS or b.
 std::optional<double> confined_strength_of(const Material& material, double pressure) {
-    const auto ucs = entry_of(material, "compressive_strength");
+    const auto ucs = material.laboratory_value("compressive_strength");
     const auto slope = laboratory_slope(material);
     return ucs && slope ? std::optional(*ucs + *slope * pressure) : std::nullopt;
 }
 
-/// What [laboratory] has of a property.
+/// The value of a property in [laboratory].
 std::optional<double> laboratory_entry(const Material& material, const Target& target) {
-    if (target.kind.name == "first_peak") return confined_strength_of(material, target.confining_pressure);
-    static const std::map<std::string, std::string> keys{
-        {"young_modulus", "young_modulus"},       {"poisson_ratio", "poisson_ratio"},
-        {"brazilian", "tensile_strength"},        {"direct_tension", "direct_tensile_strength"},
-        {"crack_initiation", "crack_initiation"}, {"crack_damage", "crack_damage"},
-        {"uniaxial", "compressive_strength"},     {"toughness", "mode_i_toughness"}};
-    const auto key = keys.find(target.kind.name);
-    return key == keys.end() ? std::nullopt : entry_of(material, key->second);
-}
-
-std::size_t order_of(const Target& target) {
-    const auto& kinds = calibrate::target_kinds();
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& each) { return each.name == target.kind.name; });
-    return static_cast<std::size_t>(kind - kinds.begin());
+    return target.property.pressure == PressureOf::name ? confined_strength_of(material, target.confining_pressure)
+                                                        : material.laboratory_value(target.property.key);
 }
 
 bool has_targets(const Material& material) { return !material.file.empty() && std::filesystem::exists(material.file); }
@@ -85,11 +52,10 @@ PropertyOrigin origin_of(const Material& material, const Target& target, bool is
 
 /// The target that an entry of [fitted] is of; empty for a key of another program.
 std::optional<Target> fitted_target(const std::string& key) {
-    for (const calibrate::TargetKind& kind : calibrate::target_kinds()) {
-        const std::string& own = kind.fitted_key.empty() ? kind.name : kind.fitted_key;
-        if (key != own && !key.starts_with(own + "_")) continue;
+    for (const Property& property : all_properties()) {
+        if (key != property.key && !key.starts_with(property.key + "_")) continue;
         try {
-            return calibrate::target_of(kind.name + key.substr(own.size()), key);
+            return calibrate::target_of(property.name + key.substr(property.key.size()), key);
         } catch (const InputError&) {
             continue;
         }
@@ -97,7 +63,7 @@ std::optional<Target> fitted_target(const std::string& key) {
     return std::nullopt;
 }
 
-/// Whether a name that stands in a file is that of a material, or of a regular file: others may have no end, or wait for input.
+/// True if a name that stands in a file is that of a material, or of a regular file: others may have no end, or wait for input.
 bool is_harmless(const std::string& name) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(name, error);
@@ -147,8 +113,10 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
             all.push_back({target, true, origin_of(*material, target, true)});
         }
     }
-    std::vector<std::string> usual{"young_modulus", "poisson_ratio", "brazilian",        "direct_tension",
-                                   "toughness",     "uniaxial",      "crack_initiation", "crack_damage"};
+    std::vector<std::string> usual;
+    for (const Property& property : all_properties()) {
+        if (property.is_usual) usual.push_back(property.name);
+    }
     for (const double pressure : pressures) usual.push_back("first_peak_" + calibrate::pressure_text(pressure));
     for (const std::string& name : usual) {
         Target target = calibrate::target_of(name, "report");
@@ -166,8 +134,8 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
         property.has_own_deviation = false;
     }
     std::stable_sort(all.begin(), all.end(), [](const LaboratoryProperty& a, const LaboratoryProperty& b) {
-        return std::pair(order_of(a.target), a.target.confining_pressure) <
-               std::pair(order_of(b.target), b.target.confining_pressure);
+        return std::pair(order_of(a.target.property), a.target.confining_pressure) <
+               std::pair(order_of(b.target.property), b.target.confining_pressure);
     });
     return all;
 }
@@ -189,13 +157,13 @@ std::string fitted_table(const std::optional<Material>& material) {
     std::vector<Row> rows;
     for (const auto& [key, text] : material->fitted) {
         const std::optional<Target> target = fitted_target(key);
-        Row row{target ? order_of(*target) : calibrate::target_kinds().size(), target ? target->confining_pressure : 0, {}};
+        Row row{target ? order_of(target->property) : all_properties().size(), target ? target->confining_pressure : 0, {}};
         std::string words = key;
         std::replace(words.begin(), words.end(), '_', ' ');
         row.cells.push_back(target ? laboratory_name(*target) : words);
         std::smatch found;
         if (std::regex_match(text, found, form)) {
-            const std::string unit = target && !target->kind.unit.empty() ? "\u00a0" + target->kind.unit : "";
+            const std::string unit = target && !target->property.unit.empty() ? "\u00a0" + target->property.unit : "";
             const std::string interval = found[3].matched ? rounded(found[3]) + " to " + rounded(found[4]) : "";
             row.cells.insert(row.cells.end(), {found[1], rounded(found[2]) + unit, interval, found[5]});
         } else {

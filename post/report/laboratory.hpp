@@ -1,4 +1,4 @@
-// What a material has of the laboratory and of its calibration, by the properties that a report compares.
+// Laboratory values and calibration of a material, by the properties that a report compares.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace graincrack {
 
-/// Where the computed value of a property comes from.
+/// The origin of the computed value of a property.
 enum class PropertyOrigin {
     unknown,    ///< the material has no [fitted]
     to_fit,     ///< asked of a calibration that the material has not had
@@ -34,13 +34,13 @@ struct LaboratoryProperty {
 std::optional<Material> material_of_run(const RunHeader& header, const std::vector<std::string>& words);
 
 /// The targets of a material, and E, ν, strengths at the given pressures, crack thresholds and K_IC, in the order of
-/// `target_kinds`. What [targets] lacks is filled from [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3, with
-/// b of the friction angle, or of cohesion and UCS. Without a material nothing has a value. \param pressures of tests, Pa \throws
-/// InputError if [targets] is wrong
+/// `all_properties`. What [targets] lacks is filled from [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3,
+/// with b of the friction angle, or of cohesion and UCS. Without a material nothing has a value. \param pressures of tests, Pa
+/// \throws InputError if [targets] is wrong
 std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,
                                                       const std::vector<double>& pressures);
 
-/// Whether the material says that its calibration used strengths under confining pressure.
+/// True if the material says that its calibration used strengths under confining pressure.
 bool has_fitted_confined_strength(const std::optional<Material>& material);
 
 /// [fitted] as a table: property, fitted to, computed on new specimens, 95 % interval, number of specimens. Empty without

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "post/fit/paper_rock.hpp"
-#include "post/measure/moduli.hpp"
+#include "post/measure/property.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/table/column.hpp"
 
@@ -15,25 +15,20 @@ namespace graincrack {
 
 namespace {
 
-constexpr double giga = 1e-9;
-
 using OptionalValue = std::optional<double>;
 
 OptionalValue scaled(const OptionalValue& value, double factor) { return value ? OptionalValue(*value * factor) : std::nullopt; }
 
 Estimate scaled(const Estimate& e, double factor) { return {e.value * factor, scaled(e.low, factor), scaled(e.high, factor)}; }
 
-/// What is known of the rock besides our specimens.
+/// Values of the rock besides those of our specimens.
 class Known {
 public:
     explicit Known(const Material& material) : material_(material) {
         if (is_rock_of_paper(material.name)) paper_ = PaperModel{};
     }
-    /// Of [laboratory], SI.
-    [[nodiscard]] OptionalValue laboratory(const std::string& key) const {
-        const auto found = material_.laboratory.find(key);
-        return found == material_.laboratory.end() ? std::nullopt : OptionalValue(found->second);
-    }
+    /// A value of [laboratory], SI.
+    [[nodiscard]] OptionalValue laboratory(const std::string& key) const { return material_.laboratory_value(key); }
     /// b of the laboratory's line.
     [[nodiscard]] OptionalValue slope() const {
         const OptionalValue angle = laboratory("friction_angle");
@@ -47,64 +42,56 @@ public:
         if (!cohesion || !b) return std::nullopt;
         return 2 * *cohesion * std::sqrt(*b) + *b * pressure;
     }
-    [[nodiscard]] OptionalValue published(double PaperModel::*member) const {
-        return paper_ ? OptionalValue((*paper_).*member) : std::nullopt;
-    }
+    /// A value of the paper's model, by the keys of [laboratory], in the unit of the paper.
+    [[nodiscard]] OptionalValue published(const std::string& key) const { return paper_ ? paper_->value(key) : std::nullopt; }
 
 private:
     const Material& material_;
     std::optional<PaperModel> paper_;
 };
 
-void add_mean(std::vector<Property>& properties, Property property, const Sample& sample, double factor) {
-    property.ours = scaled(sample.mean, factor);
-    property.deviation = scaled(sample.deviation, factor);
-    property.specimens = sample.n;
-    property.is_mean = true;
-    properties.push_back(std::move(property));
+/// The row of a property with the mean over specimens.
+PropertyRow mean_row(const Property& property, const Sample& sample, const Known& known) {
+    const double factor = 1 / property.si;
+    return {.name = property.row(),
+            .laboratory = scaled(known.laboratory(property.key), factor),
+            .published = known.published(property.key),
+            .ours = scaled(sample.mean, factor),
+            .deviation = scaled(sample.deviation, factor),
+            .specimens = sample.n,
+            .is_mean = true};
 }
 
-void add_moduli(std::vector<Property>& properties, const std::vector<RunData>& runs, const Known& known) {
+void add_moduli(std::vector<PropertyRow>& properties, const std::vector<RunData>& runs, const Known& known) {
     std::vector<double> young;
     std::vector<double> poisson;
     for (const RunData& run : runs) {
-        if (run.header.test != "uniaxial") continue;
+        if (!run.header.is_unconfined_compression()) continue;
         if (const auto moduli = measure_moduli(run)) {
             young.push_back(moduli->chord.young_modulus);
             poisson.push_back(moduli->chord.poisson_ratio);
         }
     }
     if (young.empty()) return;
-    add_mean(properties,
-             {.name = "young_modulus_GPa",
-              .laboratory = scaled(known.laboratory("young_modulus"), giga),
-              .published = known.published(&PaperModel::young_modulus)},
-             sample(young), giga);
-    add_mean(properties,
-             {.name = "poisson_ratio",
-              .laboratory = known.laboratory("poisson_ratio"),
-              .published = known.published(&PaperModel::poisson_ratio)},
-             sample(poisson), 1);
+    properties.push_back(mean_row(property_named("young_modulus"), sample(young), known));
+    properties.push_back(mean_row(property_named("poisson_ratio"), sample(poisson), known));
 }
 
 /// In the order of group_strengths: Brazilian, tension, compression by rising pressure.
-void add_strengths(std::vector<Property>& properties, const std::vector<RunData>& runs, const Known& known, StrengthKind kind) {
+void add_strengths(std::vector<PropertyRow>& properties, const std::vector<RunData>& runs, const Known& known,
+                   StrengthKind kind) {
     for (const StrengthGroup& group : group_strengths(runs, kind)) {
         if (!group.shape.empty()) continue;  // neither a ring nor bending measures a property of the rock
-        Property property;
-        property.without_peak = group.without_peak;
-        if (group.is_brazilian()) {
-            property.name = "tensile_strength_MPa";
-            property.laboratory = scaled(known.laboratory("tensile_strength"), in_megapascals);
-            property.published = known.published(&PaperModel::tensile_strength);
-        } else if (group.test == "tension") {
-            property.name = "direct_tensile_strength_MPa";
-        } else {
-            property.name = fmt::format("s1_at_{:.7g}_MPa", group.confining_pressure * in_megapascals);
-            property.laboratory = scaled(known.strength_at(group.confining_pressure), in_megapascals);
-            if (group.confining_pressure == 0) property.published = known.published(&PaperModel::compressive_strength);
-        }
-        add_mean(properties, std::move(property), group.strength, in_megapascals);
+        const Loading loading = test_named(group.test).loading;
+        const char* const property = loading == Loading::splitting ? "brazilian"
+                                     : loading == Loading::tension ? "direct_tension"
+                                                                   : "uniaxial";
+        PropertyRow& row = properties.emplace_back(mean_row(property_named(property), group.strength, known));
+        row.without_peak = group.without_peak;
+        if (loading == Loading::splitting || loading == Loading::tension) continue;
+        row.name = fmt::format("s1_at_{:.7g}_MPa", group.confining_pressure * in_megapascals);
+        row.laboratory = scaled(known.strength_at(group.confining_pressure), in_megapascals);
+        if (group.confining_pressure > 0) row.published.reset();
     }
 }
 
@@ -124,7 +111,7 @@ bool have_two_pressures(const std::vector<RunData>& runs) {
     return pressures.size() > 1;
 }
 
-void add_envelope(std::vector<Property>& properties, const EnvelopeTests& tests, const Known& known) {
+void add_envelope(std::vector<PropertyRow>& properties, const EnvelopeTests& tests, const Known& known) {
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     const auto seeds = fit_seed_envelopes(tests);
     const auto add = [&](const std::string& name, const OptionalValue& laboratory, const OptionalValue& published,
@@ -136,8 +123,8 @@ void add_envelope(std::vector<Property>& properties, const EnvelopeTests& tests,
                               .specimens = tests.compression.size(),
                               .without_peak = tests.at_strain_limit});
     };
-    const OptionalValue published_angle = known.published(&PaperModel::friction_angle);
-    add("cohesion_MPa", scaled(known.laboratory("cohesion"), in_megapascals), known.published(&PaperModel::cohesion),
+    const OptionalValue published_angle = known.published("friction_angle");
+    add("cohesion_MPa", scaled(known.laboratory("cohesion"), in_megapascals), known.published("cohesion"),
         scaled(envelope.cohesion, in_megapascals));
     if (seeds) properties.back().deviation = scaled(seeds->cohesion.deviation, in_megapascals);
     add("friction_angle_deg", scaled(known.laboratory("friction_angle"), in_degrees), published_angle,
@@ -158,34 +145,34 @@ void add_envelope(std::vector<Property>& properties, const EnvelopeTests& tests,
 
 }  // namespace
 
-std::optional<double> Property::off_laboratory_percent() const {
+std::optional<double> PropertyRow::off_laboratory_percent() const {
     return laboratory && *laboratory != 0 ? OptionalValue(100 * (ours.value / *laboratory - 1)) : std::nullopt;
 }
 
-std::optional<double> Property::half_interval_percent() const {
+std::optional<double> PropertyRow::half_interval_percent() const {
     return ours.low && ours.high && ours.value != 0 ? OptionalValue(std::abs(50 * (*ours.high - *ours.low) / ours.value))
                                                     : std::nullopt;
 }
 
-std::optional<double> Property::specimens_for_3_percent() const {
+std::optional<double> PropertyRow::specimens_for_3_percent() const {
     if (!is_mean || !deviation || ours.value == 0) return std::nullopt;
     constexpr double normal_95 = 1.96;
     return std::max(3.0, std::ceil(std::pow(normal_95 * *deviation / (0.03 * ours.value), 2)));
 }
 
-std::vector<Property> measure_properties(const std::vector<RunData>& runs, const Material& material,
-                                         const EnvelopeOptions& options) {
+std::vector<PropertyRow> measure_properties(const std::vector<RunData>& runs, const Material& material,
+                                            const EnvelopeOptions& options) {
     const Known known(material);
-    std::vector<Property> properties;
+    std::vector<PropertyRow> properties;
     add_moduli(properties, runs, known);
     add_strengths(properties, runs, known, options.strength);
     if (have_two_pressures(runs)) add_envelope(properties, collect_envelope_tests(runs, options), known);
     return properties;
 }
 
-void write_properties(std::ostream& out, const std::vector<Property>& properties, TableFormat format) {
+void write_properties(std::ostream& out, const std::vector<PropertyRow>& properties, TableFormat format) {
     using unit::none;
-    using P = Property;
+    using P = PropertyRow;
     static const Columns<P> columns{{"property", none, [](const P& p) { return p.name; }},
                                     {"laboratory", none, [](const P& p) { return p.laboratory; }},
                                     {"published", none, [](const P& p) { return p.published; }},

@@ -13,8 +13,8 @@
 
 namespace graincrack {
 
-/// One property in the unit of its name. Empty: unknown, or it does not apply.
-struct Property {
+/// A row: a property in the unit of its name. Empty: unknown, or it does not apply.
+struct PropertyRow {
     std::string name;  ///< "young_modulus_GPa"
     std::optional<double> laboratory = std::nullopt;
     std::optional<double> published = std::nullopt;  ///< of the paper's model, for the paper's rock
@@ -36,11 +36,11 @@ struct Property {
 /// through them, also by the stress at first yield. The laboratory's σ1 under pressure is that of its line σ1 = 2C√b + b σ3. What
 /// the runs do not give is left out, as are fits through a single pressure. \throws InputError as group_strengths and
 /// collect_envelope_tests
-std::vector<Property> measure_properties(const std::vector<RunData>& runs, const Material& material,
-                                         const EnvelopeOptions& options);
+std::vector<PropertyRow> measure_properties(const std::vector<RunData>& runs, const Material& material,
+                                            const EnvelopeOptions& options);
 
 /// Table property, laboratory, published, ours, low, high, deviation, specimens, without_peak, off_laboratory_percent,
 /// half_interval_percent, specimens_for_3_percent.
-void write_properties(std::ostream& out, const std::vector<Property>& properties, TableFormat format);
+void write_properties(std::ostream& out, const std::vector<PropertyRow>& properties, TableFormat format);
 
 }  // namespace graincrack

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "post/measure/grain_size.hpp"
+#include "post/measure/strength_summary.hpp"
 #include "post/report/html.hpp"
 #include "post/run/test_label.hpp"
 #include "solver/law/table.hpp"
@@ -35,7 +35,7 @@ double non_conservative_percent(const TestReport& t) {
 
 std::string confinement_label(const TestReport& t) {
     const RunHeader& h = t.data.header;
-    if (h.test != "triaxial") return "";
+    if (!h.description().is_confined) return "";
     return fmt::format("{} ± {} MPa of {}", number(h.confinement_mean * 1e-6), number(h.confinement_deviation * 1e-6, 2),
                        number(h.confining_pressure * 1e-6));
 }

@@ -11,21 +11,20 @@
 #include <set>
 
 #include "post/chart/labels.hpp"
+#include "post/cracks/class_counts.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/measure/caveats.hpp"
-#include "post/measure/grain_size.hpp"
+#include "post/measure/moduli.hpp"
+#include "post/measure/strength_summary.hpp"
 #include "post/plot/plots.hpp"
 #include "post/report/comparison.hpp"
 #include "post/report/html.hpp"
-#include "post/report/minerals.hpp"
 #include "post/report/quality_checks.hpp"
-#include "post/report/seed_groups.hpp"
 #include "post/report/test_report.hpp"
 #include "post/run/comparable.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/run_state.hpp"
-#include "post/run/specimen_options.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
@@ -36,6 +35,61 @@ namespace graincrack {
 namespace {
 
 using html::number;
+
+std::string asked_for(const std::optional<Material>& material, const std::string& phase) {
+    if (!material) return "";
+    const auto found = material->fabric.phases.find(phase);
+    return found == material->fabric.phases.end() ? "" : number(100 * found->second.fraction);
+}
+
+/// "61.61 to 65.55": the bounds of E of the grains alone, GPa; one number where they agree.
+std::string bounds_of(const GrainModuli& grains) {
+    const std::string low = number(grains.reuss * 1e-9);
+    const std::string high = number(grains.voigt * 1e-9);
+    return low == high ? low : low + " to " + high;
+}
+
+/// The part of the page about specimens with several phases: their composition, and which of their contacts cracked.
+class Minerals {
+public:
+    /// Adds the composition of a specimen. \param kind its name \param material for the fractions that were asked for
+    void add_phases(const std::string& kind, const Specimen& specimen, const RunHeader& header,
+                    const std::optional<Material>& material) {
+        if (specimen.phase_names.size() < 2) return;
+        const std::vector<double> reached = phase_fractions(specimen);
+        for (std::size_t p = 0; p < reached.size(); ++p) {
+            const Phase& phase = header.fabric.phases.at(p);
+            const auto grains = std::count(specimen.grain_phase.begin(), specimen.grain_phase.end(), p);
+            phases_.row({p == 0 ? kind : " ", mineral_label(specimen.phase_names[p]),
+                         asked_for(material, specimen.phase_names[p]), number(100 * reached[p]), std::to_string(grains),
+                         number(phase.young_modulus * 1e-9), number(phase.poisson_ratio, 3), number(phase.density)});
+        }
+        const GrainModuli mean = grain_moduli(header, specimen);
+        phases_.row({" ", "all, Reuss to Voigt", " ", "100", std::to_string(specimen.n_grains()), bounds_of(mean),
+                     number(mean.poisson_ratio, 3), " "});
+    }
+    /// Adds contacts and cracks of a run. \param kind of the test
+    void add_classes(const std::string& kind, const RunClasses& run) {
+        if (run.classes.size() < 2) return;
+        for (std::size_t k = 0; k < run.classes.size(); ++k) {
+            const ClassCounts& each = run.classes[k];
+            const ModeCounts peak = each.at_peak.value_or(ModeCounts{});
+            classes_.row({k == 0 ? kind : " ", mineral_label(each.name), std::to_string(each.contacts),
+                          number(100 * each.length / run.length(), 3), number(peak.tensile, 6), number(peak.shear, 6),
+                          number(each.at_end.tensile, 6), number(each.at_end.shear, 6)});
+        }
+    }
+    /// Both tables; empty if no specimen has several phases.
+    [[nodiscard]] std::string str() const {
+        if (phases_.empty()) return "";
+        return phases_.str() + (classes_.empty() ? "" : "<h3>Contacts and micro-cracks by class</h3>\n" + classes_.str());
+    }
+
+private:
+    html::Table phases_{{"specimen", "phase", "asked for, % of area", "reached, %", "grains", "E, GPa", "ν", "density, kg/m³"}};
+    html::Table classes_{
+        {"test", "contacts", "number", "% of length", "tensile cracks at peak", "shear", "tensile at end", "shear"}};
+};
 
 /// Everything the page is made of.
 struct Content {
@@ -49,12 +103,6 @@ struct Content {
     std::vector<SizedEnvelope> envelopes;
     std::string envelope_note;
 };
-
-/// A test, its confining pressure and, where there are several, its grain size.
-std::string name_of_row(const SizedStrengths& row) {
-    return series_label(row.group.test, row.group.confining_pressure, row.group.shape) +
-           (row.size.empty() ? "" : ", " + row.size);
-}
 
 /// Pictures of one run of a kind, two by two.
 std::string map_figures(const RunReader& run, const TestReport& t, const std::string& name, const CrackLabelChoice& label) {
@@ -108,7 +156,7 @@ void add_envelopes(Content& content, StrainLimitRuns strain_limit_runs) {
     }
 }
 
-/// What grains of a specimen were asked for, and what came out.
+/// The grains of a specimen as requested and as made.
 std::string grains_paragraph(const H5Input& file, const Specimen& specimen, const std::string& name) {
     const std::string asked = asked_grains(file);
     if (asked.empty()) return "";
@@ -124,7 +172,7 @@ std::string grains_paragraph(const H5Input& file, const Specimen& specimen, cons
 /// Pictures of the first run of each kind, and of the first specimen of each shape and grain size: no map stands there twice.
 void add_maps(Content& content, const std::vector<std::string>& runs, const ReportOptions& options) {
     std::set<std::string> seen;
-    for (const SizedStrengths& row : group_strengths_by_size(data_of(content))) {
+    for (const StrengthGroup& row : group_strengths_by_size(data_of(content))) {
         const std::size_t first = row.runs.front();
         const RunReader run(runs[first]);
         const TestReport& t = content.tests[first];
@@ -136,8 +184,8 @@ void add_maps(Content& content, const std::vector<std::string>& runs, const Repo
             content.grains += grains_paragraph(run.file(), specimen, kind + ", of " + t.data.name);
             content.minerals.add_phases(kind, specimen, t.data.header, options.material);
         }
-        content.maps += map_figures(run, t, name_of_row(row), options.label);
-        content.minerals.add_classes(name_of_row(row), read_classes(run, options.label));
+        content.maps += map_figures(run, t, row.name(), options.label);
+        content.minerals.add_classes(row.name(), read_classes(run, options.label));
     }
 }
 
@@ -187,7 +235,7 @@ std::string run_table(const Content& content) {
                                      std::to_string(t.data.specimen.seed),
                                      std::to_string(t.data.specimen.grains),
                                      number(t.data.specimen.mean_edge * 1e3, 3),
-                                     number(strength_of(t) * 1e-6),
+                                     number(t.strength.reported() * 1e-6),
                                      t.strength.peak_kind,
                                      number(100 * t.strength.strain_at_peak, 3),
                                      t.strength.first_yield ? number(*t.strength.first_yield * 1e-6) : "",
@@ -306,7 +354,7 @@ std::vector<std::string> contact_row(const std::string& label, const std::vector
     return row;
 }
 
-/// What holds for all, and below it what differs by class of contacts, with a row for each: there may be many classes.
+/// Parameters of all contacts, and below them those that differ by class, with a row for each class.
 std::string parameter_tables(const TestReport& test) {
     const RunHeader& h = test.data.header;
     const std::vector<ContactParameters>& classes = h.fabric.contacts;

@@ -1,19 +1,17 @@
-// The data of one run that a report uses, read in a single pass over its file.
+// The data of one run that a report uses, read in a single pass over its file; runs that differ by the seed of their specimens
+// alone, and their means.
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/crack_summary.hpp"
-#include "post/measure/caveat.hpp"
-#include "post/measure/moduli.hpp"
-#include "post/measure/strength.hpp"
-#include "post/measure/thresholds.hpp"
-#include "post/run/load_curve.hpp"
+#include "post/measure/brazilian.hpp"
+#include "post/measure/property.hpp"
+#include "post/statistics/statistics.hpp"
 
 namespace graincrack {
 
@@ -31,35 +29,50 @@ FailureBranches count_branches(const std::vector<Crack>& log);
 /// The provenance that a file records, as names and values.
 using ProvenanceEntries = std::vector<std::pair<std::string, std::string>>;
 
-struct TestReport {
-    RunData data;
-    LoadCurve curve;
-    Strength strength;
-    std::optional<Moduli> moduli;
+struct TestReport : MeasuredRun {
     fpz::AssemblageModuli predicted;
     GrainModuli grains;
-    std::vector<std::string> class_names;     ///< of the contacts, in the order of `RunHeader::fabric`
-    std::optional<AllThresholds> thresholds;  ///< of compression tests
-    std::optional<double> mode_i_toughness;   ///< Pa √m, of half-discs with a slit that have a peak
-    std::vector<Caveat> caveats;              ///< caveats of the strength
-    CrackBalance at_peak;                     ///< by the event of the run
+    std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunHeader::fabric`
+    std::vector<Caveat> caveats;           ///< caveats of the strength
+    CrackBalance at_peak;                  ///< by the event of the run
     CrackBalance at_end;
-    ModeCounts by_sign_at_peak;  ///< by the event of the run and the sign of the opening then
     FailureBranches branches;
     ModeCounts broken;                        ///< by the end, by the sign of the opening then
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;
     std::vector<std::string> command_line;  ///< words
-
-    /// \param stress what gives a stress of `AllThresholds` \return empty of a test without them
-    template <class Stress>
-    [[nodiscard]] std::optional<double> threshold(const Stress& stress) const {
-        return thresholds ? std::invoke(stress, *thresholds) : std::nullopt;
-    }
 };
 
 /// Evaluates a run for the report. \throws InputError if it cannot be read or evaluated
 TestReport read_test_report(const RunReader& run);
+
+/// A value of a run, SI; empty if the test does not measure it.
+using ValueOfTest = std::function<std::optional<double>(const TestReport&)>;
+
+/// Runs of one test at one confining pressure, on specimens of one shape, size and grain size, with the same settings.
+struct SeedGroup {
+    std::string test;        ///< "uniaxial", "σ3 = 8 MPa"
+    std::string grain_size;  ///< "edge 5 mm"; empty if all runs are of one size
+    std::string lengths;     ///< "40 × 80 mm" where groups of one test and grain size differ in them
+    std::vector<const TestReport*> runs;
+
+    [[nodiscard]] const TestReport& first() const { return *runs.front(); }
+    /// A text with what tells the group from others of its test: "uniaxial, edge 5 mm".
+    [[nodiscard]] std::string with_specimen(const std::string& text) const;
+    [[nodiscard]] std::string name() const { return with_specimen(test); }
+    /// Over the runs that have the value; empty if none has.
+    [[nodiscard]] std::optional<Sample> sample_of(const ValueOfTest& value) const;
+};
+
+/// In the order of `group_strengths`: Brazilian, tension, then compression by rising pressure.
+std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests);
+
+/// "132.4 (4.8)\n124.8 to 140": mean, standard deviation and, on a line of its own, the 95 % interval of the mean. \param
+/// factor from SI to the unit of the table
+std::string mean_cell(const Sample& sample, double factor);
+
+/// A row for each group: strength, moduli, strain at the peak and crack thresholds as means with their intervals.
+std::string group_table(const std::vector<SeedGroup>& groups);
 
 }  // namespace graincrack

@@ -14,7 +14,7 @@ namespace {
 /// condition, differs in its last digits.
 bool differs(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); }
 
-/// Whether a value of a class of contacts is of the specimen and not of the material: the stiffness within crystals is as large
+/// True if a value of a class of contacts is of the specimen and not of the material: the stiffness within crystals is as large
 /// as the length of the contacts there wants.
 bool is_of_specimen(const RunHeader& header, std::size_t contact_class, const ContactParameter& row) {
     const bool is_stiffness =

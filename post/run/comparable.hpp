@@ -1,4 +1,4 @@
-// Whether runs may be combined in one mean or one fit.
+// Comparison of runs: they may be combined in one mean or one fit, or not.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace graincrack {
 
-/// What two runs differ in that makes them tests of different materials: contact law, choice of fracture energy, rock,
+/// The difference of two runs that makes them tests of different materials: contact law, choice of fracture energy, rock,
 /// contact parameters; "" if nothing. Stiffnesses and fracture energy follow the plane condition and are
 /// compared in one plane condition only.
 std::string material_difference(const RunHeader& a, const RunHeader& b);
 
-/// What two runs of one test at one confining pressure differ apart from their seeds, so that their mean has no meaning: plane
+/// The difference of two runs of one test at one confining pressure, but for seeds, by which their mean has no meaning: plane
 /// condition, rate, peak drop, damping, mass scaling, friction of the platens; "" if nothing.
 std::string setting_difference(const RunHeader& a, const RunHeader& b);
 /// \throws InputError if a run of a test at one pressure differs in its settings from an earlier one of that test

@@ -11,7 +11,7 @@ namespace graincrack {
 
 namespace {
 
-/// Whether two names are those of one class.
+/// True if two names are those of one class.
 bool same_class(const std::string& name, const std::string& other) {
     const std::size_t dash = name.find('-');
     return name == other || (dash != std::string::npos && name.substr(dash + 1) + "-" + name.substr(0, dash) == other);

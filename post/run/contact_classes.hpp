@@ -26,7 +26,7 @@ std::vector<bool> contacts_of_classes(const Specimen& specimen, const std::vecto
 /// The cracks of some contacts [c].
 std::vector<Crack> cracks_of(std::vector<Crack> cracks, const std::vector<bool>& contacts);
 
-/// What a picture says of its cracks, where it is limited to some classes: "TEXT; contacts of quartz-mica only".
+/// The definition of the cracks of a picture that is limited to some classes: "TEXT; contacts of quartz-mica only".
 std::string limited_to(const std::string& text, const std::vector<std::string>& names);
 
 }  // namespace graincrack

@@ -1,16 +1,18 @@
-// What counts as a micro-crack, and which micro-cracks are tensile.
+// Definitions of a micro-crack, and of its mode; counts of micro-cracks by mode.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "post/table/column.hpp"
 #include "share/file/run_file.hpp"
 
 namespace graincrack {
 
-/// What tells the mode of a micro-crack.
+/// The criterion for the mode of a micro-crack.
 enum class CrackModeRule {
     traction,  ///< tensile if the point passed its peak open, with a mode angle below 45°: |τ| < σn
     sign       ///< tensile if the point was open at the event that makes it a micro-crack
@@ -47,5 +49,40 @@ std::vector<Crack> labelled(const std::vector<Crack>& log, const CrackLabel& lab
 
 /// The crack log of a run by a label. \throws InputError as `read_cracks`
 std::vector<Crack> read_labelled_cracks(const RunReader& run, const Specimen& specimen, const CrackLabelChoice& label = {});
+
+/// Contacts (points ÷ 2) with tensile and with shear cracks.
+struct ModeCounts {
+    double tensile = 0;
+    double shear = 0;
+    void add(const Crack& crack) { (crack.mode == CrackMode::tensile ? tensile : shear) += 0.5; }
+    ModeCounts& operator+=(const ModeCounts& other) {
+        tensile += other.tensile;
+        shear += other.shear;
+        return *this;
+    }
+};
+
+/// Cracks of a log by a label, up to a time (s).
+ModeCounts count_modes(const std::vector<Crack>& log, const CrackLabel& label, double time);
+
+/// Counts by the `table_labels` but the first, whose counts are columns of their own.
+using OtherCounts = std::array<ModeCounts, 3>;
+/// The counts of the cracks of a log up to a time (s).
+OtherCounts count_other_labels(const std::vector<Crack>& log, CrackEvent event, double time);
+
+/// Their columns: tensile_cracks_by_sign, shear_cracks_by_sign, …
+template <class Row>
+void append_other_counts(Columns<Row>& columns, const std::function<const OtherCounts&(const Row&)>& counts_of) {
+    constexpr std::array endings{"_by_sign", "_broken", "_broken_by_sign"};
+    for (std::size_t i = 0; i < endings.size(); ++i) {
+        columns.push_back({std::string("tensile_cracks") + endings[i], unit::none,
+                           [counts_of, i](const Row& row) { return count_cell(counts_of(row)[i].tensile); }});
+        columns.push_back({std::string("shear_cracks") + endings[i], unit::none,
+                           [counts_of, i](const Row& row) { return count_cell(counts_of(row)[i].shear); }});
+    }
+}
+
+/// Replaces the counts of a history by those of some labelled cracks.
+void count_in_history(std::vector<Crack> cracks, History& history);
 
 }  // namespace graincrack

@@ -3,6 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include "share/base/error.hpp"
+#include "share/base/toml_file.hpp"
+#include "share/file/file_checks.hpp"
+#include "share/file/schema.hpp"
 
 namespace graincrack {
 
@@ -32,6 +42,74 @@ bool is_within_crystal(const Specimen& specimen, std::size_t contact) {
 std::string grains_label(const Specimen& specimen) {
     if (specimen.grain_crystal.empty()) return fmt::format("{} grains", specimen.n_grains());
     return fmt::format("{} crystals of {} grains", n_crystals(specimen), specimen.n_grains());
+}
+
+namespace {
+
+/// The options of a specimen by their keys; none if they cannot be read.
+std::map<std::string, std::string> specimen_options(const H5Input& file) {
+    std::map<std::string, std::string> options;
+    try {
+        const char* name = file.kind() == "run" ? "specimen_configuration" : "configuration";
+        const auto text = file.attribute_or<std::string>(schema::provenance_group, name, "");
+        for (const TomlEntry& entry : parse_toml(text, name).entries) {
+            if (entry.values.size() == 1) options[entry.key] = entry.values.front().text;
+        }
+    } catch (const Error&) {
+        options.clear();
+    }
+    return options;
+}
+
+}  // namespace
+
+std::optional<std::string> specimen_option(const H5Input& file, const std::string& key) {
+    const auto options = specimen_options(file);
+    const auto found = options.find(key);
+    return found == options.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string asked_grains(const H5Input& file) {
+    const auto options = specimen_options(file);
+    const auto tessellation = options.find("tessellation");
+    if (tessellation == options.end()) return "";
+    const auto elongation = options.find("elongation");
+    const bool is_equiaxed = elongation == options.end() || elongation->second == "1";
+    std::string text = tessellation->second;
+    for (const char* key : {"grain-size", "grains", "edge", "spread", "grade", "elements-per-crystal", "element-size",
+                            "elongation", "elongation-angle"}) {
+        const auto found = options.find(key);
+        const bool is_left_out = is_equiaxed && std::string_view(key).starts_with("elongation");
+        if (found != options.end() && !is_left_out) text += fmt::format(", {} {}", key, found->second);
+    }
+    const auto material = options.find("material");
+    return material == options.end() ? text : fmt::format("{} (material {})", text, material->second);
+}
+
+std::optional<CrystalSizes> crystal_sizes(const H5Input& file) {
+    const auto tessellation = file.attribute_or<std::string>(schema::specimen_group, "tessellation", "");
+    const bool has_crystals = tessellation == "voronoi" || tessellation == "trigon" || file.has(schema::grain_crystal.path);
+    if (!has_crystals || !file.has(schema::grain_area.path)) return std::nullopt;
+    const auto areas = file.read<double>(schema::grain_area.path);
+    std::vector<std::int32_t> crystals;
+    if (file.has(schema::grain_crystal.path)) crystals = file.read<std::int32_t>(schema::grain_crystal.path);
+    std::map<std::int64_t, double> area;
+    for (std::size_t grain = 0; grain < areas.size(); ++grain) {
+        area[grain < crystals.size() ? crystals[grain] : static_cast<std::int64_t>(grain)] += areas[grain];
+    }
+    if (area.empty()) return std::nullopt;
+    CrystalSizes sizes;
+    sizes.n = area.size();
+    const auto n = static_cast<double>(sizes.n);
+    double squares = 0;
+    for (const auto& [crystal, a] : area) {
+        const double diameter = std::sqrt(4 * a / std::numbers::pi);
+        sizes.mean_diameter += diameter / n;
+        squares += diameter * diameter / n;
+    }
+    sizes.variation = std::sqrt(std::max(0.0, squares - sizes.mean_diameter * sizes.mean_diameter)) / sizes.mean_diameter;
+    sizes.elements = static_cast<double>(rows_of(file, schema::element_nodes.path)) / n;
+    return sizes;
 }
 
 }  // namespace graincrack

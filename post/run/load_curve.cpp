@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "post/run/mode_counts.hpp"
+#include "post/run/crack_label.hpp"
 #include "share/base/error.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
@@ -36,7 +36,7 @@ std::vector<double> brazilian_stress(const History& history, double diameter) {
 /// Stress in bending over the axial stress of the history, which is the load over the extent along x.
 double bending_factor(const RunData& run) {
     const SpecimenSummary& s = run.specimen;
-    if (run.header.test != "bend" || s.shape != "beam") return 1;
+    if (run.header.loading() != Loading::bending || s.shape != "beam") return 1;
     return 1.5 * s.width * run.header.span / (s.height * s.height);
 }
 
@@ -86,14 +86,14 @@ LoadCurve load_curve(const RunData& run) {
     if (history.size() < 3) {
         throw InputError(run.name + ": /history has " + std::to_string(history.size()) + " rows; a curve needs at least 3");
     }
-    const double sense = run.header.test == "tension" ? 1 : -1;
+    const double sense = run.header.loading() == Loading::tension ? 1 : -1;
     LoadCurve curve;
     curve.axial_strain = scaled(history[axial_strain], sense);
     curve.gauge_axial_strain = scaled(history[gauge_axial_strain], sense);
     curve.lateral_strain = history[lateral_strain];
     curve.gauge_lateral_strain = history[gauge_lateral_strain];
-    curve.stress = run.header.test == "brazilian" ? brazilian_stress(history, run.specimen.width)
-                                                  : scaled(history[axial_stress], sense * bending_factor(run));
+    curve.stress = run.header.loading() == Loading::splitting ? brazilian_stress(history, run.specimen.width)
+                                                              : scaled(history[axial_stress], sense * bending_factor(run));
 
     require_numbers(curve, run.name);
 
@@ -166,17 +166,17 @@ std::optional<double> stress_at_strain(const LoadCurve& curve, double strain) {
 }
 
 std::string stress_name(const RunData& run) {
-    if (run.header.test == "brazilian") return "2F/(πtD)";
-    if (run.header.test == "bend") return run.specimen.shape == "beam" ? "3FS/(2tH²)" : "F/(tD)";
+    if (run.header.loading() == Loading::splitting) return "2F/(πtD)";
+    if (run.header.loading() == Loading::bending) return run.specimen.shape == "beam" ? "3FS/(2tH²)" : "F/(tD)";
     return "axial stress";
 }
 
 double load_at(const RunData& run, std::size_t row) {
     const double mean = (run.history[force_top][row] + run.history[force_bottom][row]) / 2;
-    return run.header.test == "tension" ? mean : -mean;
+    return run.header.loading() == Loading::tension ? mean : -mean;
 }
 
-bool is_compression(const RunHeader& header) { return header.test == "uniaxial" || header.test == "triaxial"; }
+bool is_compression(const RunHeader& header) { return header.loading() == Loading::compression; }
 
 double decisive_drop(const RunHeader& header) {
     // A test may be continued far beyond the drop that makes its largest stress a peak.

@@ -67,7 +67,7 @@ struct CurvePoint {
     double share = 0;
     [[nodiscard]] double of(const std::vector<double>& column) const;
 };
-/// Where the stress, before the peak, first reaches a share of its way from `start` to the peak. \pre 0 < share ≤ 1
+/// The point where the stress, before the peak, first reaches a share of its way from `start` to the peak. \pre 0 < share ≤ 1
 CurvePoint share_of_peak(const LoadCurve& curve, double share);
 inline CurvePoint half_peak(const LoadCurve& curve) { return share_of_peak(curve, 0.5); }
 /// Rows [begin, end) between two such points; the rows on either side are included, so that there are two at least.
@@ -85,7 +85,7 @@ inline constexpr double yield_offset = 1e-4;
 /// Stress where the platen strain first reaches a strain, before or after the peak, Pa. Empty if the test ended before.
 std::optional<double> stress_at_strain(const LoadCurve& curve, double strain);
 
-/// What the stress of a load curve is called: "axial stress", "2F/(πtD)", "3FS/(2tH²)" of a beam in bending, "F/(tD)" of a
+/// The name of the stress of a load curve: "axial stress", "2F/(πtD)", "3FS/(2tH²)" of a beam in bending, "F/(tD)" of a
 /// half-disc.
 std::string stress_name(const RunData& run);
 /// Load in a row of the history, N per metre of thickness: the mean of the platen forces, positive in the sense of the test.

@@ -11,28 +11,23 @@
 namespace graincrack {
 
 std::string test_title(const RunHeader& header) {
-    std::string test = header.test;
-    if (test == "uniaxial") test = "Uniaxial compression";
-    if (test == "triaxial") test = fmt::format("Compression under {:.4g} MPa", header.confining_pressure * 1e-6);
-    if (test == "brazilian") test = "Brazilian test";
-    if (test == "tension") test = "Direct tension";
-    if (test == "bend") test = "Three-point bending";
+    const TestDescription& description = header.description();
+    std::string test(description.title);
+    if (description.is_confined) test += fmt::format(" under {:.4g} MPa", header.confining_pressure * 1e-6);
     return header.material.empty() ? test : test + ", " + header.material;
 }
 
 std::string series_label(const std::string& test, double confining_pressure, const std::string& shape) {
-    std::string label = test;
-    if (test == "triaxial") label = fmt::format("σ3 = {:.4g} MPa", confining_pressure * 1e-6);
-    if (test == "brazilian") label = "Brazilian";
-    if (test == "tension") label = "direct tension";
-    if (test == "bend") label = "bending";
+    const TestDescription& description = test_named(test);
+    const std::string label =
+        description.is_confined ? fmt::format("σ3 = {:.4g} MPa", confining_pressure * 1e-6) : std::string(description.label);
     return shape.empty() ? label : label + ", " + shape;
 }
 
 std::string distinct_shape(const RunData& run) {
     const std::string& shape = run.specimen.shape;
-    if (run.header.test == "bend") return shape == "beam" && run.specimen.is_cracked ? "notched beam" : shape;
-    if (run.header.test != "brazilian") return "";
+    if (run.header.loading() == Loading::bending) return shape == "beam" && run.specimen.is_cracked ? "notched beam" : shape;
+    if (run.header.loading() != Loading::splitting) return "";
     return shape == "ring" ? shape : run.specimen.is_cracked ? "cracked disc" : "";
 }
 

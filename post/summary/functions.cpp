@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "post/fit/mohr_coulomb.hpp"
-#include "post/statistics/regression.hpp"
+#include "post/statistics/response_surface.hpp"
 #include "post/statistics/statistics.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
@@ -93,10 +93,10 @@ std::optional<Estimate> exponent(const Values& x, const Values& y) {
 }
 
 Number lack_of_fit_p(const Values& x, const Values& y) {
-    const Line line = *fit_line(x, y);
-    std::vector<Values> points;
-    for (const double value : x) points.push_back({value});
-    const auto test = lack_of_fit(points, y, line.residual_sum, line.freedom);
+    std::vector<Values> factors;
+    for (const double value : x) factors.push_back({value});
+    const std::vector<SurfaceTerm> line{{{0}}, {{1}}};
+    const auto test = ResponseSurface::fit(line, std::move(factors), y).value().lack_of_fit();
     return test ? Number(test->p) : std::nullopt;
 }
 

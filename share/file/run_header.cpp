@@ -206,7 +206,7 @@ RunHeader read_header(const H5Input& file) {
     header.fabric = read_fabric(file);
     header.class_names = file.attribute<std::vector<std::string>>(schema::classes_group, "names");
     header.span = file.attribute_or<double>(schema::run_group, "span", 0);
-    if (!(header.span >= 0 && std::isfinite(header.span)) || (header.test == "bend" && header.span == 0)) {
+    if (!(header.span >= 0 && std::isfinite(header.span)) || (header.loading() == Loading::bending && header.span == 0)) {
         throw InputError(fmt::format("{}: attribute span of {} is {}; a test in bending needs a positive number, others none",
                                      file.name(), schema::run_group, header.span));
     }

@@ -10,6 +10,7 @@
 #include "share/rock/contact_state.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 #include "share/rock/material.hpp"
+#include "share/rock/test_kind.hpp"
 
 namespace graincrack {
 
@@ -58,6 +59,12 @@ struct RunHeader {
     double confinement_deviation = 0;
     double damping_share = 0;  ///< energy absorbed by damping / external work at the end
     double damping_load = 0;  ///< part of the load that damping forces carry, mean from 0.9 of the strain at the peak to the peak
+
+    [[nodiscard]] const TestDescription& description() const { return test_named(test); }
+    [[nodiscard]] Loading loading() const { return description().loading; }
+    [[nodiscard]] bool is_unconfined_compression() const {
+        return loading() == Loading::compression && !description().is_confined;
+    }
 };
 
 void write_header(H5Output& file, const RunHeader& header);

@@ -1,6 +1,7 @@
 #include "share/file/specimen_validation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "share/base/error.hpp"
+#include "share/rock/test_kind.hpp"
 
 namespace graincrack {
 namespace {
@@ -22,8 +24,6 @@ namespace {
 constexpr double tolerance = 0.01;   // of sizes, areas and edges: the strength is off by as much
 constexpr double off_centre = 1e-3;  // of a size: one platen would meet the specimen before the other
 constexpr double conformity = 1e-9;  // of the specimen's size: far below any edge, far above round-off of positions
-
-constexpr std::array<std::string_view, 6> shapes{"rectangle", "disc", "ring", "beam", "half-disc", "polygon"};
 
 double signed_area(const Specimen& s, const std::array<std::int32_t, 3>& e) {
     const auto& a = s.node_position[e[0]];
@@ -78,8 +78,9 @@ void check_sizes(const Specimen& s, const Checker& check) {
                       "contacts/strength_factor must be positive and finite", c);
     }
     check.require(s.boundary_part.size() == s.n_boundary_edges(), "boundary/part and boundary/edges differ in length");
+    const std::vector<std::string_view> shapes = all_shapes();
     check.require(std::find(shapes.begin(), shapes.end(), s.shape) != shapes.end(),
-                  "shape is unknown; rectangle, disc, ring, beam, half-disc or polygon is needed");
+                  fmt::format("shape is unknown; {} is needed", fmt::join(shapes, " or ")).c_str());
     check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
                   "width and height must be positive and finite");
     check.require(std::isfinite(s.loading_arc), "loading_arc must be finite");

@@ -331,4 +331,9 @@ ContactParameters contact_parameters(const Material& material, PlaneCondition pl
     return derived_contact(given_contact(material, plane, choice), material.rock, plane);
 }
 
+std::optional<double> Material::laboratory_value(const std::string& key) const {
+    const auto found = laboratory.find(key);
+    return found == laboratory.end() ? std::nullopt : std::optional(found->second);
+}
+
 }  // namespace graincrack

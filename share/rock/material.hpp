@@ -35,6 +35,8 @@ struct Material {
     MaterialFabric fabric;             ///< [phases], [pairs], [strength]
     double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;
+    /// A value of [laboratory]; empty if it has none.
+    [[nodiscard]] std::optional<double> laboratory_value(const std::string& key) const;
     FittedProperties fitted;
     std::vector<std::string>
         notes;  ///< on its values, for `write_notes`: "note: …" without a unit, "warning: …" far off any rock's

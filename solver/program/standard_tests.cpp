@@ -1,6 +1,7 @@
 #include "solver/program/standard_tests.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -65,7 +66,7 @@ Stage isotropic(double pressure, double ramp_time, double transit_time) {
 }
 
 PlatenMotion axial_motion(const LoadingRequest& request, double transit_time) {
-    const bool apart = request.test == TestKind::tension;
+    const bool apart = description_of(request.test).loading == Loading::tension;
     const double speed = apart ? -request.platen_speed : request.platen_speed;
     if (request.rate == RateKind::automatic) return AutomaticRate{apart, request.automatic_tolerance(), request.rate_share};
     if (request.rate == RateKind::blocks) return LoadingBlocks{speed, request.block_steps, request.rest_tolerance};
@@ -115,13 +116,27 @@ void add_rollers(const LoadingRequest& request, const Specimen& s, ProgramPlaten
     platens.bottom.width = platens.top.width = width;
 }
 
-/// The tests that load a shape.
-const char* tests_of(const Specimen& specimen) {
-    const std::string& shape = specimen.shape;
-    if (shape == "disc" || shape == "ring") return "brazilian or program";
-    if (shape == "half-disc") return "bend or program";
-    if (shape != "rectangle" && !has_end_faces(specimen)) return "program";
-    return shape == "beam" ? "bend, uniaxial, triaxial, tension or program" : "uniaxial, triaxial, tension or program";
+bool has_shape_of(const TestDescription& test, const Specimen& specimen) {
+    return std::find(test.shapes.begin(), test.shapes.end(), specimen.shape) != test.shapes.end();
+}
+
+bool loads(const TestDescription& test, const Specimen& specimen) {
+    if (test.loading == Loading::program) return true;
+    if (!test.shapes.empty()) return has_shape_of(test, specimen);
+    return specimen.shape == "rectangle" || has_end_faces(specimen);
+}
+
+/// "bend, uniaxial or program": the tests that load a specimen, first those that are made for its shape.
+std::string tests_of(const Specimen& specimen) {
+    std::vector<std::string_view> names;
+    for (const bool own : {true, false}) {
+        for (const TestDescription& test : all_tests()) {
+            if (loads(test, specimen) && has_shape_of(test, specimen) == own) names.push_back(test.name);
+        }
+    }
+    const std::string_view last = names.back();
+    names.pop_back();
+    return names.empty() ? std::string(last) : fmt::format("{} or {}", fmt::join(names, ", "), last);
 }
 
 }  // namespace
@@ -134,12 +149,13 @@ double usual_span(const Specimen& specimen) {
 
 Program standard_test(const LoadingRequest& request, double peak_drop, const Specimen& specimen, const Rock& rock) {
     const double transit_time = bar_transit_time(specimen, rock);
+    const Loading loading = description_of(request.test).loading;
     Program program;
     program.name = program.file = name_of(request.test);
     program.platens.emplace();
-    program.platens->bonded = request.test == TestKind::tension;
+    program.platens->bonded = loading == Loading::tension;
     program.platens->max_strain = request.max_strain;
-    if (request.test == TestKind::bend) add_rollers(request, specimen, *program.platens);
+    if (loading == Loading::bending) add_rollers(request, specimen, *program.platens);
     if (request.confining_pressure > 0) {
         program.boundary_conditions = {membrane()};
         program.stages = {isotropic(request.confining_pressure, pressure_rise_time(request, specimen.height, rock, transit_time),
@@ -155,24 +171,14 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     return program;
 }
 
-void require_shape(TestKind test, const Specimen& specimen, const std::string& file) {
-    const auto refuse = [&](const char* requested, const char* command) {
-        throw InputError(
-            fmt::format("{}: is a {}, and a {} test loads {}; make one by graincrack-mesh {}, or load this one by {}", file,
-                        specimen.shape, name_of(test), requested, command, tests_of(specimen)));
-    };
-    const std::string& shape = specimen.shape;
-    switch (test) {
-        case TestKind::brazilian:
-            if (shape != "disc" && shape != "ring") refuse("a disc or a ring", "disc");
-            return;
-        case TestKind::bend:
-            if (shape != "beam" && shape != "half-disc") refuse("a beam or a half-disc", "beam");
-            return;
-        case TestKind::program: return;
-        default:
-            if (shape != "rectangle" && !has_end_faces(specimen)) refuse("the faces bottom and top", "rectangle");
-    }
+void require_shape(TestKind kind, const Specimen& specimen, const std::string& file) {
+    const TestDescription& test = description_of(kind);
+    if (loads(test, specimen)) return;
+    const bool needs_faces = test.shapes.empty();
+    throw InputError(fmt::format("{}: is a {}, and a {} test loads {}; make one by graincrack-mesh {}, or load this one by {}",
+                                 file, specimen.shape, test.name,
+                                 needs_faces ? "the faces bottom and top" : fmt::format("a {}", fmt::join(test.shapes, " or a ")),
+                                 needs_faces ? "rectangle" : test.shapes.front(), tests_of(specimen)));
 }
 
 }  // namespace graincrack

@@ -8,22 +8,10 @@
 
 #include "share/file/specimen.hpp"
 #include "share/rock/material.hpp"
+#include "share/rock/test_kind.hpp"
 #include "solver/program/program.hpp"
 
 namespace graincrack {
-
-enum class TestKind : std::uint8_t { uniaxial, triaxial, brazilian, tension, bend, program };
-constexpr std::string_view name_of(TestKind test) {
-    switch (test) {
-        case TestKind::uniaxial: return "uniaxial";
-        case TestKind::triaxial: return "triaxial";
-        case TestKind::brazilian: return "brazilian";
-        case TestKind::tension: return "tension";
-        case TestKind::bend: return "bend";
-        case TestKind::program: return "program";
-    }
-    return "?";
-}
 
 /// How the platens' speed is found: given, by the run's own measures, or in blocks with rest between them.
 enum class RateKind : std::uint8_t { fixed, automatic, blocks };
@@ -51,8 +39,7 @@ struct LoadingRequest {
     std::optional<double> span;          ///< bend: distance of the lower rollers, m; missing: `usual_span`
     std::optional<double> roller_width;  ///< bend: m; missing: the mean boundary edge
     [[nodiscard]] double automatic_tolerance() const {
-        const bool is_tensile = test == TestKind::tension || test == TestKind::brazilian || test == TestKind::bend;
-        return rate_tolerance.value_or(is_tensile ? tensile_rate_tolerance : default_rate_tolerance);
+        return rate_tolerance.value_or(description_of(test).is_tensile() ? tensile_rate_tolerance : default_rate_tolerance);
     }
     /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
     [[nodiscard]] double control_tolerance() const {
@@ -82,10 +69,9 @@ double usual_span(const Specimen& specimen);
 /// program is the one that comes out. \throws UsageError naming --span or --roller-width if the rollers have no room
 Program standard_test(const LoadingRequest& request, double peak_drop, const Specimen& specimen, const Rock& rock);
 
-/// A Brazilian test loads a disc or a ring, bending a beam or a half-disc; the other standard tests measure stress over end
-/// faces, the boundary parts bottom and top: those of a rectangle, a beam, or a polygon that has them. A rectangle passes as it
-/// is; a program loads any shape. \param file of the specimen, for the message \throws InputError if the test is not made for the
-/// shape
+/// Tests load the shapes of their row (`all_tests`), or end faces, the boundary parts bottom and top: those of a rectangle, a
+/// beam, or a polygon that has them. A rectangle passes as it is; a program loads any shape. \param file of the specimen, for the
+/// message \throws InputError if the test is not made for the shape
 void require_shape(TestKind test, const Specimen& specimen, const std::string& file);
 
 }  // namespace graincrack

@@ -8,7 +8,7 @@
 namespace graincrack {
 
 double sign_of_strength(const RunHeader& header, const History& history) {
-    if (header.test != name_of(TestKind::program)) return header.test == name_of(TestKind::tension) ? 1 : -1;
+    if (header.loading() != Loading::program) return header.loading() == Loading::tension ? 1 : -1;
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const auto [lowest, highest] = std::minmax_element(stress.begin(), stress.end());
     return *highest > -*lowest ? 1 : -1;

@@ -17,20 +17,6 @@ constexpr double state_of_node = 310;    // 280 to 310
 constexpr double memory_of_program = 25e6;
 constexpr double size_of_row = 8.0 * history_datasets.size();
 
-/// Fraction of the most steps that a test takes at the automatic rate, which is fast until contacts fail. Measured with
-/// augig-granite-triangles: uniaxial 1/69, 1/63 (280 grains), 1/59 (twice the tolerance), 1/71 (masses as they are); triaxial at
-/// 8 MPa 1/15; direct tension 1/616; Brazilian 1/502. With augig-granite: bending of four beams and two half-discs 1/53 to 1/94.
-double usual_fraction(TestKind test) {
-    switch (test) {
-        case TestKind::uniaxial: return 1 / 65.0;
-        case TestKind::triaxial: return 1 / 15.0;
-        case TestKind::tension: return 1 / 600.0;
-        case TestKind::brazilian: return 1 / 500.0;
-        case TestKind::bend: return 1 / 75.0;
-        default: return 0;
-    }
-}
-
 }  // namespace
 
 SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest& request) {
@@ -48,7 +34,8 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     const LoadingLength length = driver.stages().longest(plan.time_step);
     plan.max_steps = static_cast<std::int64_t>(length.time / plan.time_step);
     if (request.loading.rate == RateKind::automatic) {
-        plan.usual_steps = static_cast<std::int64_t>(usual_fraction(request.loading.test) * static_cast<double>(plan.max_steps));
+        plan.usual_steps =
+            static_cast<std::int64_t>(description_of(request.loading.test).usual_fraction * static_cast<double>(plan.max_steps));
     }
     plan.rows = length.rows;
     const auto nodes = static_cast<double>(plan.nodes);

@@ -50,7 +50,7 @@ RunHeader make_header(const SimulationRequest& r, const Program& program, const 
     h.stable_time_step = setup.stable_time_step;
     h.time_step = setup.parameters.time_step;
     h.max_strain = program.platens ? program.platens->max_strain : 0;
-    h.span = r.loading.test == TestKind::bend ? program.platens->span() : 0;
+    h.span = description_of(r.loading.test).loading == Loading::bending ? program.platens->span() : 0;
     return h;
 }
 

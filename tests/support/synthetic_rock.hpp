@@ -25,7 +25,7 @@ struct SyntheticRock {
     std::map<std::string, double> reference;             ///< of the parameters, SI
     double scatter = 1;                                  ///< times that of the responses
     std::uint32_t stream = 0;                            ///< of the scatter
-    std::function<bool(const calibrate::WantedRun&)> has_peak = [](const calibrate::WantedRun&) { return true; };
+    std::function<bool(const calibrate::RequestedRun&)> has_peak = [](const calibrate::RequestedRun&) { return true; };
 
     /// ln of a response without scatter.
     [[nodiscard]] static double log_of(const SyntheticResponse& response, const std::map<std::string, double>& logs) {
@@ -40,7 +40,7 @@ struct SyntheticRock {
         }
         return logs;
     }
-    [[nodiscard]] calibrate::Measures measure(const calibrate::WantedRun& run) const {
+    [[nodiscard]] calibrate::Measures measure(const calibrate::RequestedRun& run) const {
         calibrate::Measures measures;
         const auto logs = logs_of(run.point);
         std::uint32_t column = 0;
@@ -80,7 +80,7 @@ struct SyntheticRock {
                           {"triaxial20MPa first_peak_MPa", {290, {{cc, 0.3}, {phi, 1.5}}, 0.02}}};
         return rock;
     }
-    /// Its parameters, each in a box of ±50 % or so, and its targets with the values that a place of the box gives.
+    /// Its parameters, each in a box of ±50 % or so, and its targets with the values that a design point of the box gives.
     [[nodiscard]] calibrate::Problem problem(const std::map<std::string, double>& planted_logs,
                                              Normal* laboratory = nullptr) const {
         calibrate::Problem problem;
@@ -96,7 +96,7 @@ struct SyntheticRock {
             problem.targets.push_back(calibrate::target_of(name, "targets"));
             calibrate::Target& t = problem.targets.back();
             t.value = value;
-            t.deviation = t.kind.deviation * (t.kind.absolute ? 1 : value);
+            t.deviation = t.property.deviation * (t.property.absolute ? 1 : value);
             t.use = calibrate::Use::fit;
             if (laboratory != nullptr && !t.is_elastic()) t.value *= std::exp(t.log_deviation() * (*laboratory)());
         };
@@ -120,7 +120,7 @@ class Laboratory {
 public:
     explicit Laboratory(SyntheticRock rock) : rock_(std::move(rock)) {}
     calibrate::FindRun find() {
-        return [this](const calibrate::WantedRun& run) { return &made_.emplace_back(rock_.measure(run)); };
+        return [this](const calibrate::RequestedRun& run) { return &made_.emplace_back(rock_.measure(run)); };
     }
     [[nodiscard]] std::size_t n_runs() const { return made_.size(); }
 

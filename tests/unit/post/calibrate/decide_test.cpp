@@ -30,7 +30,7 @@ std::map<std::string, double> nothing_planted(const SyntheticRock& rock) {
 TEST(Calibration, IntervalsHoldThePlantedValues) {
     Normal normal(20261125);
     std::map<std::string, int> covered;
-    std::map<std::string, int> told;
+    std::map<std::string, int> significant;
     for (std::uint32_t trial = 0; trial < 200; ++trial) {
         SyntheticRock rock = SyntheticRock::usual();
         rock.stream = trial + 1;
@@ -46,18 +46,18 @@ TEST(Calibration, IntervalsHoldThePlantedValues) {
         for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
             const auto i = static_cast<Eigen::Index>(k);
             const Parameter& p = problem.parameters[k];
-            if (optimum.kept_share(i) > 0.1) continue;
-            ++told[p.key];
-            const double off = optimum.place(i) - p.coordinate(rock.reference.at(p.key) * std::exp(planted[p.key]));
+            if (optimum.unidentified_fraction(i) > 0.1) continue;
+            ++significant[p.key];
+            const double off = optimum.point(i) - p.coordinate(rock.reference.at(p.key) * std::exp(planted[p.key]));
             if (std::abs(off) <= optimum.half_interval(i)) ++covered[p.key];
         }
     }
-    for (const auto& [key, n] : told) {
+    for (const auto& [key, n] : significant) {
         EXPECT_GT(n, 180) << key;
         EXPECT_GE(covered[key], 0.90 * n) << key;
         EXPECT_LE(covered[key], 0.98 * n) << key;
     }
-    EXPECT_EQ(told.size(), 5U);
+    EXPECT_EQ(significant.size(), 5U);
 }
 
 TEST(Calibration, ARockThatIsInReachIsCalibrated) {
@@ -76,7 +76,7 @@ TEST(Calibration, ARockThatIsInReachIsCalibrated) {
             EXPECT_NEAR(std::log(value / to->second), planted[key], 0.05) << key;
         }
     }
-    EXPECT_TRUE(decision.fit->optimum.kept.empty());
+    EXPECT_TRUE(decision.fit->optimum.unidentified.empty());
     // E of the grains, of which assemblages have 95 %.
     EXPECT_NEAR(decision.point[0].second, 25.8e9 / 0.95, 0.01e9);
     EXPECT_NEAR(decision.point[1].second, 0.22, 1e-6);
@@ -107,7 +107,7 @@ TEST(Calibration, TheConfirmationHasAsManySpecimensAsTheScatterAsksFor) {
     EXPECT_EQ(specimens(1, 2), 2U);
 }
 
-// A target that no place has is missed by three discs: twenty are asked for. Tests whose targets are within need no more.
+// A target that no design point has is missed by three discs: twenty are asked for. Tests whose targets are within need no more.
 TEST(Calibration, WhereFewSpecimensDoNotShowATargetWithinTheMostAreMade) {
     SyntheticRock rock = SyntheticRock::usual();
     rock.scatter = 0.01;
@@ -138,7 +138,7 @@ TEST(Calibration, ATargetBeyondAllParametersIsNotReached) {
     EXPECT_NE(decision.next.find("Brazilian strength alone would need contact."), std::string::npos) << decision.next;
 }
 
-// Two strengths that follow one parameter in the same way and that are wanted in another proportion.
+// Two strengths that follow one parameter in the same way and that are requested in another proportion.
 TEST(Calibration, TargetsThatExcludeEachOtherAreContradictory) {
     SyntheticRock rock = SyntheticRock::usual();
     for (const char* name : {"triaxial4MPa first_peak_MPa", "triaxial8MPa first_peak_MPa", "triaxial20MPa first_peak_MPa",
@@ -158,7 +158,7 @@ TEST(Calibration, TargetsThatExcludeEachOtherAreContradictory) {
     EXPECT_EQ(decision.ending, Ending::contradictory) << decision.reason;
     EXPECT_NE(decision.reason.find("first peak at 20 MPa"), std::string::npos);
     // Nothing tells the friction angle here.
-    EXPECT_FALSE(decision.fit->optimum.kept.empty());
+    EXPECT_FALSE(decision.fit->optimum.unidentified.empty());
 }
 
 TEST(Calibration, TestsThatScatterTooMuchAreUndecided) {
@@ -181,7 +181,7 @@ TEST(Calibration, AMissOfNewSpecimensCorrectsTheSurfaces) {
     Laboratory laboratory(rock);
     const FindRun unbiased = laboratory.find();
     std::map<std::string, Measures> biased;
-    const Decision decision = decide(problem, [&](const WantedRun& run) {
+    const Decision decision = decide(problem, [&](const RequestedRun& run) {
         const Measures* found = unbiased(run);
         if (run.test.name != "uniaxial" || run.label[0] != 'd') return found;
         Measures& measures = biased[run.label] = *found;
@@ -205,22 +205,22 @@ TEST(Calibration, WhatTheDataDoNotTellIsKept) {
     const Problem problem = rock.problem(nothing_planted(rock));
     const Decision decision = decide(problem, laboratory.find());
     EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
-    ASSERT_EQ(decision.fit->optimum.kept.size(), 1U);
+    ASSERT_EQ(decision.fit->optimum.unidentified.size(), 1U);
     for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
         const bool residual = problem.parameters[k].key == "contact.residual_friction_angle";
-        EXPECT_NEAR(decision.fit->optimum.kept_share(static_cast<Eigen::Index>(k)), residual ? 1 : 0, 0.05)
+        EXPECT_NEAR(decision.fit->optimum.unidentified_fraction(static_cast<Eigen::Index>(k)), residual ? 1 : 0, 0.05)
             << problem.parameters[k].key;
         if (residual) {
-            EXPECT_NEAR(decision.fit->optimum.place(static_cast<Eigen::Index>(k)), problem.parameters[k].coordinate(0.6), 0.02);
+            EXPECT_NEAR(decision.fit->optimum.point(static_cast<Eigen::Index>(k)), problem.parameters[k].coordinate(0.6), 0.02);
         }
     }
 }
 
-// Above a friction angle tests have no first peak: the optimum keeps away from there, and what is wanted there is not reached.
+// Above a friction angle tests have no first peak: the optimum keeps away from there, and what is requested there is not reached.
 TEST(Calibration, TheShareOfTestsWithAFirstPeakIsKept) {
     SyntheticRock rock = SyntheticRock::usual();
     rock.scatter = 0.3;
-    rock.has_peak = [](const WantedRun& run) {
+    rock.has_peak = [](const RequestedRun& run) {
         for (const auto& [key, value] : run.point) {
             if (key == friction) return value < 0.75;
         }

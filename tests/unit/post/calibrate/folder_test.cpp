@@ -57,16 +57,16 @@ protected:
         }
         return values;
     }
-    /// "Runs" at most so many rows of wanted.tsv, from the options of the tools in them alone; adds them to the tables.
+    /// "Runs" at most so many rows of requested.tsv, from the options of the tools in them alone; adds them to the tables.
     void run_wanted(const SyntheticRock& synthetic, std::size_t most) {
-        const TableFile wanted(folder_.file("wanted.tsv"));
-        const auto files = wanted.texts("file");
-        const auto meshes = wanted.texts("mesh");
-        const auto materials = wanted.texts("material");
-        const auto solves = wanted.texts("solve");
-        for (std::size_t i = 0; i < std::min(wanted.n_rows(), most); ++i) {
+        const TableFile requested(folder_.file("wanted.tsv"));
+        const auto files = requested.texts("file");
+        const auto meshes = requested.texts("mesh");
+        const auto materials = requested.texts("material");
+        const auto solves = requested.texts("solve");
+        for (std::size_t i = 0; i < std::min(requested.n_rows(), most); ++i) {
             EXPECT_TRUE(made_.insert(files[i]).second) << files[i] << " is wanted twice";
-            WantedRun run;
+            RequestedRun run;
             run.test.name = solves[i].substr(0, solves[i].find(' '));
             run.seed = std::stoll(values_of(meshes[i], "--seed").at(0));
             if (run.test.name == "bend") {
@@ -89,18 +89,18 @@ protected:
                 return line + "\n";
             };
             strength_ += row(strength_columns);
-            if (run.test.is_compression()) moduli_ += row(moduli_columns);
+            if (run.test.loading() == Loading::compression) moduli_ += row(moduli_columns);
         }
         std::ofstream(folder_.file("strength.tsv")) << strength_;
         std::ofstream(folder_.file("moduli.tsv")) << moduli_;
         if (toughness_.find(".h5") != std::string::npos) std::ofstream(folder_.file("toughness.tsv")) << toughness_;
     }
-    /// Asks and runs until the end. \param share of the wanted runs that are made before the next interruption
+    /// Asks and runs until the end. \param share of the requested runs that are made before the next interruption
     FolderDecision to_the_end(const SyntheticRock& synthetic, double share) {
         FolderDecision out = ask();
-        for (int calls = 1; out.decision.ending == Ending::wanted && calls < 200; ++calls) {
+        for (int calls = 1; out.decision.ending == Ending::requested && calls < 200; ++calls) {
             EXPECT_FALSE(has("report.md"));
-            const std::size_t n = out.decision.wanted.size();
+            const std::size_t n = out.decision.requested.size();
             run_wanted(synthetic, static_cast<std::size_t>(std::ceil(share * static_cast<double>(n))));
             out = ask();
         }
@@ -129,11 +129,11 @@ protected:
 
 TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     const FolderDecision first = ask();
-    EXPECT_EQ(first.decision.ending, Ending::wanted);
-    EXPECT_EQ(first.wanted_time, 0);
+    EXPECT_EQ(first.decision.ending, Ending::requested);
+    EXPECT_EQ(first.requested_time, 0);
     run_wanted(rock(), 100);
     run_wanted(rock(), 0);
-    EXPECT_EQ(ask().wanted_time, 2 * 6);  // two uniaxial tests at 6 s each
+    EXPECT_EQ(ask().requested_time, 2 * 6);  // two uniaxial tests at 6 s each
     const FolderDecision out = to_the_end(rock(), 1);
     ASSERT_EQ(out.decision.ending, Ending::calibrated) << out.decision.reason;
     EXPECT_FALSE(has("wanted.tsv"));
@@ -253,8 +253,8 @@ direct_tension = {use = "predict"}
     EXPECT_NEAR(problem.parameters[2].least, 41.3, 0.1);
     EXPECT_NEAR(problem.parameters[2].most, 82.6, 0.1);
     // Tests end behind the first peak, unless a target asks for what comes after: that of a prediction in the end only.
-    const std::string wanted = row_of(material(), problem.study, {tests_of(problem.targets)[0], 1, {}, {}, "x", ""}).solve;
-    EXPECT_EQ(wanted, "triaxial --confining-pressure 8MPa --max-strain 0.015 --peak-drop none --rate-tolerance 0.006");
+    const std::string requested = row_of(material(), problem.study, {tests_of(problem.targets)[0], 1, {}, {}, "x", ""}).solve;
+    EXPECT_EQ(requested, "triaxial --confining-pressure 8MPa --max-strain 0.015 --peak-drop none --rate-tolerance 0.006");
     const std::string behind = row_of(material(), problem.study, {tests_of(problem.targets)[1], 1, {}, {}, "x", ""}).solve;
     EXPECT_EQ(behind, "triaxial --confining-pressure 4MPa --max-strain 0.015 --peak-drop 0.1 --rate-tolerance 0.006");
     const auto refused = [&](const std::string& more, const std::vector<std::string>& parts) {
@@ -271,19 +271,6 @@ direct_tension = {use = "predict"}
     refused("[parameters]\n\"contact.shear_stiffness\" = {low = \"1e13\"}\n", {"no default bounds", "give low and high"});
     refused("[parameters]\n\"contact.cohesion\" = {low = \"80 MPa\", high = \"20 MPa\"}\n", {"low must be below high"});
     refused("[parameters]\n\"contact.cohesion\" = {middle = \"80 MPa\"}\n", {"unknown key", "low, high, scale, first"});
-}
-
-// Each of these is one row of its table in the sources, and nothing else knows it.
-TEST_F(CalibrateFolder, ARowIsAllThatATargetOrAParameterNeeds) {
-    write_material("[targets]\nstrain_at_peak_8MPa = {value = \"0.9 %\"}\n[parameters]\n\"contact.normal_stiffness\" = {}\n");
-    const Problem problem = read_problem(material());
-    const auto tests = tests_of(problem.targets);
-    ASSERT_EQ(tests.size(), 1U);
-    EXPECT_EQ(tests[0].label(), "triaxial8MPa");
-    EXPECT_EQ(problem.targets[0].kind.read({{"strain_at_peak", 0.0081}}), 0.0081);
-    EXPECT_NEAR(problem.parameters.at(0).first, 6.87e14, 1e12);  // Table 3
-    const WantedRun run{tests[0], 1, point_at(problem.parameters, first_guess(problem.parameters)), {}, "d1p01", ""};
-    EXPECT_EQ(row_of(material(), problem.study, run).material.find("--set contact.normal_stiffness=6.87"), 0U);
 }
 
 TEST_F(CalibrateFolder, TheLawHasItsParametersAndSpecimensTheMinerals) {
@@ -364,10 +351,6 @@ TEST_F(CalibrateFolder, AChangeOfTheFabricMakesItsRunsAgainAndNoOther) {
     EXPECT_EQ(
         n_changed(files("4 mm", "8", "[targets]\nbrazilian = {value = \"9 MPa\"}\n[parameters]\n\"contact.cohesion\" = {}\n")),
         0U);
-    Material other = material();
-    other.laboratory["tensile_strength"] = other.laboratory["crack_damage"] = 1;
-    const WantedRun run{{"uniaxial"}, 7, {}, {}, "d1p01", ""};
-    EXPECT_EQ(row_of(other, {}, run).file, row_of(material(), {}, run).file);
 }
 
 TEST_F(CalibrateFolder, CrystalsThatBreakBeginNear) {
@@ -519,7 +502,7 @@ TEST_F(CalibrateFolder, ContactsThatAreFoundNeedNotBeGiven) {
     const std::size_t contact = text.find("[contact]");
     text.erase(contact, text.find("[platen]") - contact);
     std::ofstream(folder_.file("material.toml")) << text;
-    EXPECT_EQ(ask().decision.ending, Ending::wanted);
+    EXPECT_EQ(ask().decision.ending, Ending::requested);
     std::ofstream(folder_.file("material.toml")) << text << "\n[parameters]\n\"contact.cohesion\" = {}\n";
     expect_one_line<InputError>([&] { (void)ask(); }, {"contact.tensile_strength is neither given nor a row of [parameters]"});
     std::ofstream(folder_.file("material.toml")) << text.replace(text.find("density ="), 9, "#");

@@ -10,23 +10,23 @@
 namespace graincrack {
 namespace {
 
-using calibrate::Aim;
 using calibrate::Box;
+using calibrate::DesignPoint;
 using calibrate::find_optimum;
+using calibrate::LocalSurface;
 using calibrate::Optimum;
-using calibrate::Place;
-using calibrate::ResponseSurface;
-using calibrate::sobol_places;
+using calibrate::Residual;
+using calibrate::sobol_points;
 
-Place place(double x, double y) { return Place{{x, y}}; }
-const Box unit{place(0, 0), place(1, 1)};
+DesignPoint point(double x, double y) { return DesignPoint{{x, y}}; }
+const Box unit{point(0, 0), point(1, 1)};
 
-/// Values of a function at places, with scatter.
+/// Values of a function at design points, with scatter.
 template <class Function>
-std::vector<double> values_at(const std::vector<Place>& places, const Function& function, double scatter = 0) {
+std::vector<double> values_at(const std::vector<DesignPoint>& points, const Function& function, double scatter = 0) {
     test::Normal normal(5);
     std::vector<double> values;
-    for (const Place& p : places) values.push_back(function(p(0), p(1)) + scatter * normal());
+    for (const DesignPoint& p : points) values.push_back(function(p(0), p(1)) + scatter * normal());
     return values;
 }
 
@@ -41,116 +41,116 @@ TEST(Logistic, IsFiniteWithoutAnyOfOneKind) {
 
 // Each half of each coordinate has half of the first 2^k numbers, and a later design has other points.
 TEST(Design, FillsItsBoxEvenly) {
-    const Box box{place(3, 0), place(2, 1)};
-    const std::vector<Place> places = sobol_places(box, 0, 31);
+    const Box box{point(3, 0), point(2, 1)};
+    const std::vector<DesignPoint> points = sobol_points(box, 0, 31);
     int lower = 0;
-    for (const Place& p : places) {
+    for (const DesignPoint& p : points) {
         EXPECT_TRUE(box.contains(p));
         if (p(0) < 3) ++lower;
     }
     EXPECT_EQ(lower, 15);
-    EXPECT_NE(sobol_places(box, 31, 1)[0], places[0]);
-    EXPECT_EQ(sobol_places(box, 7, 2)[0], places[7]);
+    EXPECT_NE(sobol_points(box, 31, 1)[0], points[0]);
+    EXPECT_EQ(sobol_points(box, 7, 2)[0], points[7]);
 }
 
 TEST(Design, ABoxStaysInItsLimits) {
-    const Box limits{place(0, 0), place(1.5, 1)};
-    const Box moved = unit.about(place(1, 0.5), 1, limits);
+    const Box limits{point(0, 0), point(1.5, 1)};
+    const Box moved = unit.about(point(1, 0.5), 1, limits);
     EXPECT_NEAR(moved.centre(0), 0.5, 1e-12);
     EXPECT_NEAR(moved.centre(1), 0, 1e-12);
-    const Box zoomed = unit.about(place(1, 0.5), 0.5, limits);
+    const Box zoomed = unit.about(point(1, 0.5), 0.5, limits);
     EXPECT_NEAR(zoomed.centre(0), 1, 1e-12);
     EXPECT_NEAR(zoomed.half(0), 0.5, 1e-12);
 }
 
-TEST(ResponseSurface, HasTheTermsThatPredict) {
-    const std::vector<Place> places = sobol_places(unit, 0, 20);
+TEST(LocalSurface, HasTheTermsThatPredict) {
+    const std::vector<DesignPoint> points = sobol_points(unit, 0, 20);
     const auto quadratic = [](double x, double y) { return 2 + 0.5 * x - y + 0.3 * x * x; };
-    const auto surface = ResponseSurface::fit(unit, places, values_at(places, quadratic, 1e-6));
+    const auto surface = LocalSurface::fit(unit, points, values_at(points, quadratic, 1e-6));
     ASSERT_TRUE(surface.has_value());
     EXPECT_GE(surface->n_quadratic(), 1);
-    EXPECT_NEAR(surface->value(place(0.7, -0.2)), quadratic(0.7, -0.2), 1e-5);
-    EXPECT_NEAR(surface->gradient(place(0.7, -0.2))(0), 0.5 + 0.6 * 0.7, 1e-5);
-    EXPECT_NEAR(surface->gradient(place(0.7, -0.2))(1), -1, 1e-5);
+    EXPECT_NEAR(surface->value(point(0.7, -0.2)), quadratic(0.7, -0.2), 1e-5);
+    EXPECT_NEAR(surface->gradient(point(0.7, -0.2))(0), 0.5 + 0.6 * 0.7, 1e-5);
+    EXPECT_NEAR(surface->gradient(point(0.7, -0.2))(1), -1, 1e-5);
     EXPECT_NEAR(surface->scatter(), 1e-6, 4e-7);
-    // In another box the coordinates of a place stay the same.
-    const Box half{place(0.25, 0), place(0.5, 0.5)};
-    const std::vector<Place> inside = sobol_places(half, 0, 20);
-    const auto other = ResponseSurface::fit(half, inside, values_at(inside, quadratic, 1e-6));
-    EXPECT_NEAR(other->gradient(place(0.3, 0.1))(0), 0.5 + 0.6 * 0.3, 1e-4);
+    // In another box the coordinates of a design point stay the same.
+    const Box half{point(0.25, 0), point(0.5, 0.5)};
+    const std::vector<DesignPoint> inside = sobol_points(half, 0, 20);
+    const auto other = LocalSurface::fit(half, inside, values_at(inside, quadratic, 1e-6));
+    EXPECT_NEAR(other->gradient(point(0.3, 0.1))(0), 0.5 + 0.6 * 0.3, 1e-4);
 }
 
 // Scatter and PRESS of a plane against a regression by hand: n = 20, three terms, Σ residual²/(n − 3).
-TEST(ResponseSurface, ScatterAndPress) {
-    const std::vector<Place> places = sobol_places(unit, 0, 20);
+TEST(LocalSurface, ScatterAndPress) {
+    const std::vector<DesignPoint> points = sobol_points(unit, 0, 20);
     std::vector<double> values = values_at(
-        places, [](double x, double y) { return x + y; }, 0.1);
+        points, [](double x, double y) { return x + y; }, 0.1);
     values[3] = std::nan("");
-    const auto surface = ResponseSurface::fit(unit, places, values);
+    const auto surface = LocalSurface::fit(unit, points, values);
     EXPECT_EQ(surface->n_values(), 19);
     EXPECT_EQ(surface->freedom(), 19 - 3 - surface->n_quadratic());
     double sum = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (i != 3) sum += std::pow(values[i] - surface->value(places[i]), 2);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i != 3) sum += std::pow(values[i] - surface->value(points[i]), 2);
     }
     EXPECT_NEAR(surface->scatter(), std::sqrt(sum / surface->freedom()), 1e-9);
     EXPECT_GT(surface->prediction_error(), std::sqrt(sum / 19));
     double press = 0;  // each value predicted by the surface without it
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
         if (i == 3) continue;
-        const double leverage = surface->variance(places[i]) / (surface->scatter() * surface->scatter());
-        press += std::pow((values[i] - surface->value(places[i])) / (1 - leverage), 2);
+        const double leverage = surface->variance(points[i]) / (surface->scatter() * surface->scatter());
+        press += std::pow((values[i] - surface->value(points[i])) / (1 - leverage), 2);
     }
     EXPECT_NEAR(surface->prediction_error(), std::sqrt(press / 19), 1e-9);
-    EXPECT_FALSE(ResponseSurface::fit(unit, {places.begin(), places.begin() + 4}, {1, 2, 3, 4}).has_value());
+    EXPECT_FALSE(LocalSurface::fit(unit, {points.begin(), points.begin() + 4}, {1, 2, 3, 4}).has_value());
 }
 
 struct Planes {
-    std::vector<Place> places = sobol_places(unit, 0, 20);
-    ResponseSurface first = *ResponseSurface::fit(unit, places,
-                                                  values_at(
-                                                      places, [](double x, double y) { return x + y; }, 1e-9));
-    ResponseSurface second = *ResponseSurface::fit(unit, places,
-                                                   values_at(
-                                                       places, [](double x, double y) { return x - y; }, 1e-9));
+    std::vector<DesignPoint> points = sobol_points(unit, 0, 20);
+    LocalSurface first = *LocalSurface::fit(unit, points,
+                                            values_at(
+                                                points, [](double x, double y) { return x + y; }, 1e-9));
+    LocalSurface second = *LocalSurface::fit(unit, points,
+                                             values_at(
+                                                 points, [](double x, double y) { return x - y; }, 1e-9));
 };
 
 // x + y = 0.5 ± 0.1 and x − y = 0.1 ± 0.2: x = 0.3 and y = 0.2, each with a variance of (0.01 + 0.04)/4.
 TEST(Optimum, OfTwoPlanes) {
     const Planes planes;
-    const Optimum optimum = find_optimum(unit, place(0, 0), {{&planes.first, 0.5, 0.1}, {&planes.second, 0.1, 0.2}});
-    EXPECT_NEAR(optimum.place(0), 0.3, 1e-6);
-    EXPECT_NEAR(optimum.place(1), 0.2, 1e-6);
+    const Optimum optimum = find_optimum(unit, point(0, 0), {{&planes.first, 0.5, 0.1}, {&planes.second, 0.1, 0.2}});
+    EXPECT_NEAR(optimum.point(0), 0.3, 1e-6);
+    EXPECT_NEAR(optimum.point(1), 0.2, 1e-6);
     EXPECT_NEAR(optimum.covariance(0, 0), 0.0125, 1e-6);
     EXPECT_NEAR(optimum.covariance(0, 1), -0.0075, 1e-6);
     EXPECT_NEAR(optimum.condition, 2, 1e-4);
-    EXPECT_TRUE(optimum.kept.empty());
+    EXPECT_TRUE(optimum.unidentified.empty());
     // Outside of the box the nearest, by weights: at the corner x = 1 both slopes along y must balance.
-    const Optimum edge = find_optimum(unit, place(0, 0), {{&planes.first, 1.5, 0.1}, {&planes.second, 1.5, 0.1}});
-    EXPECT_NEAR(edge.place(0), 1, 1e-9);
-    EXPECT_NEAR(edge.place(1), 0, 1e-6);
+    const Optimum edge = find_optimum(unit, point(0, 0), {{&planes.first, 1.5, 0.1}, {&planes.second, 1.5, 0.1}});
+    EXPECT_NEAR(edge.point(0), 1, 1e-9);
+    EXPECT_NEAR(edge.point(1), 0, 1e-6);
     EXPECT_NEAR(edge.deviations[0], -5, 1e-4);
 }
 
 TEST(Optimum, WhatNothingTellsStaysAtTheFirstGuess) {
     const Planes planes;
-    const Optimum optimum = find_optimum(unit, place(0.2, -0.4), {{&planes.first, 0.5, 0.1}});
-    ASSERT_EQ(optimum.kept.size(), 1U);
+    const Optimum optimum = find_optimum(unit, point(0.2, -0.4), {{&planes.first, 0.5, 0.1}});
+    ASSERT_EQ(optimum.unidentified.size(), 1U);
     // From (0.2, −0.4) along (1, 1) until x + y = 0.5.
-    EXPECT_NEAR(optimum.place(0), 0.55, 1e-4);
-    EXPECT_NEAR(optimum.place(1), -0.05, 1e-4);
-    EXPECT_NEAR(optimum.kept_share(0), 0.5, 1e-6);
+    EXPECT_NEAR(optimum.point(0), 0.55, 1e-4);
+    EXPECT_NEAR(optimum.point(1), -0.05, 1e-4);
+    EXPECT_NEAR(optimum.unidentified_fraction(0), 0.5, 1e-6);
 }
 
 // From (0.9, −0.9) along (1, 1) the box ends at x + y = 0.2: the target 1.6 wants another x − y, of which it tells nothing. x + y
-// is told ± 0.1, x so with a variance of 0.01/4.
+// is significant ± 0.1, x so with a variance of 0.01/4.
 TEST(Optimum, WhatNothingTellsMovesWhereATargetIsMissed) {
     const Planes planes;
-    const Optimum optimum = find_optimum(unit, place(0.9, -0.9), {{&planes.first, 1.6, 0.1}});
-    EXPECT_NEAR(optimum.place(0) + optimum.place(1), 1.6, 0.05);
-    EXPECT_TRUE(optimum.kept.empty());
+    const Optimum optimum = find_optimum(unit, point(0.9, -0.9), {{&planes.first, 1.6, 0.1}});
+    EXPECT_NEAR(optimum.point(0) + optimum.point(1), 1.6, 0.05);
+    EXPECT_TRUE(optimum.unidentified.empty());
     ASSERT_EQ(optimum.moved.size(), 1U);
-    EXPECT_NEAR(optimum.untold_share(0), 0.5, 1e-6);
+    EXPECT_NEAR(optimum.undetermined_fraction(0), 0.5, 1e-6);
     EXPECT_NEAR(optimum.covariance(0, 0), 0.0025, 1e-5);
 }
 
@@ -158,27 +158,28 @@ TEST(Optimum, WhatNothingTellsMovesWhereATargetIsMissed) {
 // little.
 TEST(Optimum, WhatATargetNeedsIsNotKept) {
     const Planes planes;
-    const auto weak = ResponseSurface::fit(unit, planes.places,
-                                           values_at(
-                                               planes.places, [](double x, double y) { return 0.1 * (x - y); }, 1e-9));
-    const Optimum kept = find_optimum(unit, place(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.03, 0.1}});
-    EXPECT_EQ(kept.kept.size(), 1U);
-    EXPECT_NEAR(kept.place(0), 0, 1e-3);
-    const Optimum moved = find_optimum(unit, place(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.08, 0.1}});
-    EXPECT_TRUE(moved.kept.empty());
-    EXPECT_NEAR(moved.place(0), 0.4, 1e-3);
-    EXPECT_NEAR(moved.place(1), -0.4, 1e-3);
+    const auto weak = LocalSurface::fit(unit, planes.points,
+                                        values_at(
+                                            planes.points, [](double x, double y) { return 0.1 * (x - y); }, 1e-9));
+    const Optimum unidentified = find_optimum(unit, point(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.03, 0.1}});
+    EXPECT_EQ(unidentified.unidentified.size(), 1U);
+    EXPECT_NEAR(unidentified.point(0), 0, 1e-3);
+    const Optimum moved = find_optimum(unit, point(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.08, 0.1}});
+    EXPECT_TRUE(moved.unidentified.empty());
+    EXPECT_NEAR(moved.point(0), 0.4, 1e-3);
+    EXPECT_NEAR(moved.point(1), -0.4, 1e-3);
 }
 
 // A share that falls with x: logit 2 − 8 x, one half at x = 0.25.
 TEST(Optimum, KeepsAShare) {
     const Planes planes;
     const Logistic share{Eigen::VectorXd{{2, -8, 0}}};
-    const Optimum free = find_optimum(unit, place(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}});
-    EXPECT_NEAR(free.place(0), 1, 1e-6);
-    const Optimum kept = find_optimum(unit, place(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}}, {{&share, 0.5}});
-    EXPECT_LT(kept.place(0), 0.45);
-    EXPECT_GT(kept.place(0), 0.25);
+    const Optimum free = find_optimum(unit, point(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}});
+    EXPECT_NEAR(free.point(0), 1, 1e-6);
+    const Optimum unidentified =
+        find_optimum(unit, point(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}}, {{&share, 0.5}});
+    EXPECT_LT(unidentified.point(0), 0.45);
+    EXPECT_GT(unidentified.point(0), 0.25);
 }
 
 }  // namespace

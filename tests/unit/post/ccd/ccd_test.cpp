@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "post/ccd/design.hpp"
-#include "post/ccd/runs.hpp"
 #include "post/ccd/solve.hpp"
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
@@ -26,8 +25,8 @@ constexpr double degrees = 180 / std::numbers::pi;
 struct Table7 {
     TableFile table{table7};
     Runs runs = read_runs(table, {});
-    Model cohesion(const ModelChoice& choice = {}) const { return fit_response(table, runs, "C_MPa", choice); }
-    Model friction(const ModelChoice& choice = {}) const { return fit_response(table, runs, "phi_deg", choice); }
+    ResponseSurface cohesion(const ModelChoice& choice = {}) const { return fit_response(table, runs, "C_MPa", choice); }
+    ResponseSurface friction(const ModelChoice& choice = {}) const { return fit_response(table, runs, "phi_deg", choice); }
     std::vector<Goal> goals() const {
         std::vector<Goal> goals{parse_goal("C_MPa=21", Goal::Kind::target, "--target"),
                                 parse_goal("phi_deg=53", Goal::Kind::target, "--target")};
@@ -35,14 +34,17 @@ struct Table7 {
         set_limits(goals[1], table.numbers("phi_deg"));
         return goals;
     }
-    std::vector<Optimum> solve_with(const std::vector<Model>& models) const { return solve(models, goals(), Region(runs.coded)); }
+    std::vector<Optimum> solve_with(const std::vector<ResponseSurface>& models) const {
+        return solve(models, goals(), Region(runs.coded));
+    }
 };
 
-void expect_coefficients(const std::string& response, const Model& model, const std::vector<double>& expected, double tolerance) {
-    ASSERT_EQ(model.terms().size(), expected.size());
+void expect_coefficients(const std::string& response, const ResponseSurface& model, const std::vector<double>& expected,
+                         double tolerance) {
+    ASSERT_EQ(model.terms.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        test::verify("calibration: " + response + ", term " + model.terms()[i].name(), model.regression().coefficients[i],
-                     expected[i], tolerance, "Eq 19", 1);
+        test::verify("calibration: " + response + ", term " + model.terms[i].name(),
+                     model.coefficients(static_cast<Eigen::Index>(i)), expected[i], tolerance, "Eq 19", 1);
     }
 }
 void expect_contact(const Table7& paper, const std::vector<Optimum>& optimum, double cohesion, double friction_angle) {
@@ -76,7 +78,7 @@ TEST(CcdDesign, CountsAndStars) {
 
 TEST(CcdDesign, RotatableMeansThatOnlyTheDistanceCounts) {
     const auto runs = coded_runs(3, Star::rotatable, 6);
-    const Model model(quadratic_terms(3), runs, std::vector<double>(runs.size(), 1.0));
+    const ResponseSurface model = fit_quadratic(runs, std::vector<double>(runs.size(), 1.0));
     const double r = 1.2;
     const double along = model.leverage({r, 0, 0});
     EXPECT_NEAR(model.leverage({0, -r, 0}), along, 1e-10);
@@ -100,11 +102,11 @@ TEST(CcdFit, Table7GivesEquation19) {
     // Eq 19 is printed to 0.01 from C and φ as printed to 0.1.
     expect_coefficients("C of rounded values", paper.cohesion(), {11.12, 7.36, -4.94, -7.48, 1.32, 6.89}, 0.006);
     expect_coefficients("phi of rounded values", paper.friction(), {66.98, -4.66, 15.76, 4.78, -0.60, -7.98}, 0.006);
-    EXPECT_NEAR(paper.cohesion().regression().r_squared(), 0.969, 0.0005);
-    EXPECT_NEAR(paper.friction().regression().r_squared(), 0.944, 0.0005);
+    EXPECT_NEAR(paper.cohesion().r_squared(), 0.969, 0.0005);
+    EXPECT_NEAR(paper.friction().r_squared(), 0.944, 0.0005);
     const std::vector<double> errors{1.04, 0.82, 0.82, 1.16, 0.88, 0.88};
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        EXPECT_NEAR(paper.cohesion().regression().standard_error(i), errors[i], 0.005) << i;
+        EXPECT_NEAR(paper.cohesion().standard_error(i), errors[i], 0.005) << i;
     }
     const auto lack = paper.cohesion().lack_of_fit();
     ASSERT_TRUE(lack.has_value());
@@ -132,8 +134,8 @@ TEST(CcdFit, StrengthsOfTable7GiveTheUnroundedSurface) {
         test::verify("calibration: Table 7, phi of every run rounded (deg)", to_tenths(friction.back()),
                      paper.table.numbers("phi_deg")[i], 1e-15, "as printed, to 0.1");
     }
-    const Model C(quadratic_terms(2), paper.runs.coded, cohesion);
-    const Model phi(quadratic_terms(2), paper.runs.coded, friction);
+    const ResponseSurface C = fit_quadratic(paper.runs.coded, cohesion);
+    const ResponseSurface phi = fit_quadratic(paper.runs.coded, friction);
     expect_coefficients("C of unrounded values", C, {11.098, 7.388, -4.938, -7.467, 1.322, 6.901}, 0.0006);
     expect_coefficients("phi of unrounded values", phi, {66.962, -4.654, 15.738, 4.785, -0.608, -7.955}, 0.0006);
     expect_contact(paper, paper.solve_with({C, phi}), 74.62, 48.77);
@@ -141,7 +143,7 @@ TEST(CcdFit, StrengthsOfTable7GiveTheUnroundedSurface) {
 
 TEST(CcdSolve, Table7GivesThePapersOptimum) {
     const Table7 paper;
-    const std::vector<Model> models{paper.cohesion(), paper.friction()};
+    const std::vector<ResponseSurface> models{paper.cohesion(), paper.friction()};
     const auto optimum = paper.solve_with(models);
     ASSERT_EQ(optimum.size(), 1U);  // the other root, (5.75, 4.51), lies outside the design
     EXPECT_EQ(optimum[0].free_factors, 0U);
@@ -149,8 +151,8 @@ TEST(CcdSolve, Table7GivesThePapersOptimum) {
     EXPECT_NEAR(optimum[0].coded[0], 0.443, 0.0006);
     EXPECT_NEAR(optimum[0].coded[1], -0.533, 0.0006);
     expect_contact(paper, optimum, 74.57, 48.76);
-    EXPECT_NEAR(models[0].predict({5.75, 4.51}), 21, 0.5);  // it is a root: the coordinates are printed to 0.01
-    EXPECT_NEAR(models[1].predict({5.75, 4.51}), 53, 0.8);
+    EXPECT_NEAR(models[0].value({5.75, 4.51}), 21, 0.5);  // it is a root: the coordinates are printed to 0.01
+    EXPECT_NEAR(models[1].value({5.75, 4.51}), 53, 0.8);
     EXPECT_FALSE(Region(paper.runs.coded).holds({5.75, 4.51}));
     // "Its 95 % prediction interval is ±6 MPa and ±12°"
     const Estimate C = models[0].prediction(optimum[0].coded);
@@ -168,12 +170,12 @@ TEST(CcdSolve, TrueBackwardEliminationMovesTheOptimum) {
         return std::pair{paper.runs.factors[0].value(optimum.at(0).coded[0]),
                          paper.runs.factors[1].value(optimum.at(0).coded[1])};
     };
-    EXPECT_EQ(paper.cohesion({true, 0.10}).terms().size(), 5U);  // x1² left out of both
-    EXPECT_EQ(paper.friction({true, 0.10}).terms().size(), 5U);
+    EXPECT_EQ(paper.cohesion({true, 0.10}).terms.size(), 5U);  // x1² left out of both
+    EXPECT_EQ(paper.friction({true, 0.10}).terms.size(), 5U);
     EXPECT_NEAR(at(0.10).first, 72.67, 0.02);
     EXPECT_NEAR(at(0.10).second, 48.71, 0.01);
-    EXPECT_EQ(paper.cohesion({true, 0.05}).terms().size(), 5U);
-    EXPECT_EQ(paper.friction({true, 0.05}).terms().size(), 4U);  // and x1 x2 out of φ
+    EXPECT_EQ(paper.cohesion({true, 0.05}).terms.size(), 5U);
+    EXPECT_EQ(paper.friction({true, 0.05}).terms.size(), 4U);  // and x1 x2 out of φ
     EXPECT_NEAR(at(0.05).first, 70.58, 0.02);
     EXPECT_NEAR(at(0.05).second, 48.29, 0.01);
 }
@@ -183,32 +185,31 @@ TEST(CcdFit, EliminationKeepsTheParentsOfWhatIsLeft) {
     Normal normal(20140435);
     std::vector<double> response;
     for (const auto& x : runs) response.push_back(5 * x[0] * x[1] + 0.01 * normal());
-    const Model reduced = eliminate_backward(Model(quadratic_terms(2), runs, response), 0.01);
+    const ResponseSurface reduced = eliminate_backward(fit_quadratic(runs, response), 0.01);
     std::string names;
-    for (const Term& term : reduced.terms()) names += term.name() + ",";
+    for (const SurfaceTerm& term : reduced.terms) names += term.name() + ",";
     EXPECT_EQ(names, "1,x1,x2,x1 x2,");
 }
 
 TEST(CcdFit, PressIsThatOfLeavingEachRunOut) {
     const Table7 paper;
-    const Model model = paper.cohesion();
+    const ResponseSurface model = paper.cohesion();
     double press = 0;
     for (std::size_t i = 0; i < 13; ++i) {
-        auto runs = model.coded();
-        auto response = model.response();
+        auto runs = model.factors;
+        auto response = model.response;
         runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(i));
         response.erase(response.begin() + static_cast<std::ptrdiff_t>(i));
-        const Model without(model.terms(), runs, response);
-        press += std::pow(model.response()[i] - without.predict(model.coded()[i]), 2);
+        const ResponseSurface without = fit_quadratic(runs, response);
+        press += std::pow(model.response[i] - without.value(model.factors[i]), 2);
     }
-    EXPECT_NEAR(model.regression().press, press, 1e-9 * press);
+    EXPECT_NEAR(model.press(), press, 1e-9 * press);
 }
 
 TEST(CcdFit, TooFewRunsAreOneLine) {
     auto runs = coded_runs(2, Star::rotatable, 1);
     runs.resize(5);
-    test::expect_one_line<InputError>([&] { Model(quadratic_terms(2), runs, std::vector<double>(5, 1.0)); },
-                                      {"5 runs", "6 terms"});
+    test::expect_one_line<InputError>([&] { (void)fit_quadratic(runs, std::vector<double>(5, 1.0)); }, {"5 runs", "6 terms"});
 }
 
 TEST(Desirability, IsThatOfDerringerAndSuich) {
@@ -241,8 +242,8 @@ TEST(CcdSolve, FewerTargetsThanFactorsGiveTheNearestToTheCentre) {
         sphere.push_back(std::pow(x[0] - 2, 2) + x[1] * x[1] + x[2] * x[2]);
     }
     const Region region(runs);
-    const Model first(quadratic_terms(3), runs, plane);
-    const Model second(quadratic_terms(3), runs, sphere);
+    const ResponseSurface first = fit_quadratic(runs, plane);
+    const ResponseSurface second = fit_quadratic(runs, sphere);
     const auto target = [](const std::string& text) { return parse_goal(text, Goal::Kind::target, "--target"); };
     const auto on_plane = solve({first}, {target("y=-9:3:9")}, region);
     ASSERT_EQ(on_plane.size(), 1U);
@@ -264,7 +265,7 @@ TEST(CcdSolve, MaximumOnTheBorderOfTheDesignIsFound) {
     std::vector<double> response;
     for (const auto& x : runs) response.push_back(x[0] + x[1]);
     const Goal goal = parse_goal("y=-3:3", Goal::Kind::maximum, "--maximise");
-    const auto optimum = solve({Model(quadratic_terms(2), runs, response)}, {goal}, Region(runs));
+    const auto optimum = solve({fit_quadratic(runs, response)}, {goal}, Region(runs));
     ASSERT_EQ(optimum.size(), 1U);
     // The circle of radius √2 has x1 + x2 = 2 at (1, 1).
     EXPECT_NEAR(optimum[0].coded[0], 1, 0.02);

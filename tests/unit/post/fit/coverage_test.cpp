@@ -8,7 +8,6 @@
 #include <string>
 
 #include "post/ccd/design.hpp"
-#include "post/ccd/model.hpp"
 #include "post/ccd/solve.hpp"
 #include "post/cracks/emission.hpp"
 #include "post/fit/envelope.hpp"
@@ -181,7 +180,7 @@ TEST(Coverage, Lines) {
 TEST(Coverage, ResponseSurfaces) {
     const auto runs = ccd::coded_runs(2, ccd::Star::rotatable, 5);
     const std::vector<double> planted{11, 7, -5, -7, 1, 7};  // as Eq 19: 1, x1, x2, x1 x2, x1², x2²
-    const auto terms = ccd::quadratic_terms(2);
+    const auto terms = quadratic_terms(2);
     const auto truth = [&](const std::vector<double>& x) {
         double sum = 0;
         for (std::size_t i = 0; i < terms.size(); ++i) sum += planted[i] * terms[i](x);
@@ -193,11 +192,11 @@ TEST(Coverage, ResponseSurfaces) {
     for (int s = 0; s < sets; ++s) {
         std::vector<double> response;
         for (const auto& x : runs) response.push_back(truth(x) + 2 * normal());
-        const ccd::Model model(terms, runs, response);
-        const Regression& fit = model.regression();
+        const ResponseSurface model = ccd::fit_quadratic(runs, response);
         for (std::size_t i = 0; i < terms.size(); ++i) {
-            const double error = fit.standard_error(i);
-            coverage.add(terms[i].name(), estimate(fit.coefficients[i], error * error, fit.freedom), planted[i]);
+            const double error = model.standard_error(i);
+            const double coefficient = model.coefficients(static_cast<Eigen::Index>(i));
+            coverage.add(terms[i].name(), estimate(coefficient, error * error, model.freedom()), planted[i]);
         }
         coverage.add("mean", model.confidence(place), truth(place));
         coverage.add("single run", model.prediction(place), truth(place) + 2 * normal());
@@ -220,7 +219,7 @@ TEST(Coverage, JointRegionOfFactors) {
             a.push_back(first(x) + 2 * common);
             b.push_back(second(x) - 3 * common + 1.5 * normal());
         }
-        const std::vector<ccd::Model> models{{ccd::quadratic_terms(2), runs, a}, {ccd::quadratic_terms(2), runs, b}};
+        const std::vector<ResponseSurface> models{ccd::fit_quadratic(runs, a), ccd::fit_quadratic(runs, b)};
         coverage.add("region", ccd::ConfidenceRegion(models, {first(place), second(place)}).holds(place));
     }
     coverage.expect_95_percent();

@@ -1,4 +1,4 @@
-#include "post/measure/bending.hpp"
+#include "post/measure/toughness.hpp"
 
 #include <gtest/gtest.h>
 

@@ -143,7 +143,6 @@ struct Peak {
     std::string test;
     double stress = 0;
     double confining_pressure = 0;
-    std::optional<double> mean_edge = std::nullopt;
 };
 /// `strength --summary` of runs with these peaks, as TSV.
 std::string summary_of(const std::vector<Peak>& peaks) {
@@ -155,7 +154,6 @@ std::string summary_of(const std::vector<Peak>& peaks) {
         recipe.peak = peak.stress;
         recipe.confining_pressure = peak.confining_pressure;
         if (peak.test == "brazilian") recipe.plane = PlaneCondition::stress;
-        if (peak.mean_edge) recipe.specimen.statistics.mean_edge = *peak.mean_edge;
         files.push_back(folder.file(std::to_string(files.size())));
         test::write_run(files.back(), recipe);
     }
@@ -186,18 +184,6 @@ TEST(StrengthSummary, MeansDeviationsAndRatiosByTest) {
     EXPECT_EQ(field(table, "ratio_to_brazilian", 2), "12.5");
     EXPECT_EQ(field(table, "confining_pressure_MPa", 3), "4");
     EXPECT_EQ(field(table, "confining_pressure_MPa", 4), "8");
-}
-
-TEST(StrengthSummary, GrainSizesAreNotPooled) {
-    const std::string table = summary_of(
-        {{"uniaxial", 120e6, 0, 4e-3}, {"uniaxial", 140e6, 0, 7e-3}, {"uniaxial", 130e6, 0, 4.1e-3}, {"tension", 6e6, 0, 7e-3}});
-    ASSERT_EQ(test::parse_tsv(table).size(), 4U);
-    EXPECT_EQ(field(table, "test", 0), "tension");
-    EXPECT_EQ(field(table, "strength_MPa", 1), "125");
-    EXPECT_EQ(field(table, "runs", 1), "2");
-    EXPECT_EQ(field(table, "mean_edge_mm", 1), "4.05");
-    EXPECT_EQ(field(table, "strength_MPa", 2), "140");
-    EXPECT_EQ(field(table, "mean_edge_mm", 2), "7");
 }
 
 // A small hole in the middle of a disc, where 2F/(πtD) pulls and three times as much presses: Kirsch has 3 + 3.

@@ -1,4 +1,4 @@
-#include "post/measure/mean_over_strain.hpp"
+#include "post/measure/first_peak.hpp"
 
 #include <gtest/gtest.h>
 

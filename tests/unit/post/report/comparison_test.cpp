@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "post/measure/bending.hpp"
-#include "post/report/seed_groups.hpp"
+#include "post/measure/toughness.hpp"
+#include "post/report/test_report.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -89,7 +89,10 @@ TEST_F(Comparison, MeansOverSeedsHaveTheDefaultThresholds) {
         thresholds.plane = {};
         thresholds.initiation_by_count = {};
     }
-    expect_texts(group_table(seed_groups(tests_)), {"<th>CI, MPa</th><th>CD, MPa</th>", "<td>75 (7.1)\n", "<td>105 (7.1)\n"});
+    // 120 ± 12.7 √50/√2: t(0.975, 1) = 12.7
+    expect_texts(
+        group_table(seed_groups(tests_)),
+        {"<th>CI, MPa</th><th>CD, MPa</th>", "<td>uniaxial</td><td>strain</td><td>2</td>", "<td>75 (7.1)\n", "<td>105 (7.1)\n"});
 }
 
 TEST_F(Comparison, ACountOfCracksIsATargetOfItsOwn) {

@@ -29,9 +29,9 @@ protected:
         files_.push_back(folder_.file(std::to_string(files_.size()) + ".h5"));
         test::write_run(files_.back(), recipe);
     }
-    [[nodiscard]] std::map<std::string, Property> measured() const {
-        std::map<std::string, Property> by_name;
-        for (Property& p : measure_properties(read_runs(files_), material_, {.strength = StrengthKind::largest})) {
+    [[nodiscard]] std::map<std::string, PropertyRow> measured() const {
+        std::map<std::string, PropertyRow> by_name;
+        for (PropertyRow& p : measure_properties(read_runs(files_), material_, {.strength = StrengthKind::largest})) {
             by_name[p.name] = p;
         }
         return by_name;
@@ -53,7 +53,7 @@ TEST_F(Properties, MeansStandBesideTheLaboratorysAndThePapers) {
     EXPECT_NEAR(found.at("poisson_ratio").ours.value, 0.3 / 1.3, 1e-5);
     EXPECT_NEAR(*found.at("young_modulus_GPa").laboratory, 25.8, 1e-9);
     EXPECT_EQ(found.at("young_modulus_GPa").published, 25.2);
-    const Property& tension = found.at("tensile_strength_MPa");
+    const PropertyRow& tension = found.at("tensile_strength_MPa");
     EXPECT_NEAR(tension.ours.value, 10, 1e-9);
     EXPECT_NEAR(*tension.deviation, std::sqrt(7.0), 1e-9);
     const double half = 4.302653 * std::sqrt(7.0 / 3);  // t(0.975, 2)

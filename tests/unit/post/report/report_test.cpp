@@ -125,16 +125,6 @@ TEST_F(Report, BeginsWithACurveCracksAndTheEnvelopeIfThereIsOne) {
     EXPECT_EQ(two.find("Mohr circles"), std::string::npos);
 }
 
-TEST_F(Report, SeedsOfATestHaveAMeanWithItsInterval) {
-    std::vector<std::string> runs;
-    for (const double peak : {119e6, 120e6, 121e6}) {
-        runs.push_back(run(fmt::format("u{}.h5", runs.size()), recipe("uniaxial", peak)));
-    }
-    // 120 ± t(0.975, 2)/√3
-    expect_texts(page(runs),
-                 {"<td>uniaxial</td><td>strain</td><td>3</td><td>120 (1)\n117.5 to 122.5</td>", "<summary>Each run</summary>"});
-}
-
 TEST_F(Report, MineralsStandByPhaseAndClass) {
     test::Recipe r = recipe("uniaxial", 120e6);
     EXPECT_EQ(page({run("one.h5", r)}).find("id=\"minerals\""), std::string::npos);

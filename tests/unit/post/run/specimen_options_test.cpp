@@ -1,5 +1,5 @@
 // What a file says of the grains that were asked for, and of the polygons that were made.
-#include "post/run/specimen_options.hpp"
+#include "post/run/crystals.hpp"
 
 #include <gtest/gtest.h>
 

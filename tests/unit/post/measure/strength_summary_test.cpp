@@ -1,4 +1,4 @@
-#include "post/measure/grain_size.hpp"
+#include "post/measure/strength_summary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,12 +30,12 @@ TEST(GrainSize, RunsOfDifferentSizesAreNotPooled) {
     EXPECT_EQ(sizes[1].runs, (std::vector<std::size_t>{2}));
     const auto rows = group_strengths_by_size(runs);
     ASSERT_EQ(rows.size(), 3U);
-    EXPECT_EQ(rows[0].group.test, "brazilian");
+    EXPECT_EQ(rows[0].test, "brazilian");
     EXPECT_EQ(rows[1].size, "edge 5 mm");
-    EXPECT_NEAR(rows[1].group.strength.mean.value, 105e6, 1e6);
+    EXPECT_NEAR(rows[1].strength.mean.value, 105e6, 1e6);
     EXPECT_EQ(rows[1].runs, (std::vector<std::size_t>{0, 3}));
     EXPECT_EQ(rows[2].size, "edge 7 mm");
-    EXPECT_FALSE(rows[2].group.ratio_to_brazilian.has_value());  // no disc of that size
+    EXPECT_FALSE(rows[2].ratio_to_brazilian.has_value());  // no disc of that size
     EXPECT_EQ(group_strengths_by_size({runs[0], runs[3]})[0].size, "");
 }
 
