@@ -57,7 +57,7 @@ TEST(SameMaterial, NamesWhatDiffers) {
         return material_difference(other, first.header);
     };
     EXPECT_EQ(difference([](RunHeader&) {}), "");
-    EXPECT_EQ(difference([](RunHeader& h) { h.contact_law = "literal"; }), "the contact law");
+    EXPECT_EQ(difference([](RunHeader& h) { h.contact_law = "combined"; }), "the contact law");
     EXPECT_EQ(difference([](RunHeader& h) { h.rock.density = 1; }), "the rock");
     EXPECT_EQ(difference([](RunHeader& h) { h.contact.cohesion = 1; }), "the contact parameters");
     EXPECT_EQ(difference([](RunHeader& h) { h.contact.fracture_energy = 1; }),
