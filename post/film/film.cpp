@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <utility>
 
 #include "post/film/picture_folder.hpp"
@@ -34,13 +33,12 @@ bool is_side(int pixels) { return pixels >= smallest_side && pixels <= largest_s
 void write_pictures(const RunReader& run, const FilmContents& contents, std::size_t count, PictureFolder& pictures,
                     Verbosity verbosity) {
     FilmPage page(run, contents);
-    const std::vector<double> moments = page.moments(count);
+    const std::vector<std::size_t> rows = page.rows(count);
     Progress progress("film", verbosity);
-    for (std::size_t i = 0; i < moments.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         throw_if_interrupted();
-        pictures.add(page.at(moments[i]));
-        progress.update(static_cast<double>(i + 1) / static_cast<double>(moments.size()),
-                        fmt::format("picture {} of {}", i + 1, moments.size()));
+        pictures.add(page.at(rows[i]));
+        progress.update(static_cast<double>(i + 1) / static_cast<double>(count), fmt::format("picture {} of {}", i + 1, count));
     }
     throw_if_interrupted();
 }
@@ -86,35 +84,23 @@ std::size_t n_pictures(double duration, int frames_per_second) {
 void make_film(const FilmOptions& options, const Call& call) {
     const bool is_video = is_video_name(options.output);
     const std::size_t count = n_pictures(options.duration, options.frames_per_second);
+    if (is_video && !has_ffmpeg()) {
+        throw OutputError(options.output +
+                          ": there is no ffmpeg to make a video; name a folder for the pictures, or install ffmpeg");
+    }
     const RunReader run(call.file());
-    const auto draw = [&](PictureFolder& pictures) { write_pictures(run, options.contents, count, pictures, call.verbosity); };
-    const auto command = [&](const PictureFolder& pictures, const std::string& folder, const std::string& video) {
-        const std::string kind = options.output.ends_with(".webm") ? "webm" : "mp4";
-        return joining_command(folder, pictures.pattern(), options.frames_per_second, kind, video);
-    };
-    if (is_video && has_ffmpeg()) {
-        OutputFile video(options.output);
-        if (video.is_stream()) throw UsageError(options.output + ": is no file; a film is written into a file or a folder");
-        require_no_hdf5(video);
-        PictureFolder pictures(options.output + ".pictures", options.contents.size, count);
-        draw(pictures);
-        join_pictures(command(pictures, pictures.part(), "file:" + video.begin()), options.output);
-        return video.commit();
+    if (!is_video) {
+        PictureFolder pictures(options.output, options.contents.size, count);
+        write_pictures(run, options.contents, count, pictures, call.verbosity);
+        return pictures.commit();
     }
-    const std::filesystem::path name(options.output);
-    const std::string folder = is_video ? (name.parent_path() / name.stem()).string() : options.output;
-    PictureFolder pictures(folder, options.contents.size, count);
-    draw(pictures);
-    pictures.commit();
-    std::string without_ending = folder;
-    while (without_ending.ends_with('/')) without_ending.pop_back();
-    const std::string joined = command(pictures, folder, is_video ? options.output : without_ending + ".mp4");
-    // A folder in place of the wanted file is said even with --quiet.
-    if (is_video) {
-        std::cerr << "film: there is no ffmpeg; its pictures are in " << folder << "; with ffmpeg joined by: " << joined << "\n";
-    } else {
-        call.diagnostics() << "film: pictures joined by: " << joined << "\n";
-    }
+    OutputFile video(options.output);
+    if (video.is_stream()) throw UsageError(options.output + ": is no file; a film is written into a file or a folder");
+    require_no_hdf5(video);
+    PictureFolder pictures(options.output + ".pictures", options.contents.size, count);
+    write_pictures(run, options.contents, count, pictures, call.verbosity);
+    pictures.join(options.frames_per_second, options.output.ends_with(".webm") ? "webm" : "mp4", video.begin(), options.output);
+    video.commit();
 }
 
 }  // namespace graincrack

@@ -25,8 +25,8 @@ bool is_video_name(const std::string& output);
 /// How many pictures a film has. \throws UsageError for fewer than two
 std::size_t n_pictures(double duration, int frames_per_second);
 
-/// Makes the film of a run. Where a video is wanted and there is no ffmpeg, its pictures go into a folder of its name without
-/// ending. \throws InputError, UsageError as `FilmPage`, OutputError, Interrupted
+/// Makes the film of a run. \throws InputError, UsageError as `FilmPage`, OutputError, also where a video is requested and there
+/// is no ffmpeg; Interrupted
 void make_film(const FilmOptions& options, const Call& call);
 
 }  // namespace graincrack

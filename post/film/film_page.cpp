@@ -34,11 +34,14 @@ std::string fixed(double value, int digits) {
     return with_minus(fmt::format("{:.{}f}", std::abs(value) < zero ? 0.0 : value, digits));
 }
 
-/// Values up to a point, and at it.
-std::vector<double> until(const std::vector<double>& values, const CurvePoint& end) {
-    std::vector<double> part(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(end.row) + 1);
-    if (end.share > 0) part.push_back(end.of(values));
-    return part;
+/// The last of ascending values that is not above a value; the first if all are.
+std::size_t last_until(const std::vector<double>& ascending, double value) {
+    const auto next = std::upper_bound(ascending.begin(), ascending.end(), value);
+    return next == ascending.begin() ? 0 : static_cast<std::size_t>(next - ascending.begin()) - 1;
+}
+
+std::vector<double> until(const std::vector<double>& values, std::size_t row) {
+    return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(row) + 1};
 }
 
 RunData data_of(const RunReader& run, const FilmContents& contents, const std::vector<Crack>& cracks) {
@@ -52,11 +55,6 @@ std::vector<Crack> cracks_of_film(const RunReader& run, const Specimen& specimen
     return cracks_of(read_labelled_cracks(run, specimen, contents.label), contacts);
 }
 
-Passage passage_of(const RunData& data, FilmSteps steps) {
-    const std::vector<double>& times = data.history[HistoryColumn::time];
-    return {times, steps == FilmSteps::time ? times : data.history[HistoryColumn::axial_strain]};
-}
-
 std::vector<double> checked_frame_times(const RunReader& run) {
     std::vector<double> times = run.frame_times();
     if (times.empty() || !(times.back() > times.front())) {
@@ -68,17 +66,32 @@ std::vector<double> checked_frame_times(const RunReader& run) {
 
 }  // namespace
 
+std::vector<std::size_t> film_rows(const std::vector<double>& values, std::size_t first, std::size_t last, std::size_t count) {
+    std::vector<double> travelled{0};
+    for (std::size_t row = first + 1; row <= last; ++row) {
+        travelled.push_back(travelled.back() + std::abs(values[row] - values[row - 1]));
+    }
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        rows.push_back(first + last_until(travelled, travelled.back() * static_cast<double>(i) / static_cast<double>(count - 1)));
+    }
+    rows.push_back(last);
+    return rows;
+}
+
 FilmPage::FilmPage(const RunReader& run, FilmContents contents)
-    : contents_(std::move(contents)),
+    : run_(run),
+      contents_(std::move(contents)),
       specimen_(run.specimen()),
       cracks_(cracks_of_film(run, specimen_, contents_)),
       data_(data_of(run, contents_, cracks_)),
       curve_(load_curve(data_)),
-      passage_(passage_of(data_, contents_.steps)),
       frame_times_(checked_frame_times(run)),
-      motion_(run, specimen_, contents_.magnification),
       page_width_(std::round(page_height * contents_.size.width / contents_.size.height)) {
-    if (!(passage_.at(frame_times_.back()) > passage_.at(frame_times_.front()))) {
+    const std::size_t first = row_at(frame_times_.front()), last = row_at(frame_times_.back());
+    const auto [lowest, highest] = std::minmax_element(values().begin() + static_cast<std::ptrdiff_t>(first),
+                                                       values().begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    if (!(*highest > *lowest)) {
         throw InputError(run.name() + ": its strain does not change from the first frame to the last; --by time shows it");
     }
     notes_ = crack_notes(specimen_, contents_.label.of(data_.header), contents_.classes);
@@ -86,33 +99,38 @@ FilmPage::FilmPage(const RunReader& run, FilmContents contents)
     if (has_platens_to_draw(data_)) platens_ = read_platen_faces(run.file(), specimen_);
     for (std::size_t frame = 0; frame < frame_times_.size(); ++frame) {
         throw_if_interrupted();
-        view_.include(view_box(specimen_, motion_.in_frame(frame)));
+        view_.include(view_box(specimen_, nodes_in(frame)));
     }
     const double shape = (view_.high[0] - view_.low[0]) / (view_.high[1] - view_.low[1]);
     const double widest = largest_map * page_width_ - 2 * page_margin;
     map_width_ = std::floor(std::min(shape * (page_height - beside_map - scale_bar), widest) + 2 * page_margin);
 }
 
-std::vector<double> FilmPage::moments(std::size_t count) const {
-    return film_moments(passage_, frame_times_.front(), frame_times_.back(), count);
+const std::vector<double>& FilmPage::values() const {
+    return contents_.steps == FilmSteps::time ? times() : data_.history[HistoryColumn::axial_strain];
+}
+
+std::size_t FilmPage::row_at(double time) const { return last_until(times(), time); }
+
+Positions FilmPage::nodes_in(std::size_t frame) const {
+    return moved_nodes(specimen_, read_frame(run_, specimen_, frame), contents_.magnification);
+}
+
+std::vector<std::size_t> FilmPage::rows(std::size_t count) const {
+    return film_rows(values(), row_at(frame_times_.front()), row_at(frame_times_.back()), count);
 }
 
 TextColumn FilmPage::column() const { return {map_width_ + page_margin, page_width_ - page_margin}; }
 
 /// The map with a scale bar, in the middle of the height of the page.
-Drawing FilmPage::map_at(double time, const std::vector<Crack>& present) {
-    const CurvePoint place = place_between_frames(frame_times_, passage_, time);
+Drawing FilmPage::map_at(double time, const std::vector<Crack>& present) const {
+    const std::size_t frame = last_until(frame_times_, time);
     MapPage form{PictureStyle{}.of_part(map_width_), page_height - beside_map - scale_bar, page_margin, 0, view_};
-    MapView map(specimen_, motion_.at(place), {}, form);
+    MapView map(specimen_, nodes_in(frame), {}, form);
     std::optional<PlatensAtStrain> platens;
     if (platens_) {
-        // As the grains move: evenly between the frames.
-        std::vector<double> strains;
-        for (const std::size_t frame : {place.row, std::min(place.row + 1, frame_times_.size() - 1)}) {
-            const CurvePoint row = place_in(data_.history[HistoryColumn::time], frame_times_[frame]);
-            strains.push_back(row.of(data_.history[HistoryColumn::axial_strain]));
-        }
-        platens = {*platens_, contents_.magnification * CurvePoint{0, place.share}.of(strains)};
+        const double strain = data_.history[HistoryColumn::axial_strain][row_at(frame_times_[frame])];
+        platens = {*platens_, contents_.magnification * strain};
     }
     draw_crack_state(map, specimen_, platens, present);
     const MapScale scale = map.scale();
@@ -135,30 +153,29 @@ double FilmPage::draw_foot(Drawing& page, double top) const {
 }
 
 /// The whole curve pale, as far as the test has come dark, and a point where it is.
-Drawing FilmPage::stress_chart(double time, double height) const {
-    const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
-    const std::vector<double> strain = times(curve_.axial_strain, 100);
-    const std::vector<double> stress = times(curve_.stress, 1e-6);
+Drawing FilmPage::stress_chart(std::size_t row, double height) const {
+    const std::vector<double> strain = graincrack::times(curve_.axial_strain, 100);
+    const std::vector<double> stress = graincrack::times(curve_.stress, 1e-6);
     Chart chart(PictureStyle{}.of_part(page_width_ - map_width_), {},
                 Axis{"axial strain, %", std::min(0.0, smallest(strain)), 1.03 * largest(strain)},
                 Axis{stress_name(data_) + ", MPa", std::min(0.0, smallest(stress)), 1.1 * largest(stress)}, {.height = height});
     chart.line(strain, stress, Stroke{palette::outline, 3});
-    chart.line(until(strain, now), until(stress, now), series_stroke(0, 4.5));
-    chart.points(std::vector{now.of(strain)}, std::vector{now.of(stress)}, Marker{palette::series(0), MarkerShape::disc, 22});
+    chart.line(until(strain, row), until(stress, row), series_stroke(0, 4.5));
+    chart.points(std::vector{strain[row]}, std::vector{stress[row]}, Marker{palette::series(0), MarkerShape::disc, 22});
     return chart.finish();
 }
 
-Drawing FilmPage::at(double time) {
+Drawing FilmPage::at(std::size_t row) const {
+    const double time = times()[row];
     const std::vector<Crack> present = cracks_until(cracks_, time);
     Drawing page(static_cast<int>(page_width_), static_cast<int>(page_height));
     page.add(map_at(time, present), {0, 0});
     std::vector<std::string> facts{
         fmt::format("seed {}, {}, plane {}", specimen_.seed, grains_label(specimen_), name_of(data_.header.plane))};
     if (contents_.magnification != 1) facts.back() += fmt::format("; displacements × {:.3g}", contents_.magnification);
-    const CurvePoint now = place_in(data_.history[HistoryColumn::time], time);
     const std::string stress = stress_name(data_);
-    facts.push_back(fmt::format("strain {} %, {} {} MPa, time {} ms", fixed(100 * now.of(curve_.axial_strain), 3),
-                                stress == "axial stress" ? "stress" : stress, fixed(1e-6 * now.of(curve_.stress), 1),
+    facts.push_back(fmt::format("strain {} %, {} {} MPa, time {} ms", fixed(100 * curve_.axial_strain[row], 3),
+                                stress == "axial stress" ? "stress" : stress, fixed(1e-6 * curve_.stress[row], 1),
                                 fixed(1e3 * time, 2)));
     const std::string title = contents_.title.empty() ? test_title(data_.header) : contents_.title;
     double below = draw_heading(page, {title, facts}, column(), above_page) + 8;
@@ -170,8 +187,8 @@ Drawing FilmPage::at(double time) {
     Drawing scratch(static_cast<int>(page_width_), 0);
     const double foot = page_height - above_page - draw_foot(scratch, 0);
     draw_foot(page, foot);
-    const double room = foot - below - (stress_chart(time, lowest_chart).height() - lowest_chart);
-    page.add(stress_chart(time, std::max(lowest_chart, std::floor(room))), {map_width_, below});
+    const double room = foot - below - (stress_chart(row, lowest_chart).height() - lowest_chart);
+    page.add(stress_chart(row, std::max(lowest_chart, std::floor(room))), {map_width_, below});
     return page;
 }
 

@@ -9,9 +9,9 @@
 #include "post/chart/map_view.hpp"
 #include "post/chart/picture.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/film/moments.hpp"
 #include "post/plot/crack_state.hpp"
 #include "post/run/crack_label.hpp"
+#include "post/run/load_curve.hpp"
 
 namespace graincrack {
 
@@ -28,6 +28,10 @@ struct FilmContents {
     std::string title;                      ///< empty: that of the test
 };
 
+/// Rows of a history in even steps of the distance that a quantity travels, so that cycles count both ways.
+/// \param values of the quantity in the rows \pre first <= last, count > 1
+std::vector<std::size_t> film_rows(const std::vector<double>& values, std::size_t first, std::size_t last, std::size_t count);
+
 class FilmPage {
 public:
     /// Reads the run; all frames once, for what is to be seen in any of them. \throws InputError if the run has fewer than two
@@ -36,26 +40,30 @@ public:
     FilmPage(const FilmPage&) = delete;
     FilmPage& operator=(const FilmPage&) = delete;
 
-    /// Times of `count` pictures, s.
-    [[nodiscard]] std::vector<double> moments(std::size_t count) const;
-    /// The picture of a time.
-    Drawing at(double time);
+    /// Rows of the history that `count` pictures show, from the first frame to the last.
+    [[nodiscard]] std::vector<std::size_t> rows(std::size_t count) const;
+    /// The picture of a row of the history: cracks up to its time, grains as in the last frame before it.
+    [[nodiscard]] Drawing at(std::size_t row) const;
 
 private:
-    Drawing map_at(double time, const std::vector<Crack>& present);
+    [[nodiscard]] const std::vector<double>& times() const { return data_.history[HistoryColumn::time]; }
+    [[nodiscard]] const std::vector<double>& values() const;
+    /// The last row that is not behind a time.
+    [[nodiscard]] std::size_t row_at(double time) const;
+    [[nodiscard]] Positions nodes_in(std::size_t frame) const;
+    [[nodiscard]] Drawing map_at(double time, const std::vector<Crack>& present) const;
     double draw_foot(Drawing& page, double top) const;
-    [[nodiscard]] Drawing stress_chart(double time, double height) const;
+    [[nodiscard]] Drawing stress_chart(std::size_t row, double height) const;
     [[nodiscard]] TextColumn column() const;
 
+    const RunReader& run_;
     FilmContents contents_;
     Specimen specimen_;
     std::vector<Crack> cracks_;  ///< labelled, of the wanted classes
     RunData data_;               ///< its history counts these cracks
     LoadCurve curve_;
-    Passage passage_;
     std::vector<double> frame_times_;
     std::vector<std::string> notes_;
-    Motion motion_;
     std::optional<PlatenFaceSet> platens_;
     MapBox view_;
     double page_width_;

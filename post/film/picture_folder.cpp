@@ -59,11 +59,6 @@ void require_own(const std::string& name, const std::string& folder) {
 
 /// A word of a command line of a shell.
 std::string shell_word(const std::string& word) {
-    const auto is_plain = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               std::string_view("_-./%+,:").find(c) != std::string_view::npos;
-    };
-    if (std::all_of(word.begin(), word.end(), is_plain)) return word;
     std::string text = "'";
     for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return text + "'";
@@ -100,38 +95,25 @@ void PictureFolder::add(const Drawing& picture) {
 }
 
 void PictureFolder::commit() {
+    require_own(name_, folder_);
     std::error_code cause;
-    if (!fs::exists(folder_, cause)) {
-        fs::rename(part_, folder_, cause);
-    } else {
-        require_own(name_, folder_);
-        std::vector<fs::path> old(fs::directory_iterator(folder_, cause), {});
-        for (const fs::path& file : old) fs::remove(file, cause);
-        for (const auto& each : std::vector<fs::directory_entry>(fs::directory_iterator(part_, cause), {})) {
-            if (!cause) fs::rename(each.path(), fs::path(folder_) / each.path().filename(), cause);
-        }
-    }
+    fs::remove_all(folder_, cause);
+    if (!cause) fs::rename(part_, folder_, cause);
     if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", name_, cause.message()));
-}
-
-std::string PictureFolder::pattern() const { return fmt::format("{}%0{}d{}", stem, digits_, ending); }
-
-std::string joining_command(const std::string& folder, const std::string& pattern, int frames_per_second, const std::string& kind,
-                            const std::string& video) {
-    std::string pictures;
-    for (const char c : folder) pictures += c == '%' ? std::string("%%") : std::string(1, c);
-    if (!pictures.ends_with('/')) pictures += '/';
-    // The colours are those of HDTV, which players take for granted in videos of this size.
-    return fmt::format(
-        "ffmpeg -nostdin -hide_banner -loglevel error -y -framerate {} -i {} -vf scale=out_color_matrix=bt709 -colorspace bt709 "
-        "-color_primaries bt709 -color_trc bt709 -color_range tv -pix_fmt yuv420p {} -f {} {}",
-        frames_per_second, shell_word(pictures + pattern), kind == "webm" ? "-crf 32 -b:v 0 -cpu-used 4" : "-movflags +faststart",
-        kind, shell_word(video));
 }
 
 bool has_ffmpeg() { return std::system("command -v ffmpeg >/dev/null 2>&1") == 0; }
 
-void join_pictures(const std::string& command, const std::string& video) {
+void PictureFolder::join(int frames_per_second, const std::string& kind, const std::string& file,
+                         const std::string& video) const {
+    std::string pictures;
+    for (const char c : part_) pictures += c == '%' ? std::string("%%") : std::string(1, c);
+    // The colours are those of HDTV, which players take for granted in videos of this size.
+    const std::string command = fmt::format(
+        "ffmpeg -nostdin -hide_banner -loglevel error -y -framerate {} -i {} -vf scale=out_color_matrix=bt709 -colorspace bt709 "
+        "-color_primaries bt709 -color_trc bt709 -color_range tv -pix_fmt yuv420p {} -f {} {}",
+        frames_per_second, shell_word(fmt::format("{}/{}%0{}d{}", pictures, stem, digits_, ending)),
+        kind == "webm" ? "-crf 32 -b:v 0 -cpu-used 4" : "-movflags +faststart", kind, shell_word("file:" + file));
     FILE* const ffmpeg = ::popen((command + " 2>&1").c_str(), "r");
     if (ffmpeg == nullptr) throw OutputError(video + ": ffmpeg cannot be started");
     std::string last;

@@ -10,8 +10,8 @@
 
 namespace graincrack {
 
-/// frame_0001.png, … . They are written in FOLDER.part, which then becomes the folder, or whose files move into the folder if
-/// there is one. Without a commit nothing is left.
+/// frame_0001.png, … . They are written in FOLDER.part, which a commit puts in place of the folder. Without a commit nothing is
+/// left.
 class PictureFolder {
 public:
     /// \throws OutputError for a file, for a folder with other files than those of a film, and without a folder around it
@@ -23,10 +23,9 @@ public:
     void add(const Drawing& picture);
     void commit();
 
-    /// The folder that the pictures are in until the commit.
-    [[nodiscard]] const std::string& part() const { return part_; }
-    /// The names of the pictures as ffmpeg takes them, "frame_%04d.png".
-    [[nodiscard]] std::string pattern() const;
+    /// Calls ffmpeg, which joins the pictures in a video. \param kind "mp4" or "webm" \param file to be written \param video its
+    /// name in messages \throws OutputError with the last line that ffmpeg printed, if it failed; Interrupted
+    void join(int frames_per_second, const std::string& kind, const std::string& file, const std::string& video) const;
 
 private:
     std::string name_;    ///< as it was given
@@ -38,15 +37,7 @@ private:
     std::size_t next_ = 1;
 };
 
-/// The command line of a shell that joins the pictures of a folder in a video. \param kind "mp4" or "webm"
-std::string joining_command(const std::string& folder, const std::string& pattern, int frames_per_second, const std::string& kind,
-                            const std::string& video);
-
 /// True if the program ffmpeg is on the PATH.
 bool has_ffmpeg();
-
-/// Calls ffmpeg. \param video its name in messages \throws OutputError with the last line that ffmpeg printed, if it failed;
-/// Interrupted
-void join_pictures(const std::string& command, const std::string& video);
 
 }  // namespace graincrack

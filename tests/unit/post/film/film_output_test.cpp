@@ -67,14 +67,5 @@ TEST(PictureFolder, AppearsWholeOrNotAtAll) {
     test::expect_one_line<OutputError>([&] { PictureFolder(folder.file("none/film"), {640, 480}, 1); }, {"does not exist"});
 }
 
-TEST(JoiningCommand, IsThatOfAShell) {
-    const std::string plain = joining_command("film", "frame_%04d.png", 25, "mp4", "film.mp4");
-    EXPECT_NE(plain.find(" -framerate 25 -i film/frame_%04d.png "), std::string::npos) << plain;
-    EXPECT_TRUE(plain.ends_with(" -movflags +faststart -f mp4 film.mp4")) << plain;
-    const std::string odd = joining_command("it's 5 %/", "frame_%05d.png", 2, "webm", "a b.webm");
-    EXPECT_NE(odd.find(" 'it'\\''s 5 %%/frame_%05d.png' "), std::string::npos) << odd;
-    EXPECT_TRUE(odd.ends_with(" -f webm 'a b.webm'")) << odd;
-}
-
 }  // namespace
 }  // namespace graincrack
