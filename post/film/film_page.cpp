@@ -73,7 +73,9 @@ std::vector<std::size_t> film_rows(const std::vector<double>& values, std::size_
     }
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i + 1 < count; ++i) {
-        rows.push_back(first + last_until(travelled, travelled.back() * static_cast<double>(i) / static_cast<double>(count - 1)));
+        const double part = static_cast<double>(i) / static_cast<double>(count - 1);
+        constexpr double round_off = 1 + 1e-9;
+        rows.push_back(first + last_until(travelled, round_off * part * travelled.back()));
     }
     rows.push_back(last);
     return rows;
