@@ -1,6 +1,7 @@
 // An axis: its label, the values it spans, its ticks.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -39,5 +40,23 @@ Ticks ticks_along(const Axis& axis, double length, double text_size, int wanted)
 
 /// Low and high of values, NaN left out, widened by a share of their distance; {0, 1} without values.
 std::pair<double, double> padded_range(std::span<const double> values, double pad);
+
+/// "contact_cohesion_MPa" → "contact cohesion, MPa"; "phi_deg" → "φ, °"; "young_modulus_GPa" → "Young's modulus, GPa".
+std::string column_label(const std::string& column);
+/// The name of a mineral or of a pair of them in print: "k_feldspar" → "K-feldspar"; "k_feldspar-mica" → "K-feldspar–mica".
+std::string mineral_label(const std::string& name);
+
+/// All values times a factor.
+inline std::vector<double> times(std::vector<double> values, double factor) {
+    for (double& value : values) value *= factor;
+    return values;
+}
+/// 0 without values.
+inline double largest(const std::vector<double>& values) {
+    return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+inline double smallest(const std::vector<double>& values) {
+    return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
+}
 
 }  // namespace graincrack

@@ -11,7 +11,6 @@
 #include "post/chart/axis.hpp"
 #include "post/chart/drawing.hpp"
 #include "post/chart/font.hpp"
-#include "post/chart/marks.hpp"
 #include "post/chart/page.hpp"
 #include "post/chart/picture_style.hpp"
 

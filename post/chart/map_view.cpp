@@ -4,16 +4,76 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
+#include "post/chart/axis.hpp"
+#include "post/chart/drawing.hpp"
 #include "post/chart/font.hpp"
-#include "post/chart/labels.hpp"
-#include "post/chart/pixel_fill.hpp"
+#include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
+#include "post/run/test_label.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack {
 
 namespace {
+
+/// Twice the area of a triangle, with the sense of turning.
+double cross(Pixel a, Pixel b, Pixel c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+/// Fills triangles smaller than a few pixels through the pixels of the page, so that the size of a picture is bounded by its
+/// page, not by the number of grains.
+class PixelFill {
+public:
+    /// The pixels between two corners of the page.
+    PixelFill(Pixel top_left, Pixel bottom_right)
+        : left_(std::floor(top_left.x)),
+          top_(std::floor(top_left.y)),
+          columns_(static_cast<std::size_t>(std::max(0.0, std::ceil(bottom_right.x) - left_))),
+          rows_(static_cast<std::size_t>(std::max(0.0, std::ceil(bottom_right.y) - top_))),
+          cells_(columns_ * rows_) {}
+    /// Colours the pixels whose centre lies in the triangle, in any sense of turning; what is off the page is left out.
+    void triangle(Pixel a, Pixel b, Pixel c, Colour colour) {
+        const double sense = cross(a, b, c) < 0 ? -1 : 1;
+        const auto [x_low, x_high] = std::minmax({a.x, b.x, c.x});
+        const auto [y_low, y_high] = std::minmax({a.y, b.y, c.y});
+        const auto first = [](double low, double from) { return std::max(0.0, std::ceil(low - from - 0.5)); };
+        const auto last = [](double high, double from, std::size_t n) {
+            return std::min(static_cast<double>(n) - 1, std::floor(high - from - 0.5));
+        };
+        for (double row = first(y_low, top_); row <= last(y_high, top_, rows_); ++row) {
+            for (double column = first(x_low, left_); column <= last(x_high, left_, columns_); ++column) {
+                const Pixel centre{left_ + column + 0.5, top_ + row + 0.5};
+                const bool is_inside =
+                    sense * cross(a, b, centre) >= 0 && sense * cross(b, c, centre) >= 0 && sense * cross(c, a, centre) >= 0;
+                if (is_inside) cells_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)] = colour;
+            }
+        }
+    }
+    /// Adds what was coloured to a drawing: a rectangle for each run of one colour in a row.
+    void draw(Drawing& drawing) const {
+        constexpr double overlap = 0.5;  // downwards, so that rows do not come apart where a viewer scales the picture
+        for (std::size_t row = 0; row < rows_; ++row) {
+            for (std::size_t from = 0; from < columns_;) {
+                const std::optional<Colour>& cell = cells_[row * columns_ + from];
+                std::size_t to = from + 1;
+                while (to < columns_ && cells_[row * columns_ + to] == cell) ++to;
+                const double y = top_ + static_cast<double>(row);
+                if (cell) {
+                    drawing.rectangle({left_ + static_cast<double>(from), y}, {left_ + static_cast<double>(to), y + 1 + overlap},
+                                      *cell);
+                }
+                from = to;
+            }
+        }
+    }
+
+private:
+    double left_, top_;
+    std::size_t columns_, rows_;
+    std::vector<std::optional<Colour>> cells_;
+};
 
 constexpr double platen_height = 16;
 /// Grains of shorter edges, in pixels, have no outlines: they would cover the map in grey.
@@ -193,6 +253,71 @@ void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::ve
     const LegendEnd end = graincrack::draw_legend(drawing_, entries, column, drawing_.height() + 6);
     const double bottom = draw_scale_bar(drawing_, scale(), column, end);
     drawing_.set_height(draw_heading(drawing_, {"", notes}, column, bottom) + 14);
+}
+
+namespace {
+
+constexpr double within_crystals = 0.55;  ///< width of a crack within a crystal over that of one between two
+
+/// Draws the half facet of a failed contact point: one line midway between its two sides, or, where the crack is open, one on
+/// each.
+void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, double width) {
+    const auto& nodes = specimen.contact_nodes[static_cast<std::size_t>(crack.contact)];
+    const auto at = [&](std::size_t k) { return map.positions()[static_cast<std::size_t>(nodes[k])]; };
+    const auto between = [](std::array<double, 2> p, std::array<double, 2> q) {
+        return std::array{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2};
+    };
+    const Colour colour = crack.mode == CrackMode::tensile ? palette::tensile : palette::shear;
+    const auto draw = [&](std::array<double, 2> first, std::array<double, 2> second, double stroke) {
+        const auto middle = between(first, second);
+        map.stroke(crack.point == 0 ? first : middle, crack.point == 0 ? middle : second, stroke, colour);
+    };
+    const std::size_t end = crack.point;  // a1, b1 or a2, b2
+    const auto side_a = at(end);
+    const auto side_b = at(end + 2);
+    const double gap = std::hypot(side_a[0] - side_b[0], side_a[1] - side_b[1]) * map.pixels_per_metre();
+    if (gap <= 2 * width) {
+        draw(between(at(0), at(2)), between(at(1), at(3)), width);
+    } else {
+        draw(at(0), at(1), 0.7 * width);
+        draw(at(2), at(3), 0.7 * width);
+    }
+}
+
+}  // namespace
+
+bool has_platens_to_draw(const RunData& run) { return run.header.loading() != Loading::tension; }
+
+bool has_pre_existing_cracks(const Specimen& specimen) {
+    return std::any_of(specimen.contact_kind.begin(), specimen.contact_kind.end(), starts_broken);
+}
+
+bool draw_crack_state(MapView& map, const Specimen& specimen, const std::optional<PlatensAtStrain>& platens,
+                      const std::vector<Crack>& present) {
+    map.draw_grains();
+    if (platens) map.draw_platens(platens->faces, -platens->axial_strain * specimen.height / 2);
+    const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
+    const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
+    const bool cracked_before = map.draw_pre_existing_cracks(width);
+    for (const CrackMode mode : {CrackMode::shear, CrackMode::tensile}) {
+        for (const Crack& crack : present) {
+            if (crack.mode != mode) continue;
+            const bool is_within = is_within_crystal(specimen, static_cast<std::size_t>(crack.contact));
+            draw_crack(map, specimen, crack, is_within ? within_crystals * width : width);
+        }
+    }
+    return cracked_before;
+}
+
+std::string cracked_contacts(const std::vector<Crack>& cracks, CrackMode mode) {
+    const auto points = std::count_if(cracks.begin(), cracks.end(), [mode](const Crack& c) { return c.mode == mode; });
+    return whole_contacts(0.5 * static_cast<double>(points));
+}
+
+std::vector<std::string> crack_notes(const Specimen& specimen, const CrackLabel& label, const std::vector<std::string>& classes) {
+    std::vector<std::string> lines{limited_to(definition_of(label), classes)};
+    if (!specimen.grain_crystal.empty()) lines.emplace_back("thin: within crystals; thick: between them");
+    return lines;
 }
 
 }  // namespace graincrack

@@ -11,6 +11,8 @@
 #include "post/chart/drawing.hpp"
 #include "post/chart/page.hpp"
 #include "post/chart/picture_style.hpp"
+#include "post/run/crack_label.hpp"
+#include "post/run/load_curve.hpp"
 #include "share/file/platen_faces.hpp"
 #include "share/file/run_file.hpp"
 
@@ -98,5 +100,24 @@ private:
     Pixel origin_;      ///< where the lower left corner of the map is
     Drawing drawing_;
 };
+
+/// Platens, and the axial strain by which they have moved, elongation positive.
+struct PlatensAtStrain {
+    PlatenFaceSet faces;
+    double axial_strain = 0;
+};
+/// Direct tension pulls at the ends of the specimen: there are no platens.
+bool has_platens_to_draw(const RunData& run);
+bool has_pre_existing_cracks(const Specimen& specimen);
+
+/// Draws grains, platens, cracks from before the test, and those of the test: tensile above shear, thin within crystals.
+/// \return whether there are cracks from before the test
+bool draw_crack_state(MapView& map, const Specimen& specimen, const std::optional<PlatensAtStrain>& platens,
+                      const std::vector<Crack>& present);
+
+/// The number of contacts with cracks of a mode, as a legend has it.
+std::string cracked_contacts(const std::vector<Crack>& cracks, CrackMode mode);
+/// The definition of the cracks of a picture in lines. \param classes that they are limited to
+std::vector<std::string> crack_notes(const Specimen& specimen, const CrackLabel& label, const std::vector<std::string>& classes);
 
 }  // namespace graincrack

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "post/table/number.hpp"
+#include "post/table/table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 

@@ -4,17 +4,76 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "post/calibrate/folder.hpp"
+#include "post/chart/drawing.hpp"
+#include "post/chart/font.hpp"
+#include "post/chart/page.hpp"
 #include "post/chart/picture.hpp"
+#include "post/chart/picture_style.hpp"
 #include "post/options/command.hpp"
-#include "post/plot/heat_map.hpp"
 #include "share/base/error.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {
 
 namespace {
+
+/// A cell: positive values are red, negative blue, the stronger the larger; faint ones have no colour.
+struct HeatCell {
+    double value = 0;
+    std::string text;
+    bool faint = false;
+};
+
+constexpr double row_height = 44;
+constexpr double letter_size = 22;
+constexpr double gap = 14;
+
+Colour blended(Colour strongest, double share) {
+    const auto part = [&](std::uint8_t c) { return static_cast<std::uint8_t>(std::lround(255 + share * (c - 255))); };
+    return {part(strongest.red), part(strongest.green), part(strongest.blue)};
+}
+
+/// \param cells a row for each name of `rows`, as long as `columns`; the strongest colour is that of 1
+Drawing draw_heat_map(const std::string& title, const std::vector<std::string>& rows, const std::vector<std::string>& columns,
+                      const std::vector<std::vector<HeatCell>>& cells) {
+    const double page_width = PictureStyle().page_width;
+    double names = 0;
+    for (const std::string& row : rows) names = std::max(names, text_width(row, letter_size));
+    const double left = names + 2 * gap;
+    const double width = (page_width - left - gap) / static_cast<double>(std::max<std::size_t>(columns.size(), 1));
+    const double top = 3 * row_height;
+    Drawing drawing(static_cast<int>(page_width), static_cast<int>(top + row_height * static_cast<double>(rows.size()) + gap));
+    drawing.text({{gap, row_height}, title, letter_size, palette::ink, Anchor::start, true});
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        // Names that are wider than their columns stand on two lines by turns, and stay on the page.
+        const double y = top - gap - (k % 2 == 0 ? 0 : 0.7 * row_height);
+        const double half = 0.5 * text_width(columns[k], letter_size);
+        const double x = std::min(left + (static_cast<double>(k) + 0.5) * width, page_width - gap - half);
+        drawing.text({{x, y}, columns[k], letter_size, palette::ink, Anchor::middle});
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double y = top + row_height * static_cast<double>(i);
+        drawing.text({{left - gap, y + 0.7 * row_height}, rows[i], letter_size, palette::ink, Anchor::end});
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            const HeatCell& cell = cells[i][k];
+            const double share = cell.faint ? 0 : std::min(1.0, std::abs(cell.value));
+            const double x = left + width * static_cast<double>(k);
+            drawing.rectangle({x + 1, y + 1}, {x + width - 1, y + row_height - 1},
+                              blended(cell.value > 0 ? palette::tensile : palette::pre_existing, 0.75 * share));
+            drawing.text({{x + 0.5 * width, y + 0.7 * row_height},
+                          with_minus(cell.text),
+                          letter_size,
+                          cell.faint ? palette::rim : palette::ink,
+                          Anchor::middle});
+        }
+    }
+    return drawing;
+}
 
 struct CalibrateOptions {
     std::string material;
@@ -38,7 +97,7 @@ void write_heat_map(const std::string& file, const std::vector<calibrate::Sensit
         }
         cells.back().push_back({s.exponent.value, fmt::format("{:.2f}", s.exponent.value), !s.is_significant()});
     }
-    write_picture(draw_heat_map("d ln response / d ln parameter; white: the 95 % interval contains 0", rows, columns, cells, 1),
+    write_picture(draw_heat_map("d ln response / d ln parameter; white: the 95 % interval contains 0", rows, columns, cells),
                   file);
 }
 

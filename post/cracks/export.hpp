@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "post/cracks/emission.hpp"
+#include "post/options/command.hpp"
 #include "post/run/crack_label.hpp"
 #include "share/base/progress.hpp"
 #include "share/file/run_file.hpp"
@@ -37,5 +38,12 @@ std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& spe
 
 /// The crack log, every column with its unit; the class of the contact where the specimen has several phases.
 void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const Specimen& specimen, TableFormat format);
+
+/// --crack-event failed|half-damaged|broken, --crack-mode traction|sign: what counts as a micro-crack, and which are tensile.
+void add_crack_label(OptionSet set, CrackLabelChoice& label);
+/// --class PAIR, which may be given again: what a picture of cracks is limited to.
+void add_classes(OptionSet set, std::vector<std::string>& classes);
+/// --event-distance, --event-time: the window of an acoustic event.
+void add_events(OptionSet set, EventOptions& options);
 
 }  // namespace graincrack

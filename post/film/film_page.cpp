@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/chart/numbers.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/crack_label.hpp"

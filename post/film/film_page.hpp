@@ -9,7 +9,6 @@
 #include "post/chart/map_view.hpp"
 #include "post/chart/picture.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/plot/crack_state.hpp"
 #include "post/run/crack_label.hpp"
 #include "post/run/load_curve.hpp"
 

@@ -7,10 +7,9 @@
 #include <numeric>
 #include <span>
 
+#include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/chart/labels.hpp"
-#include "post/chart/numbers.hpp"
-#include "post/cracks/crack_options.hpp"
+#include "post/cracks/export.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -129,6 +128,83 @@ Command counts_plot() {
             const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.label);
             return draw_counts(count_cracks_by_row(data, load_curve(data), specimen, cracks), data,
                                definition_of(options.label.of(run.header())), options.abscissa, options.style);
+        });
+}
+
+namespace {
+
+struct Term {
+    HistoryColumn column;
+    const char* label;
+    Stroke stroke;
+};
+
+const std::vector<Term>& terms() {
+    using enum HistoryColumn;
+    static const std::vector<Term> all{{energy_external, "external work", {palette::ink, 5}},
+                                       {energy_strain, "strain", {palette::series(0), 4}},
+                                       {energy_contact, "contacts", {palette::series(4), 4, Dash::long_dashed}},
+                                       {energy_fracture_tension, "fracture, tension", {palette::tensile, 4, Dash::dash_dot}},
+                                       {energy_fracture_shear, "fracture, shear", {palette::tensile, 4.5, Dash::dotted}},
+                                       {energy_friction, "friction", {palette::series(2), 4, Dash::dashed}},
+                                       {energy_damping, "damping", {palette::series(3), 6, Dash::dotted}},
+                                       {energy_platen, "platens", {palette::series(5), 3, Dash::dashed}},
+                                       {energy_kinetic, "kinetic", {palette::series(6), 2.5, Dash::dash_dot}},
+                                       {non_conservative_work, "non-conservative work", {palette::rim, 2}}};
+    return all;
+}
+
+/// Terms smaller than this share of the largest are nothing in a picture.
+constexpr double least_share = 1e-3;
+
+double magnitude(const std::vector<double>& values) { return std::max(largest(values), -smallest(values)); }
+
+}  // namespace
+
+Drawing draw_energy(const RunData& run, Abscissa abscissa, const PictureStyle& style) {
+    const Course course = course_of(run, abscissa);
+    std::vector<double> all;
+    for (const Term& term : terms()) all.insert(all.end(), run.history[term.column].begin(), run.history[term.column].end());
+    const auto [low, high] = padded_range(all, 0.04);
+    Chart chart(
+        style,
+        {test_title(run.header),
+         {fmt::format("energy balance per metre of thickness; largest residual {:.2g} % of the peak stored energy; damping "
+                      "took {:.2g} % of the work",
+                      100 * run.header.energy_balance_error, 100 * run.header.damping_share)}},
+        course.axis, Axis{"energy, J/m", low, high});
+    if (const auto curve = load_curve_if_any(run)) {
+        const Stroke at_peak{palette::rim, 2, Dash::dashed};
+        chart.line(std::vector<double>(2, course.values[curve->peak]), std::vector<double>{low, high}, at_peak);
+        chart.legend(at_peak, peak_label(run));
+    }
+    std::string left_out;
+    for (const Term& term : terms()) {
+        const std::vector<double>& values = run.history[term.column];
+        if (magnitude(values) < least_share * magnitude(all)) {
+            left_out += (left_out.empty() ? "" : ", ") + std::string(term.label);
+            continue;
+        }
+        chart.line(course.values, values, term.stroke);
+        chart.legend(term.stroke, term.label);
+    }
+    if (!left_out.empty()) chart.add_note("below 0.1 % of the largest, and not shown: " + left_out);
+    return chart.finish();
+}
+
+Command energy_plot() {
+    struct Options : PlotOptions {
+        Abscissa abscissa = Abscissa::time;
+    };
+    return make_plot<Options>(
+        "energy", "the energy balance over a test", {"uniaxial.h5 -o energy.png", "brazilian.h5 --x strain -o energy.svg"},
+        one_run,
+        [](OptionSet set, Options& options) {
+            add_chart(set, options);
+            add_abscissa(set, options.abscissa);
+        },
+        [](const Options& options, const Call& call) {
+            return draw_energy(read_run_data(call.file()), options.abscissa, options.style);
         });
 }
 

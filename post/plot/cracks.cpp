@@ -3,19 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "post/chart/map_view.hpp"
-#include "post/cracks/crack_options.hpp"
+#include "post/cracks/export.hpp"
+#include "post/cracks/fragments.hpp"
 #include "post/measure/caveats.hpp"
-#include "post/plot/crack_state.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/load_curve.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
+#include "share/base/error.hpp"
+#include "share/base/units.hpp"
+#include "share/file/end_faces.hpp"
+#include "share/file/h5_file.hpp"
 #include "share/file/platen_faces.hpp"
 #include "share/options/option_set.hpp"
 
@@ -241,6 +248,141 @@ Command cracks_plot() {
         },
         [](const MapPlotOptions& options, const Call& call) {
             return draw_cracks(RunReader(call.file()), options.map, options.style);
+        });
+}
+
+namespace {
+
+/// Half-strong colours of the series, so that outlines stay visible.
+Colour fragment_colour(std::size_t fragment) {
+    if (fragment == 0) return palette::grain;
+    const Colour c = palette::series(fragment - 1);
+    const auto pale = [](std::uint8_t value) { return static_cast<std::uint8_t>(value + (255 - value) * 2 / 5); };
+    return {pale(c.red), pale(c.green), pale(c.blue)};
+}
+
+}  // namespace
+
+Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style) {
+    const Specimen specimen = run.specimen();
+    Frame frame = read_frame(run, specimen, choose_frame(run, options.frame, options.time));
+    const Fragments fragments = find_fragments(specimen, frame.state);
+    const FragmentCount count = count_fragments(fragments, frame.time);
+    MapView map(specimen, moved_nodes(specimen, frame, options.magnification),
+                {test_title(run.header()),
+                 {counted(count.fragments, "fragment") +
+                      (count.single_grains > 0 ? ", of which " + counted(count.single_grains, "single grain") : ""),
+                  fmt::format("the largest has {:.1f} % of the area; diameter {:.3g} mm", 100 * count.largest_share,
+                              1e3 * fragments.all.front().diameter())}},
+                {style});
+    map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
+    constexpr double line = 5;
+    const auto grains = grains_of_contacts(specimen);
+    const auto parts = [&](std::size_t contact) {
+        return fragments.of_grain[grains[contact][0]] != fragments.of_grain[grains[contact][1]];
+    };
+    map.draw_boundaries(parts, line);
+    std::vector<LegendEntry> legend{{palette::grain, "largest fragment"}};
+    if (count.fragments > 1) {
+        legend.push_back({fragment_colour(1), "others, coloured"});
+        legend.push_back({Stroke{palette::ink, line}, "between fragments"});
+    }
+    map.draw_legend(legend);
+    return std::move(map).drawing();
+}
+
+Command fragments_plot() {
+    return make_plot<MapPlotOptions>("fragments", "grains that are still connected, by fragment",
+                                     {"brazilian.h5 -o fragments.png", "uniaxial.h5 --frame peak -o fragments.svg"}, one_run,
+                                     add_map_options, [](const MapPlotOptions& options, const Call& call) {
+                                         return draw_fragments(RunReader(call.file()), options.map, options.style);
+                                     });
+}
+
+namespace {
+
+ChartText specimen_heading(const Specimen& specimen) {
+    const MeshStatistics& mesh = specimen.statistics;
+    const bool is_round = !has_end_faces(specimen) && specimen.shape != "polygon";
+    const std::string size = is_round ? "⌀ " + format_number(specimen.width * 1e3, 4)
+                                      : format_number(specimen.width * 1e3, 4) + " × " + format_number(specimen.height * 1e3, 4);
+    std::string shape = specimen.shape;
+    if (!shape.empty() && shape[0] >= 'a' && shape[0] <= 'z') shape[0] = static_cast<char>(shape[0] - 'a' + 'A');
+    return {fmt::format("{} {} mm, {}", shape, size, grains_label(specimen)),
+            {fmt::format("{}, seed {}: mean edge {:.4g} mm, variation {:.3g}", specimen.tessellation, specimen.seed,
+                         mesh.mean_edge * 1e3, mesh.edge_variation),
+             fmt::format("smallest angle {:.3g}°, preferred direction ψ6 {:.2g}", mesh.min_angle * 180 / std::numbers::pi,
+                         mesh.psi6)}};
+}
+
+/// Lower ends of the steps of strength factors, whose mean is 1, and their colours: even steps of viridis (van der Walt & Smith
+/// 2015), the weaker the darker, so that they stay apart in grey and for colour-blind eyes.
+struct StrengthStep {
+    double from;
+    Colour colour;
+    const char* label;
+};
+constexpr std::array<StrengthStep, 5> strength_steps{{{0, {68, 1, 84}, "< 0.5"},
+                                                      {0.5, {59, 82, 139}, "0.5 to 0.75"},
+                                                      {0.75, {33, 145, 140}, "0.75 to 1"},
+                                                      {1, {94, 201, 98}, "1 to 1.25"},
+                                                      {1.25, {253, 231, 37}, "> 1.25"}}};
+
+/// Contacts as strokes, the weaker the darker and the later drawn.
+void draw_strengths(MapView& map, const Specimen& specimen, const std::string& file, std::vector<LegendEntry>& legend) {
+    const std::vector<double>& factors = specimen.contact_strength_factor;
+    if (factors.empty()) {
+        throw InputError(file + ": its contacts have no strength factors; graincrack-mesh --strength-modulus gives them");
+    }
+    map.draw_grains([](std::size_t /*grain*/) { return palette::white; });
+    const double width = std::clamp(0.12 * specimen.statistics.mean_edge * map.pixels_per_metre(), 1.2, 6.0);
+    for (auto step = strength_steps.rbegin(); step != strength_steps.rend(); ++step) {
+        const double to = step == strength_steps.rbegin() ? std::numeric_limits<double>::infinity() : std::prev(step)->from;
+        for (std::size_t c = 0; c < factors.size(); ++c) {
+            if (factors[c] < step->from || factors[c] >= to) continue;
+            const auto at = [&](std::size_t k) {
+                return map.positions()[static_cast<std::size_t>(specimen.contact_nodes[c][k])];
+            };
+            map.stroke(at(0), at(1), width, step->colour);
+        }
+    }
+    for (const StrengthStep& step : strength_steps) {
+        legend.push_back({Stroke{step.colour, 6}, (legend.empty() ? "strength factor " : "") + std::string(step.label)});
+    }
+}
+
+}  // namespace
+
+Drawing draw_specimen(const Specimen& specimen, const std::string& file, SpecimenColour colour, const PictureStyle& style) {
+    MapView map(specimen, specimen.node_position, specimen_heading(specimen), {style});
+    std::vector<LegendEntry> legend;
+    if (colour == SpecimenColour::strength) {
+        draw_strengths(map, specimen, file, legend);
+    } else {
+        map.draw_grains();
+        legend = phase_legend(specimen);
+    }
+    if (map.draw_pre_existing_cracks(4)) legend.push_back({Stroke{palette::pre_existing, 4}, "pre-existing crack"});
+    map.draw_legend(legend);
+    return std::move(map).drawing();
+}
+
+Command specimen_plot() {
+    struct Options : PlotOptions {
+        SpecimenColour colour = SpecimenColour::phase;
+    };
+    return make_plot<Options>(
+        "specimen", "the grains of a specimen", {"disc.h5 -o disc.png", "uniaxial.h5 -o specimen.svg"},
+        FileArguments{"file", "specimen or run"},
+        [](OptionSet set, Options& options) {
+            add_picture(set, options);
+            add_choice<SpecimenColour>(set, "--colour", options.colour,
+                                       {{"phase", SpecimenColour::phase}, {"strength", SpecimenColour::strength}},
+                                       "grains by their phase (mineral), or contacts by the factor on their strengths");
+        },
+        [](const Options& options, const Call& call) {
+            const H5Input file(call.file());
+            return draw_specimen(read_specimen(file), file.name(), options.colour, options.style);
         });
 }
 

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <functional>
 
+#include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/chart/numbers.hpp"
 #include "post/cracks/crack_counts.hpp"
-#include "post/cracks/crack_options.hpp"
+#include "post/cracks/export.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/first_peak.hpp"
 #include "post/options/command.hpp"

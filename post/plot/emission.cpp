@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "post/chart/chart.hpp"
-#include "post/cracks/crack_options.hpp"
 #include "post/cracks/export.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <functional>
 
+#include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/chart/numbers.hpp"
 #include "post/options/command.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "post/chart/numbers.hpp"
+#include "post/chart/axis.hpp"
 #include "post/options/command.hpp"
 #include "share/base/quantities.hpp"
 #include "share/options/option_set.hpp"

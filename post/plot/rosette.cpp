@@ -9,7 +9,7 @@
 
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
-#include "post/cracks/crack_options.hpp"
+#include "post/cracks/export.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/chart/labels.hpp"
 #include "post/options/command.hpp"
 #include "share/base/table_file.hpp"
 #include "share/options/option_set.hpp"

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/chart/numbers.hpp"
 #include "post/measure/thresholds.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"

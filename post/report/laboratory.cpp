@@ -10,7 +10,7 @@
 
 #include "post/fit/mohr_coulomb.hpp"
 #include "post/report/html.hpp"
-#include "post/table/number.hpp"
+#include "post/table/table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 

@@ -10,8 +10,7 @@
 #include <map>
 #include <set>
 
-#include "post/chart/labels.hpp"
-#include "post/cracks/class_counts.hpp"
+#include "post/chart/axis.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/measure/caveats.hpp"

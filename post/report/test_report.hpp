@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "post/cracks/crack_counts.hpp"
-#include "post/cracks/crack_summary.hpp"
 #include "post/measure/brazilian.hpp"
 #include "post/measure/property.hpp"
 #include "post/statistics/statistics.hpp"

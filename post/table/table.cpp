@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -173,6 +174,15 @@ void TableWriter::row(const std::vector<Cell>& cells) {
         }
     }
     out_ << (json ? "}\n" : "\n");
+}
+
+std::optional<double> parse_number(const std::string& text) {
+    const char* from = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
+    const char* const to = text.data() + text.size();
+    double value = 0;
+    const auto [end, error] = std::from_chars(from, to, value);
+    if (error != std::errc{} || end != to) return std::nullopt;
+    return value;
 }
 
 }  // namespace graincrack

@@ -67,4 +67,7 @@ using AlignedLine = std::vector<std::string>;
 /// Columns as wide as their widest text, the first aligned left, the others right; an empty text shows as a dash.
 void write_aligned(std::ostream& out, const std::vector<AlignedLine>& lines);
 
+/// A number, empty if the text is none.
+std::optional<double> parse_number(const std::string& text);
+
 }  // namespace graincrack

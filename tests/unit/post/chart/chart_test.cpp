@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "post/chart/axis.hpp"
 #include "post/chart/font.hpp"
-#include "post/chart/labels.hpp"
-#include "post/chart/marks.hpp"
 #include "post/chart/page.hpp"
 #include "tests/support/drawing_shapes.hpp"
 

@@ -1,10 +1,10 @@
-#include "post/cracks/cracked_crystals.hpp"
+#include "post/cracks/fragments.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "post/cracks/class_counts.hpp"
+#include "post/cracks/crack_counts.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "post/cracks/crack_counts.hpp"
-#include "post/cracks/crack_summary.hpp"
 #include "post/cracks/emission.hpp"
 #include "post/cracks/fragments.hpp"
 #include "tests/support/synthetic_run.hpp"

@@ -1,4 +1,4 @@
-#include "post/export/shared_mesh.hpp"
+#include "post/export/mesh_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "post/chart/font.hpp"
+#include "post/chart/map_view.hpp"
 #include "post/film/film.hpp"
-#include "post/plot/crack_state.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/drawing_shapes.hpp"

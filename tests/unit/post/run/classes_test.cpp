@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "post/chart/picture.hpp"
-#include "post/cracks/class_counts.hpp"
+#include "post/cracks/crack_counts.hpp"
 #include "post/cracks/export.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/plot/plots.hpp"
