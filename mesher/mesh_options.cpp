@@ -342,7 +342,7 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
 /// A mesh or a picture from elsewhere.
 void add_import(OptionSet set, ImportRequest& request) {
     add_text(set, "file", request.file,
-             "mesh of Gmsh (MSH 2.2, 4.1), Neper (.msh, .tess) or Abaqus (.inp), or picture of labels (PNG, or integers as "
+             "mesh of Gmsh (MSH 2.2, 4.1), Neper (.msh) or Abaqus (.inp), or picture of labels (PNG, or integers as "
              "text); - for stdin")
         .type_name("FILE|-")
         .required();
@@ -355,8 +355,8 @@ void add_import(OptionSet set, ImportRequest& request) {
     add_optional_choice<GrainChoice>(
         set, "--grain", request.grains,
         {{"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}},
-        "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus, cell of a tessellation, piece of a "
-        "picture), or what is connected of a physical group; default: entity, or element where there is one entity only");
+        "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus, piece of a picture), or what is connected "
+        "of a physical group; default: entity, or element where there is one entity only");
     add_optional_choice<CrystalChoice>(
         set, "--crystals", request.crystals, {{"elastic", CrystalChoice::elastic}, {"break", CrystalChoice::breaking}},
         "crystals of several elements: elastic (the elements deform together, as those of voronoi crystals), or break (the "
@@ -377,12 +377,10 @@ void add_import(OptionSet set, ImportRequest& request) {
         },
         "side of a pixel of a picture, as 0.1mm", "LENGTH", "");
     add_quantity(set, "--element-size", request.labels.element_size, quantity::element_size,
-                 "side of the triangles into which grains of a picture or of a tessellation are divided; default: a third of the "
-                 "mean diameter of "
+                 "side of the triangles into which grains of a picture are divided; default: a third of the mean diameter of "
                  "grains, at least 2 pixels");
     add_integer<int>(set, "--smallest-piece", request.labels.smallest_piece,
                      "pieces of fewer pixels of a picture join the neighbour with the longest common border", 1);
-    add_flag(set, "--jagged", request.labels.jagged, "grain boundaries along the sides of pixels instead of smooth ones");
     add_quantity(set, "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m");
     add_value(
         set, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },

@@ -52,10 +52,7 @@ public:
         while (!text_.at_end()) {
             const std::string section(text_.line());
             if (section.size() < 2 || section.front() != '$') text_.fail("a section is expected, such as $Nodes");
-            const bool is_binary = is_binary_ && section != "$PhysicalNames";
-            if (is_binary && version_ == 4) text_.begin_binary();
             read_section(section);
-            text_.end_binary();
             if (!text_.skip_to("$End" + section.substr(1))) text_.fail(fmt::format("{} has no end", section));
         }
         finish();
@@ -63,40 +60,31 @@ public:
     }
 
 private:
-    /// What the format says about the entity of a block.
-    struct Entity {
-        std::int64_t parent = 0;    ///< of a part of a partitioned mesh; else itself
-        std::int64_t physical = 0;  ///< the first; 0: none
-    };
-
     void read_header() {
         if (text_.line() != "$MeshFormat") text_.fail("$MeshFormat is expected");
         const double version = text_.number("the version of the format");
-        is_binary_ = text_.integer("the type of the file") == 1;
+        const bool is_binary = text_.integer("the type of the file") == 1;
         const std::int64_t size = text_.integer("the size of a number");
+        if (is_binary) text_.fail("the file is binary; text is needed (gmsh FILE -save -bin 0)");
         if (version >= 2 && version < 3) version_ = 2;
         if (version >= 4.1 && version < 5) version_ = 4;
         if (version_ == 0) {
             text_.fail(fmt::format("the format is MSH {:g}; 2.2 or 4.1 is needed (gmsh FILE -save -format msh41)", version));
         }
         if (size != 8) text_.fail(fmt::format("numbers of {} bytes; 8 are needed", size));
-        mesh_.format = fmt::format("Gmsh {:g}, {}", version, is_binary_ ? "binary" : "text");
+        mesh_.format = fmt::format("Gmsh {:g}, text", version);
         mesh_.without_groups =
             "physical groups: none, so that all grains are of one phase (Gmsh's Mesh.SaveAll drops them in MSH 2.2)";
-        text_.line();
-        if (is_binary_) {
-            text_.begin_binary();
-            if (text_.int32("the order of bytes") != 1) text_.fail("the bytes have the order of another kind of machine");
-            text_.end_binary();
-        }
         if (!text_.skip_to("$EndMeshFormat")) text_.fail("$MeshFormat has no end");
     }
 
     void read_section(const std::string& section) {
         if (section == "$PhysicalNames") {
             read_physical_names();
-        } else if (version_ == 4 && (section == "$Entities" || section == "$PartitionedEntities")) {
-            read_entities(section == "$PartitionedEntities");
+        } else if (version_ == 4 && section == "$PartitionedEntities") {
+            text_.fail("the mesh is partitioned; give it in one part (in Gmsh: Mesh, Unpartition)");
+        } else if (version_ == 4 && section == "$Entities") {
+            read_entities();
         } else if (section == "$Nodes") {
             if (version_ == 2) read_nodes_2();
             if (version_ == 4) read_nodes_4();
@@ -129,46 +117,31 @@ private:
         }
     }
 
-    void read_entities(bool is_partitioned) {
-        if (is_partitioned) {
-            text_.size("the number of partitions");
-            for (std::size_t n = text_.size_count("the number of ghost entities", 2); n > 0; --n) {
-                text_.int32("a ghost entity");
-                text_.int32("its partition");
-            }
-        }
+    void read_entities() {
         std::array<std::size_t, 4> n_entities{};
-        for (std::size_t& n : n_entities) n = text_.size_count("the number of entities", 2);
-        for (std::size_t dimension = 0; dimension < 4; ++dimension) {
-            for (std::size_t i = 0; i < n_entities[dimension]; ++i) read_entity(dimension, is_partitioned);
+        for (std::size_t& n : n_entities) n = text_.count("the number of entities", 2);
+        for (int dimension = 0; dimension < 4; ++dimension) {
+            for (std::size_t i = 0; i < n_entities[static_cast<std::size_t>(dimension)]; ++i) read_entity(dimension);
         }
     }
 
-    void read_entity(std::size_t dimension, bool is_partitioned) {
-        const std::int64_t tag = text_.int32("the tag of an entity");
-        Entity entity{tag, 0};
-        if (is_partitioned) {
-            const std::int64_t parent_dimension = text_.int32("the dimension of a parent");
-            const std::int64_t parent = text_.int32("the tag of a parent");
-            if (parent_dimension == static_cast<std::int64_t>(dimension)) entity.parent = parent;
-            for (std::size_t n = text_.size_count("the number of partitions of an entity", 2); n > 0; --n) {
-                text_.int32("a partition");
-            }
-        }
-        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) text_.real("a bound of an entity");
-        const std::size_t n_physical = text_.size_count("the number of physical groups of an entity", 2);
+    void read_entity(int dimension) {
+        const std::int64_t tag = text_.integer("the tag of an entity");
+        std::int64_t first = 0;
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) text_.number("a bound of an entity");
+        const std::size_t n_physical = text_.count("the number of physical groups of an entity", 2);
         for (std::size_t i = 0; i < n_physical; ++i) {
-            const std::int64_t physical = text_.int32("a physical group");
-            if (i == 0) entity.physical = physical;
+            const std::int64_t physical = text_.integer("a physical group");
+            if (i == 0) first = physical;
         }
         if (n_physical > 1 && dimension == 2) {
             mesh_.notes.push_back(
-                fmt::format("entity {} is of {} physical groups: the first, {}, counts", tag, n_physical, entity.physical));
+                fmt::format("entity {} is of {} physical groups: the first, {}, counts", tag, n_physical, first));
         }
         if (dimension > 0) {
-            for (std::size_t n = text_.size_count("the number of bounding entities", 2); n > 0; --n) text_.int32("an entity");
+            for (std::size_t n = text_.count("the number of bounding entities", 2); n > 0; --n) text_.integer("an entity");
         }
-        if (dimension == 1 || dimension == 2) entities_[{dimension, tag}] = entity;
+        if (dimension == 1 || dimension == 2) physical_of_[{dimension, tag}] = first;
     }
 
     void add_node(std::int64_t number, const std::array<double, 3>& position) {
@@ -178,39 +151,32 @@ private:
 
     std::array<double, 3> position() {
         std::array<double, 3> p{};
-        for (double& coordinate : p) coordinate = text_.real("a coordinate");
+        for (double& coordinate : p) coordinate = text_.number("a coordinate");
         return p;
     }
 
     void read_nodes_2() {
         const std::size_t n_nodes = text_.count("the number of nodes", 8);
-        begin_binary_after_line();
         for (std::size_t i = 0; i < n_nodes; ++i) {
-            const std::int64_t number = text_.int32("the number of a node");
+            const std::int64_t number = text_.integer("the number of a node");
             add_node(number, position());
         }
     }
 
-    /// What stands in a line is text, what follows is binary, if the file is.
-    void begin_binary_after_line() {
-        text_.line();
-        if (is_binary_) text_.begin_binary();
-    }
-
     void read_nodes_4() {
-        const std::size_t n_blocks = text_.size_count("the number of blocks of nodes", 4);
-        for (int k = 0; k < 3; ++k) text_.size("the head of nodes");
+        const std::size_t n_blocks = text_.count("the number of blocks of nodes", 4);
+        for (int k = 0; k < 3; ++k) text_.integer("the head of nodes");
         std::vector<std::int64_t> numbers;
         for (std::size_t block = 0; block < n_blocks; ++block) {
-            const std::int64_t dimension = text_.int32("the dimension of a block of nodes");
-            text_.int32("the entity of a block of nodes");
-            const std::int64_t parameters = text_.int32("whether nodes have parameters") != 0 ? dimension : 0;
-            const std::size_t n_nodes = text_.size_count("the number of nodes of a block", 8);
+            const std::int64_t dimension = text_.integer("the dimension of a block of nodes");
+            text_.integer("the entity of a block of nodes");
+            const std::int64_t parameters = text_.integer("whether nodes have parameters") != 0 ? dimension : 0;
+            const std::size_t n_nodes = text_.count("the number of nodes of a block", 8);
             numbers.clear();
-            for (std::size_t i = 0; i < n_nodes; ++i) numbers.push_back(text_.size("the number of a node"));
+            for (std::size_t i = 0; i < n_nodes; ++i) numbers.push_back(text_.integer("the number of a node"));
             for (const std::int64_t number : numbers) {
                 add_node(number, position());
-                for (std::int64_t k = 0; k < parameters; ++k) text_.real("a parameter of a node");
+                for (std::int64_t k = 0; k < parameters; ++k) text_.number("a parameter of a node");
             }
         }
     }
@@ -234,7 +200,7 @@ private:
     /// Reads the nodes of an element and keeps it, if it is no point.
     void add_element(const GmshElement& type, FileElement element) {
         for (int k = 0; k < type.n_nodes; ++k) {
-            const std::int64_t node = version_ == 2 ? text_.int32("a node of an element") : text_.size("a node of an element");
+            const std::int64_t node = text_.integer("a node of an element");
             if (k < static_cast<int>(element.nodes.size())) element.nodes[static_cast<std::size_t>(k)] = node;
         }
         element.n_corners = type.n_corners;
@@ -244,47 +210,34 @@ private:
 
     void read_elements_2() {
         std::size_t n_elements = text_.count("the number of elements", 4);
-        begin_binary_after_line();
-        while (n_elements > 0) {
+        for (; n_elements > 0; --n_elements) {
             FileElement element;
-            // In binary files elements of one type have one head.
-            std::int64_t n_block = 1;
-            if (!is_binary_) element.number = text_.int32("the number of an element");
-            const GmshElement& type = type_of(text_.int32("the type of an element"));
-            if (is_binary_) n_block = text_.int32("the number of elements of a type");
-            const std::int64_t n_tags = text_.int32("the number of tags of an element");
-            if (n_block < 1 || n_block > static_cast<std::int64_t>(n_elements) || n_tags < 0 ||
-                n_tags > static_cast<std::int64_t>(text_.bytes_left())) {
-                text_.fail(fmt::format("{} elements with {} tags cannot be", n_block, n_tags));
+            element.number = text_.integer("the number of an element");
+            const GmshElement& type = type_of(text_.integer("the type of an element"));
+            const std::size_t n_tags = text_.count("the number of tags of an element");
+            for (std::size_t k = 0; k < n_tags; ++k) {
+                const std::int64_t tag = text_.integer("a tag of an element");
+                if (k == 0) element.physical = tag;
+                if (k == 1) element.entity = tag;
             }
-            for (; n_block > 0; --n_block, --n_elements) {
-                if (is_binary_) element.number = text_.int32("the number of an element");
-                element.physical = element.entity = 0;
-                for (std::int64_t k = 0; k < n_tags; ++k) {
-                    const std::int64_t tag = text_.int32("a tag of an element");
-                    if (k == 0) element.physical = tag;
-                    if (k == 1) element.entity = tag;
-                }
-                add_element(type, element);
-            }
+            add_element(type, element);
         }
     }
 
     void read_elements_4() {
-        const std::size_t n_blocks = text_.size_count("the number of blocks of elements", 4);
-        for (int k = 0; k < 3; ++k) text_.size("the head of elements");
+        const std::size_t n_blocks = text_.count("the number of blocks of elements", 4);
+        for (int k = 0; k < 3; ++k) text_.integer("the head of elements");
         for (std::size_t block = 0; block < n_blocks; ++block) {
-            const std::int64_t dimension = text_.int32("the dimension of a block of elements");
-            const std::int64_t tag = text_.int32("the entity of a block of elements");
-            const GmshElement& type = type_of(text_.int32("the type of elements"));
-            const std::size_t n_elements = text_.size_count("the number of elements of a block", 4);
-            const auto found = entities_.find({static_cast<std::size_t>(std::max<std::int64_t>(dimension, 0)), tag});
-            const Entity entity = found == entities_.end() ? Entity{tag, 0} : found->second;
+            const std::int64_t dimension = text_.integer("the dimension of a block of elements");
+            const std::int64_t tag = text_.integer("the entity of a block of elements");
+            const GmshElement& type = type_of(text_.integer("the type of elements"));
+            const std::size_t n_elements = text_.count("the number of elements of a block", 4);
+            const auto found = physical_of_.find({dimension, tag});
             for (std::size_t i = 0; i < n_elements; ++i) {
                 FileElement element;
-                element.number = text_.size("the number of an element");
-                element.entity = entity.parent;
-                element.physical = entity.physical;
+                element.number = text_.integer("the number of an element");
+                element.entity = tag;
+                element.physical = found == physical_of_.end() ? 0 : found->second;
                 add_element(type, element);
             }
         }
@@ -306,9 +259,8 @@ private:
     MeshText text_;
     FileMesh mesh_;
     int version_ = 0;
-    bool is_binary_ = false;
     bool is_neper_ = false;
-    std::map<std::pair<std::size_t, std::int64_t>, Entity> entities_;
+    std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> physical_of_;  ///< of entities by dimension and tag; 0: none
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Mesh files of Gmsh (MSH 2.2 and 4.1, text and binary) and of Neper, which are MSH 2.2 with sections of their own.
+// Mesh files of Gmsh (MSH 2.2 and 4.1, as text) and of Neper, which are MSH 2.2 with sections of their own.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace graincrack::mesher {
 /// Whether bytes begin as such a file does.
 bool is_gmsh(std::string_view bytes);
 
-/// Reads points, lines, triangles and quadrangles with their entities and physical groups; of a partitioned mesh the entity is
-/// that from which a part was cut; of Neper's the entity is the elset. Other sections are passed over.
+/// Reads points, lines, triangles and quadrangles with their entities and physical groups; of Neper's meshes the entity is the
+/// elset. Other sections are passed over.
 /// \param name for messages \throws InputError naming the file, the place, what was found and what would be right
 FileMesh read_gmsh(std::string_view bytes, const std::string& name);
 

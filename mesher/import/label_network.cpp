@@ -33,32 +33,6 @@ std::vector<std::size_t> long_segments(const std::vector<Point>& points, const s
     return found;
 }
 
-/// Largest difference of the area of a piece from that of its pixels, over the latter.
-constexpr double most_area_off = 0.1;
-constexpr double dividable = 1.5;  ///< pixels: a longer segment has points between its ends
-
-/// The inner segments around pieces of a wrong area, as far as they can be divided.
-std::vector<std::size_t> segments_of_wrong_areas(const LabelNetwork& network, std::span<const int> pixels_of_piece) {
-    std::vector<double> area(pixels_of_piece.size(), 0);
-    const auto at = [](int i) { return static_cast<std::size_t>(i); };
-    for (const RegionEdge& s : network.segments) {
-        const double part = 0.5 * cross(network.points[at(s.from)], network.points[at(s.to)]);
-        if (s.left >= 0) area[at(s.left)] += part;
-        if (s.right >= 0) area[at(s.right)] -= part;
-    }
-    const auto is_wrong = [&](int piece) {
-        const double pixels = pixels_of_piece[at(piece)];
-        return std::abs(area[at(piece)] - pixels) > most_area_off * pixels;
-    };
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < network.segments.size(); ++i) {
-        const RegionEdge& s = network.segments[i];
-        if (s.left < 0 || s.right < 0 || !(is_wrong(s.left) || is_wrong(s.right))) continue;
-        if (length(network.points[at(s.to)] - network.points[at(s.from)]) > dividable) found.push_back(i);
-    }
-    return found;
-}
-
 /// The network of the chains as they are divided now; the chain of each segment and its number within the chain.
 struct Division {
     LabelNetwork network;
@@ -202,11 +176,11 @@ private:
 
 }  // namespace
 
-LabelNetwork label_network(const LabelBoundaries& boundaries, std::span<const int> pixels_of_piece, const Smoothing& smoothing) {
+LabelNetwork label_network(const LabelBoundaries& boundaries, double spacing) {
     std::vector<SmoothChain> chains;
     chains.reserve(boundaries.chains.size());
     const auto node = [&](int i) { return i < 0 ? Point{} : boundaries.nodes[static_cast<std::size_t>(i)]; };
-    for (const BoundaryChain& chain : boundaries.chains) chains.emplace_back(chain, node(chain.from), node(chain.to), smoothing);
+    for (const BoundaryChain& chain : boundaries.chains) chains.emplace_back(chain, node(chain.from), node(chain.to), spacing);
     std::vector<bool> refined(chains.size());
     while (true) {
         Division division = divide(boundaries, chains);
@@ -227,7 +201,6 @@ LabelNetwork label_network(const LabelBoundaries& boundaries, std::span<const in
         };
         refine(crowded_segments(division.network.points, segments, needed));
         // Grading comes last: it divides where no two boundaries are in each other's way any more.
-        if (!changed) refine(segments_of_wrong_areas(division.network, pixels_of_piece));
         if (!changed) refine(long_segments(division.network.points, segments));
         if (changed) continue;
         division.network.refined_chains = static_cast<int>(std::count(refined.begin(), refined.end(), true));

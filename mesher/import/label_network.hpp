@@ -21,9 +21,9 @@ struct LabelNetwork {
 };
 
 /// Smooths the boundaries and divides them. Where two come closer than 0.5 pixels, cross, or meet at less than 20°, they are
-/// divided more finely, down to the middles of the sides of pixels (jagged: to their corners); so are segments more than three
-/// times as long as one that they meet, and all around a piece whose area would be more than 10 % off that of its pixels.
-LabelNetwork label_network(const LabelBoundaries& boundaries, std::span<const int> pixels_of_piece, const Smoothing& smoothing);
+/// divided more finely, down to the middles of the sides of pixels; so are segments more than three times as long as one that
+/// they meet. \param spacing requested between points, pixels
+LabelNetwork label_network(const LabelBoundaries& boundaries, double spacing);
 
 /// What segments need of each other.
 struct Clearance {

@@ -51,19 +51,15 @@ double doubled_area(std::size_t n, const PointOf& point_of) {
 
 }  // namespace
 
-SmoothChain::SmoothChain(const BoundaryChain& chain, Point from, Point to, const Smoothing& smoothing)
-    : closed_(chain.closed()), spacing_(smoothing.spacing) {
-    const bool straight = chain.on_outline() || smoothing.jagged;
+SmoothChain::SmoothChain(const BoundaryChain& chain, Point from, Point to, double spacing)
+    : closed_(chain.closed()), spacing_(spacing) {
+    const bool straight = chain.on_outline();
     const std::vector<Point> along_pixels = corners(chain, from, to);
     dense_ = straight ? along_pixels : middles(chain, from, to);
     fair_ = dense_;
     restored_.assign(dense_.size(), straight);
     if (!straight) make_smooth(std::clamp(width_over_spacing * spacing_, least_width, most_width));
     smooth_ = fair_;
-    if (smoothing.jagged) {
-        take_corners(spacing_);
-        return;
-    }
     take(spacing_);
     requested_area_ = doubled_area(along_pixels.size(), [&](std::size_t i) { return along_pixels[i]; });
     keep_area();
@@ -113,23 +109,6 @@ void SmoothChain::take(double spacing) {
         taken_.push_back(std::clamp(i, taken_.back() + 1, most - (segments - k)));
     }
     if (!closed_) taken_.push_back(n - 1);
-}
-
-/// Takes the corners of a line along sides of pixels, and points that divide its straight runs evenly.
-void SmoothChain::take_corners(double spacing) {
-    const std::size_t n = dense_.size();
-    std::size_t begin = 0;
-    taken_.assign(1, 0);
-    const std::size_t end = closed_ ? n : n - 1;
-    for (std::size_t i = 1; i <= end; ++i) {
-        if (i < end && cross(dense_[i] - dense_[i - 1], dense_[(i + 1) % n] - dense_[i]) == 0) continue;
-        const std::size_t run = i - begin;
-        const auto parts =
-            static_cast<std::size_t>(std::clamp(std::round(static_cast<double>(run) / spacing), 1.0, static_cast<double>(run)));
-        for (std::size_t k = 1; k < parts; ++k) taken_.push_back(begin + run * k / parts);
-        if (i < n) taken_.push_back(i);
-        begin = i;
-    }
 }
 
 /// Moves the smooth line so that the points taken enclose with the chord, or all around, the area that the pixels do.

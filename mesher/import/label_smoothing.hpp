@@ -9,21 +9,16 @@
 
 namespace graincrack::mesher {
 
-/// How boundaries are smoothed; lengths in pixels.
-struct Smoothing {
-    double spacing = 2;   ///< requested between points
-    bool jagged = false;  ///< no smoothing: along sides of pixels
-};
-
-/// A chain that was smoothed, and the points that were taken of it. Its dense points are the middles of the sides of pixels (of a
-/// jagged chain the corners of pixels); the smooth line stays within `farthest` of them. The line through all dense points where
-/// they were before crosses no other such line, so that ever finer chains end in what cannot cross.
+/// A chain that was smoothed, and the points that were taken of it. Its dense points are the middles of the sides of pixels (on
+/// the outline of the picture the corners of pixels); the smooth line stays within `farthest` of them. The line through all dense
+/// points where they were before crosses no other such line, so that ever finer chains end in what cannot cross.
 class SmoothChain {
 public:
     static constexpr double farthest = 0.75;  ///< pixels
 
     /// \param from, to the places of its nodes, of no meaning for a closed chain
-    SmoothChain(const BoundaryChain& chain, Point from, Point to, const Smoothing& smoothing);
+    /// \param spacing requested between points, pixels
+    SmoothChain(const BoundaryChain& chain, Point from, Point to, double spacing);
 
     /// The points taken, with both nodes; of a closed chain each once.
     [[nodiscard]] std::size_t size() const { return taken_.size(); }
@@ -38,7 +33,6 @@ public:
 private:
     void make_smooth(double width);
     void take(double spacing);
-    void take_corners(double spacing);
     void keep_area();
     void move_along_normals();
     bool restore(std::size_t i);

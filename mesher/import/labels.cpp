@@ -169,9 +169,8 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
     for (std::string& note : notes_on_key(imported.labels, options.phases)) imported.notes.push_back(std::move(note));
 
     LabelBoundaries boundaries = label_boundaries(pieces);
-    const int joined_junctions =
-        options.jagged ? 0 : join_near_junctions(boundaries, static_cast<int>(std::min(element / element_of_side, 2.0)));
-    const LabelNetwork network = label_network(boundaries, pieces.pixels_of_piece, {element, options.jagged});
+    const int joined_junctions = join_near_junctions(boundaries, static_cast<int>(std::min(element / element_of_side, 2.0)));
+    const LabelNetwork network = label_network(boundaries, element);
     RefinedMesh mesh = triangles_of(network, element, name);
     if (boundaries.opened_corners > 0) {
         imported.notes.push_back(fmt::format("where a grain met itself in a point, the other two got a boundary: {}",
@@ -185,10 +184,10 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
         imported.notes.push_back(fmt::format("{} finer sides in places: near others, at small angles or beside short ones",
                                              count(network.refined_chains, "grain boundary has", "grain boundaries have")));
     }
-    imported.notes.push_back(
-        fmt::format("boundaries {}; sides of about {}, the shortest {}; the smallest angle is {:.1f}°",
-                    options.jagged ? "along pixels" : "smoothed", format_quantity(element * pixel, Dimension::length, 3),
-                    format_quantity(shortest_side(mesh) * pixel, Dimension::length, 3), smallest_angle(mesh)));
+    imported.notes.push_back(fmt::format("boundaries smoothed; sides of about {}, the shortest {}; the smallest angle is {:.1f}°",
+                                         format_quantity(element * pixel, Dimension::length, 3),
+                                         format_quantity(shortest_side(mesh) * pixel, Dimension::length, 3),
+                                         smallest_angle(mesh)));
 
     std::map<int, std::string> phase_of_label;
     for (const LabelRow& row : imported.labels) phase_of_label[row.label] = row.phase;

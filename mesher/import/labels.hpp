@@ -18,7 +18,6 @@ struct LabelOptions {
     std::optional<double>
         element_size;         ///< requested side of triangles, m; else a third of the mean grain's diameter, at least 2 pixels
     int smallest_piece = 10;  ///< pieces of fewer pixels join the neighbour with the longest common border
-    bool jagged = false;      ///< boundaries along the sides of pixels
     PhaseKey::OfLabels phases;
 };
 

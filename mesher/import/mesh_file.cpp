@@ -13,7 +13,6 @@
 
 #include "mesher/import/abaqus.hpp"
 #include "mesher/import/gmsh.hpp"
-#include "mesher/import/neper_tess.hpp"
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/text.hpp"
@@ -23,11 +22,10 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr const char* known_formats =
-    "a mesh of Gmsh (.msh), Neper (.msh, .tess) or Abaqus (.inp), or a picture of labels (PNG, or integers as text) is needed";
+    "a mesh of Gmsh (.msh), Neper (.msh) or Abaqus (.inp), or a picture of labels (PNG, or integers as text) is needed";
 
 std::optional<MeshFormat> format_of(std::string_view bytes) {
     if (is_gmsh(bytes)) return MeshFormat::gmsh;
-    if (is_neper_tess(bytes)) return MeshFormat::neper;
     if (is_abaqus(bytes)) return MeshFormat::abaqus;
     if (looks_like_labels(bytes)) return MeshFormat::labels;
     return std::nullopt;
@@ -113,12 +111,6 @@ ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
         }
         case MeshFormat::abaqus: return imported_mesh(read_abaqus(bytes, name), request.grains, key, name);
         case MeshFormat::neper:
-            if (is_neper_tess(bytes)) {
-                std::optional<double> element = request.labels.element_size;
-                if (element) *element /= request.placement.scale;
-                return with_grains(import_neper_tess(bytes, key, element, name), request.grains, name);
-            }
-            [[fallthrough]];
         case MeshFormat::gmsh: break;
     }
     return imported_mesh(read_gmsh(bytes, name), request.grains, key, name);

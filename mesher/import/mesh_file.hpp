@@ -11,7 +11,7 @@
 
 namespace graincrack::mesher {
 
-/// Neper has two formats: its meshes, which are told from Gmsh's by their sections, and its tessellations.
+/// Meshes of Neper are told from Gmsh's by their sections.
 enum class MeshFormat { gmsh, neper, abaqus, labels };
 
 struct ImportRequest {

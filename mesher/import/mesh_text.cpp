@@ -74,14 +74,13 @@ double MeshText::number(const char* what) {
     return value;
 }
 
-std::size_t MeshText::plausible(std::int64_t value, const char* what, std::size_t bytes_each) const {
-    if (value < 0 || static_cast<std::uint64_t>(value) > bytes_left() / bytes_each) {
+std::size_t MeshText::count(const char* what, std::size_t bytes_each) {
+    const std::int64_t value = integer(what);
+    if (value < 0 || static_cast<std::uint64_t>(value) > (bytes_.size() - place_) / bytes_each) {
         fail(fmt::format("{} is {}, for which the file is too short", what, value));
     }
     return static_cast<std::size_t>(value);
 }
-
-std::size_t MeshText::count(const char* what, std::size_t bytes_each) { return plausible(integer(what), what, bytes_each); }
 
 std::string MeshText::quoted(const char* what) {
     skip_white_space();
@@ -99,35 +98,6 @@ bool MeshText::skip_to(std::string_view text) {
     return false;
 }
 
-template <typename T>
-T MeshText::binary(const char* what) {
-    if (bytes_left() < sizeof(T)) fail(fmt::format("the file ends where {} is expected", what));
-    T value;
-    std::memcpy(&value, bytes_.data() + place_, sizeof(T));
-    place_ += sizeof(T);
-    return value;
-}
-
-std::int64_t MeshText::int32(const char* what) { return is_binary_ ? binary<std::int32_t>(what) : integer(what); }
-
-std::int64_t MeshText::size(const char* what) {
-    const std::int64_t value = is_binary_ ? binary<std::int64_t>(what) : integer(what);
-    if (value < 0 || value > std::int64_t{1} << 62) fail(fmt::format("{} is {}; a number from 0 is needed", what, value));
-    return value;
-}
-
-double MeshText::real(const char* what) {
-    if (!is_binary_) return number(what);
-    const auto value = binary<double>(what);
-    if (!std::isfinite(value)) fail(fmt::format("{} is not finite", what));
-    return value;
-}
-
-std::size_t MeshText::size_count(const char* what, std::size_t bytes_each) { return plausible(size(what), what, bytes_each); }
-
-void MeshText::fail(const std::string& message) const {
-    throw InputError(is_binary_ ? fmt::format("{}: byte {}: {}", name_, place_, message)
-                                : fmt::format("{}: line {}: {}", name_, line_, message));
-}
+void MeshText::fail(const std::string& message) const { throw InputError(fmt::format("{}: line {}: {}", name_, line_, message)); }
 
 }  // namespace graincrack::mesher

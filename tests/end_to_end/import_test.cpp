@@ -79,10 +79,9 @@ TEST(Import, SaysWhatItFound) {
         "  note: moved by (-10 mm, -5 mm), so that the middle of its extent is the origin\n");
     const std::string source = shell.must("sha256sum " + meshes + "two-squares-neper.msh | cut -d ' ' -f 1");
     EXPECT_NE(shell.must("graincrack-post info s.h5").find("imported_from            SHA-256 " + source), std::string::npos);
-    EXPECT_NE(
-        shell.must("cat " + meshes + "two-squares.tess | graincrack-mesh import - --scale 10mm --phases a=0.5,b=0.5 --dry-run")
-            .find("rectangle of 2 crystals of "),
-        std::string::npos);
+    EXPECT_NE(shell.must("cat " + meshes + "two-squares-neper.msh | graincrack-mesh import - --scale 10mm --dry-run")
+                  .find("rectangle of 2 crystals of "),
+              std::string::npos);
 }
 
 // A picture in four colours, of which one knows no numbers: its key is written, named and read, and its grains break.

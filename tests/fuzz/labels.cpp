@@ -8,7 +8,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     mesher::LabelOptions options;
     options.pixel_size = 1e-5;
     options.smallest_piece = 1 + bytes[0] % 8;
-    options.jagged = bytes[0] >= 128;
     const std::string text = fuzz::text_of(bytes + 1, size - 1);
     static_cast<void>(mesher::looks_like_labels(text));
     return fuzz::one_input([&] { mesher::import_labels(text, options, "section"); });

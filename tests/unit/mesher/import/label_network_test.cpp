@@ -26,7 +26,7 @@ TEST(CrowdedSegments, AreThoseThatMeetAtASmallAngle) {
 TEST(LabelNetwork, DividesTwoBoundariesBetweenTheSameJunctions) {
     // A lens of 2 between 1 and 3, whose two boundaries would both be straight.
     const LabelPieces pieces = label_pieces(read_label_image("1 1 1 1 1 1\n1 1 2 2 1 1\n3 3 2 2 3 3\n3 3 3 3 3 3\n", ""), 1, "");
-    const LabelNetwork network = label_network(label_boundaries(pieces), pieces.pixels_of_piece, {20, false});
+    const LabelNetwork network = label_network(label_boundaries(pieces), 20);
     EXPECT_GT(network.refined_chains, 0);
     std::vector<Edge> segments;
     for (const RegionEdge& s : network.segments) segments.push_back({s.from, s.to});

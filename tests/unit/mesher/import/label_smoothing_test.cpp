@@ -24,7 +24,7 @@ TEST(SmoothChain, OfAStraightBoundaryIsStraight) {
     for (const double slope : {0.0, 0.15, 0.37, 0.5, 0.8}) {
         const BoundaryChain chain = staircase(60, slope);
         const Point end = chain.path.back();
-        const SmoothChain smooth(chain, {0, 0}, end, {12, false});
+        const SmoothChain smooth(chain, {0, 0}, end, 12);
         EXPECT_EQ(smooth.point(0), (Point{0, 0}));
         EXPECT_EQ(smooth.point(smooth.size() - 1), end);
         for (std::size_t i = 0; i < smooth.size(); ++i) {
@@ -37,7 +37,7 @@ TEST(SmoothChain, OfAStraightBoundaryIsStraight) {
 TEST(SmoothChain, HasSegmentsOfAboutTheSpacing) {
     const BoundaryChain chain = staircase(60, 0.37);
     for (const double spacing : {2.0, 5.0, 12.0}) {
-        const SmoothChain smooth(chain, chain.path.front(), chain.path.back(), {spacing, false});
+        const SmoothChain smooth(chain, chain.path.front(), chain.path.back(), spacing);
         EXPECT_NEAR(static_cast<double>(smooth.n_segments()), length(chain.path.back()) / spacing, 1);
         const double even = length(chain.path.back()) / static_cast<double>(smooth.n_segments());
         for (std::size_t i = 0; i < smooth.n_segments(); ++i) {
@@ -45,7 +45,7 @@ TEST(SmoothChain, HasSegmentsOfAboutTheSpacing) {
             EXPECT_NEAR(length(smooth.point(i + 1) - smooth.point(i)), even, 1);
         }
     }
-    EXPECT_EQ(SmoothChain(chain, chain.path.front(), chain.path.back(), {1000, false}).n_segments(), 1U);
+    EXPECT_EQ(SmoothChain(chain, chain.path.front(), chain.path.back(), 1000).n_segments(), 1U);
 }
 
 TEST(SmoothChain, KeepsTheAreaThatItEncloses) {
@@ -58,7 +58,7 @@ TEST(SmoothChain, KeepsTheAreaThatItEncloses) {
                                       static_cast<double>(i) * (corner[(k + 1) % 4] - corner[k]));
             }
         }
-        const SmoothChain smooth(square, {}, {}, {side / 3.0, false});
+        const SmoothChain smooth(square, {}, {}, side / 3.0);
         EXPECT_GE(smooth.size(), side == 1 ? 4U : 6U);
         double area = 0;
         for (std::size_t i = 0; i < smooth.size(); ++i) {
@@ -70,7 +70,7 @@ TEST(SmoothChain, KeepsTheAreaThatItEncloses) {
 
 TEST(SmoothChain, IsRefinedDownToTheSidesOfPixels) {
     const BoundaryChain chain = staircase(20, 0.5);
-    SmoothChain smooth(chain, chain.path.front(), chain.path.back(), {10, false});
+    SmoothChain smooth(chain, chain.path.front(), chain.path.back(), 10);
     ASSERT_EQ(smooth.n_segments(), 2U);
     ASSERT_TRUE(smooth.refine({1}));
     EXPECT_EQ(smooth.n_segments(), 3U);
@@ -83,16 +83,6 @@ TEST(SmoothChain, IsRefinedDownToTheSidesOfPixels) {
     while (smooth.refine(all())) ASSERT_LT(++rounds, 20);
     ASSERT_EQ(smooth.size(), chain.path.size() + 1);
     for (std::size_t i = 1; i + 1 < smooth.size(); ++i) EXPECT_EQ(smooth.point(i), midpoint(chain.path[i - 1], chain.path[i]));
-}
-
-TEST(SmoothChain, FollowsPixelsIfJagged) {
-    const BoundaryChain chain{0, 1, 0, 1, {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}, {4, 2}}};
-    const SmoothChain smooth(chain, {0, 0}, {4, 2}, {2, true});
-    ASSERT_EQ(smooth.size(), 4U);
-    EXPECT_EQ(smooth.point(1), (Point{2, 0}));
-    EXPECT_EQ(smooth.point(2), (Point{4, 0}));
-    const BoundaryChain pixel{-1, -1, 0, 1, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-    EXPECT_EQ(SmoothChain(pixel, {}, {}, {2, true}).size(), 4U);
 }
 
 }  // namespace

@@ -28,11 +28,10 @@ std::string picture(int width, int height, const LabelOf& label_of) {
     return text;
 }
 
-LabelOptions options_of(int smallest_piece = 10, bool jagged = false) {
+LabelOptions options_of(int smallest_piece = 10) {
     LabelOptions options;
     options.pixel_size = 1;
     options.smallest_piece = smallest_piece;
-    options.jagged = jagged;
     return options;
 }
 
@@ -187,26 +186,13 @@ TEST(Labels, OfOddPicturesConform) {
     for (const auto& [what, text] : pictures) {
         const LabelImage image = read_label_image(text, what);
         for (const int smallest_piece : {1, 4}) {
-            for (const bool jagged : {false, true}) {
-                for (const double element : {0.0, 0.7, 4.0, 500.0}) {
-                    LabelOptions options = options_of(smallest_piece, jagged);
-                    if (element > 0) options.element_size = element;
-                    expect_conforming(import_labels(text, options, what), image.width, image.height, what);
-                }
+            for (const double element : {0.0, 0.7, 4.0, 500.0}) {
+                LabelOptions options = options_of(smallest_piece);
+                if (element > 0) options.element_size = element;
+                expect_conforming(import_labels(text, options, what), image.width, image.height, what);
             }
         }
     }
-}
-
-TEST(Labels, AlongPixelsHaveTheAreaOfTheirPixels) {
-    const std::string text =
-        picture(24, 18, [](int column, int row) { return (column / 5 + 3 * (row / 4) + (column > row ? 1 : 0)) % 6; });
-    const LabelPieces pieces = label_pieces(read_label_image(text, ""), 1, "");
-    const ImportedMesh mesh = import_labels(text, options_of(1, true), "");
-    ASSERT_FALSE(has_note(mesh, "met itself"));
-    expect_conforming(mesh, 24, 18, "jagged");
-    const std::vector<double> areas = grain_areas(mesh);
-    for (std::size_t i = 0; i < areas.size(); ++i) EXPECT_NEAR(areas[i], pieces.pixels_of_piece[i], 1e-10);
 }
 
 /// Grains of points at random: each pixel belongs to the nearest.

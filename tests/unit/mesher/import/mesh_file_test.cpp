@@ -8,7 +8,6 @@
 #include "mesher/import/abaqus.hpp"
 #include "mesher/import/gmsh.hpp"
 #include "mesher/import/mesh_text.hpp"
-#include "mesher/import/neper_tess.hpp"
 #include "share/base/error.hpp"
 #include "tests/unit/mesher/import/mesh_files.hpp"
 
@@ -39,9 +38,7 @@ void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 class Formats : public testing::TestWithParam<Case> {};
 
 TEST_P(Formats, GiveTheSameMesh) {
-    ImportRequest request;
-    request.labels.element_size = 10;  // of cells: as large as they let it be
-    const ImportedMesh mesh = read(GetParam().bytes, request);
+    const ImportedMesh mesh = read(GetParam().bytes);
     ASSERT_EQ(mesh.triangles.size(), 4U);
     EXPECT_EQ(mesh.grain_of_triangle, (std::vector<int>{0, 0, 1, 1}));
     EXPECT_EQ(mesh.phase_of_grain, GetParam().phases);
@@ -63,26 +60,21 @@ TEST_P(Formats, GiveTheSameMesh) {
 }
 
 const std::vector<std::string> minerals{"quartz", "feld_spar"};
-INSTANTIATE_TEST_SUITE_P(
-    All, Formats,
-    testing::Values(Case{"msh_22", test::msh_22, true, minerals}, Case{"msh_41", test::msh_41, true, minerals},
-                    Case{"binary_22", test::binary_22(), true, minerals}, Case{"binary_41", test::binary_41(), true, minerals},
-                    Case{"partitioned", test::msh_41_partitioned, false, minerals},
-                    Case{"neper_msh", test::neper_msh, false, {"group_1", "group_2"}},
-                    Case{"neper_tess", test::neper_tess, false, {"", ""}}, Case{"abaqus", test::abaqus, true, minerals}),
-    [](const auto& each) { return each.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, Formats,
+                         testing::Values(Case{"msh_22", test::msh_22, true, minerals},
+                                         Case{"msh_41", test::msh_41, true, minerals},
+                                         Case{"neper_msh", test::neper_msh, false, {"group_1", "group_2"}},
+                                         Case{"abaqus", test::abaqus, true, minerals}),
+                         [](const auto& each) { return each.param.name; });
 
 TEST(MeshFile, TellsFormatsByTheirContent) {
-    EXPECT_TRUE(is_gmsh(test::msh_22) && !is_abaqus(test::msh_22) && !is_neper_tess(test::msh_22));
-    EXPECT_TRUE(is_neper_tess(test::neper_tess) && !is_abaqus(test::neper_tess));
+    EXPECT_TRUE(is_gmsh(test::msh_22) && !is_abaqus(test::msh_22));
     EXPECT_TRUE(is_abaqus(test::abaqus) && is_abaqus("\n *NODE\n") && !is_abaqus("*** a list"));
     EXPECT_EQ(read(test::msh_22).format, "Gmsh 2.2, text");
-    EXPECT_EQ(read(test::binary_41()).format, "Gmsh 4.1, binary");
     EXPECT_EQ(read(test::neper_msh).format, "Neper (Gmsh 2.2, text)");
-    EXPECT_EQ(
-        reading_message("solid cube\n"),
-        "file: begins with \"solid cube\"; a mesh of Gmsh (.msh), Neper (.msh, .tess) or Abaqus (.inp), or a picture of labels "
-        "(PNG, or integers as text) is needed");
+    EXPECT_EQ(reading_message("solid cube\n"),
+              "file: begins with \"solid cube\"; a mesh of Gmsh (.msh), Neper (.msh) or Abaqus (.inp), or a picture of labels "
+              "(PNG, or integers as text) is needed");
 }
 
 TEST(MeshFile, GrainsAreElementsEntitiesOrPhysicalGroups) {
@@ -116,7 +108,6 @@ TEST(MeshFile, AKeyGivesPhases) {
     EXPECT_EQ(phases("key\tphase\nQuartz\tq\nfeld spar\tf\n", test::msh_22), (std::vector<std::string>{"q", "f"}));
     EXPECT_EQ(phases("key\tphase\n1\tq\n2\tf\n", test::msh_41), (std::vector<std::string>{"q", "f"}));
     EXPECT_EQ(phases("2\tf\n1\tq\n", test::neper_msh), (std::vector<std::string>{"q", "f"}));
-    EXPECT_EQ(phases("# cells\n4\tq\n8\tf\n", test::neper_tess), (std::vector<std::string>{"q", "f"}));
     const auto error = [&](const std::string& key) {
         std::ofstream(path) << key;
         ImportRequest request;
@@ -153,24 +144,9 @@ TEST(MeshFile, QuadranglesAlongTheirShorterInnerDiagonal) {
     EXPECT_EQ(reading_message(file("-1,3")), "file: quadrangle 1 has no area or crosses itself");
 }
 
-TEST(MeshFile, CellsOfATessellationAreDivided) {
-    const ImportedMesh mesh = read(test::neper_tess);  // squares of a diameter of 1.13, so elements of 0.38
-    std::vector<double> area(2, 0);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])]; };
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_LE(length(at((k + 1) % 3) - at(k)), 1.5 * 0.377);
-        area[static_cast<std::size_t>(mesh.grain_of_triangle[t])] += signed_area(at(0), at(1), at(2));
-    }
-    EXPECT_NEAR(area[0], 1, 1e-12);
-    EXPECT_NEAR(area[1], 1, 1e-12);
-}
-
-TEST(MeshFile, ElementsOfPicturesAndTessellationsCanBeGrains) {
+TEST(MeshFile, ElementsOfPicturesCanBeGrains) {
     ImportRequest request;
     request.grains = GrainChoice::element;
-    const ImportedMesh cells = read(test::neper_tess, request);
-    EXPECT_EQ(cells.phase_of_grain.size(), cells.triangles.size());
-    EXPECT_EQ(cells.grain_of_triangle.back(), static_cast<int>(cells.triangles.size()) - 1);
     const std::string path = testing::TempDir() + "/mesh_file_labels.tsv";
     std::ofstream(path) << "5\ta\n6\tb\n";
     request.phase_key = path;
@@ -184,7 +160,7 @@ TEST(MeshFile, ElementsOfPicturesAndTessellationsCanBeGrains) {
         EXPECT_EQ(picture.phase_of_grain[t], sum > 6 ? "a" : "b");
     }
     request.grains = GrainChoice::physical;
-    EXPECT_THROW(read(test::neper_tess, request), UsageError);
+    EXPECT_THROW(read("5 5\n6 6\n", request), UsageError);
 }
 
 TEST(MeshFile, SaysWhatWasFound) {
@@ -192,6 +168,9 @@ TEST(MeshFile, SaysWhatWasFound) {
     const std::pair<std::string, std::string> cases[] = {
         {with(m, "2.2 0 8", "4.0 0 8"),
          "file: line 2: the format is MSH 4; 2.2 or 4.1 is needed (gmsh FILE -save -format msh41)"},
+        {with(m, "2.2 0 8", "2.2 1 8"), "file: line 2: the file is binary; text is needed (gmsh FILE -save -bin 0)"},
+        {with(test::msh_41, "$Entities", "$PartitionedEntities"),
+         "file: line 12: the mesh is partitioned; give it in one part (in Gmsh: Mesh, Unpartition)"},
         {with(m, "2.2 0 8", "2.2 0 4"), "file: line 2: numbers of 4 bytes; 8 are needed"},
         {with(m, "$Nodes\n6", "$Nodes\n60000"), "file: line 12: the number of nodes is 60000, for which the file is too short"},
         {with(m, "2 1 0 0", "2 1 nan 0"), "file: line 14: \"nan\" stands where a coordinate is expected, a number"},
@@ -209,16 +188,6 @@ TEST(MeshFile, SaysWhatWasFound) {
         {m.substr(0, m.find("$Elements")), "file: line 20: no lines, triangles or quadrangles"},
         {m.substr(0, m.find("4 2 2 1")) + "$EndElements",
          "file: line 25: \"$EndElements\" stands where the number of an element is expected, an integer"},
-        {with(test::binary_41(), "$Nodes", "$Odes"), "file: line 21: $Odes has no end"},
-        {test::binary_22().substr(0, 200), "file: byte 198: the file ends where a coordinate is expected"},
-        {with(test::neper_tess, "3.5", "1.9"), "file: line 3: the format is 1.9; 2.0 or 3.3 to 3.5 is needed"},
-        {with(test::neper_tess, "2 standard", "3 standard"),
-         "file: line 5: the tessellation has 3 dimensions; 2 are needed (neper -T -dim 2)"},
-        {with(test::neper_tess, "1 4 4 5 2 1", "1 4 4 5 2 7"), "file: line 26: face 1 names vertex 7, which is not in the file"},
-        {with(test::neper_tess, "1 4 4 5 2 1", "1 4 4 2 5 1"),
-         "file: cells overlap, are no simple polygons, or the elements are too many (borders of regions cross or touch each "
-         "other)"},
-        {test::neper_tess.substr(0, test::neper_tess.find(" **domain")), "file: line 34: the file ends before ***end"},
         {with(test::abaqus, "type=CPE3R", "type=C3D4"),
          "file: line 19: elements of type \"C3D4\" are not read; triangles or quadrangles of the plane (CPE3, CPS3, CPE6, CPE4, "
          "…) are "

@@ -5,7 +5,6 @@
 //     1───2───3
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "mesher/import/mesh_file.hpp"
@@ -27,19 +26,7 @@ inline const std::string msh_41 =
     "$Nodes\n2 6 1 6\n2 7 0 4\n1\n2\n4\n5\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 9 1 2\n3\n6\n2 0 0 .1 .2\n2 1 0 .3 .4\n$EndNodes\n"
     "$Elements\n4 6 1 6\n1 1 1 1\n1 2 5\n1 2 1 1\n2 3 6\n2 7 2 2\n3 1 2 5\n4 1 5 4\n2 9 2 2\n5 2 3 6\n6 2 6 5\n$EndElements\n";
 
-/// The same in two parts: entity 7 is cut into 21 and 22.
-inline const std::string msh_41_partitioned =
-    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
-    "$PhysicalNames\n2\n2 1 \"Quartz\"\n2 2 \"feld spar\"\n$EndPhysicalNames\n"
-    "$PartitionedEntities\n2\n0\n0 1 3 0\n"
-    "5 2 7 2 1 2 0 0 0 1 1 0 0 0\n"
-    "21 2 7 1 1 0 0 0 1 1 0 1 1 0\n22 2 7 1 2 0 0 0 1 1 0 1 1 0\n23 2 9 1 1 1 0 0 2 1 0 1 2 0\n$EndPartitionedEntities\n"
-    "$Nodes\n1 6 1 6\n2 21 0 6\n1\n2\n3\n4\n5\n6\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n"
-    "$Elements\n3 4 1 4\n2 21 2 1\n1 1 2 5\n2 22 2 1\n2 1 5 4\n2 23 2 2\n3 2 3 6\n4 2 6 5\n$EndElements\n";
-
 inline const std::string neper_msh = read_bytes(GRAINCRACK_TEST_DATA "/meshes/two-squares-neper.msh");
-
-inline const std::string neper_tess = read_bytes(GRAINCRACK_TEST_DATA "/meshes/two-squares.tess");
 
 inline const std::string abaqus =
     "** by hand\n*Heading\n two squares\n*Node\n1, 0., 0., 0.\n2, 1, 0\n3, 2, 0\n4, 0, 1\n5, 1.e0, +1\n6, 2, 1\n"
@@ -47,56 +34,6 @@ inline const std::string abaqus =
     "*ELEMENT, TYPE=CPS3\n1, 1, 2, 5\n2, 1,\n5, 4\n*Element, type=CPE3R, elset=face9\n3, 2, 3, 6\n4, 2, 6, 5\n"
     "*Elset, elset=face7, generate\n1, 2\n*Elset, elset=ELSET_Quartz\nface7\n*Elset, elset=\"feld spar\"\n3, 4,\n"
     "*Elset, elset=all, generate\n1, 4, 1\n*Nset, nset=ends\n1, 3\n*Solid section, elset=all\n1.\n";
-
-/// Numbers as bytes.
-class Binary {
-public:
-    Binary& text(const std::string& text) { return bytes_ += text, *this; }
-    Binary& ints(std::initializer_list<std::int32_t> values) { return add(values); }
-    Binary& sizes(std::initializer_list<std::uint64_t> values) { return add(values); }
-    Binary& reals(std::initializer_list<double> values) { return add(values); }
-    [[nodiscard]] std::string bytes() const { return bytes_; }
-
-private:
-    template <typename T>
-    Binary& add(std::initializer_list<T> values) {
-        for (const T value : values) bytes_.append(reinterpret_cast<const char*>(&value), sizeof(T));
-        return *this;
-    }
-    std::string bytes_;
-};
-
-inline std::string binary_22() {
-    Binary file;
-    file.text("$MeshFormat\n2.2 1 8\n").ints({1}).text("\n$EndMeshFormat\n");
-    file.text(
-        "$PhysicalNames\n4\n2 1 \"Quartz\"\n2 2 \"feld spar\"\n1 3 \"crack\"\n1 4 \"Loaded\"\n$EndPhysicalNames\n$Nodes\n6\n");
-    for (int i = 0; i < 6; ++i) file.ints({i + 1}).reals({static_cast<double>(i % 3), i < 3 ? 0.0 : 1.0, 0});
-    file.text("\n$EndNodes\n$Elements\n6\n").ints({1, 2, 2, 2, 3, 1, 2, 5, 3, 4, 2, 3, 6, 2, 4, 2});
-    file.ints({4, 1, 7, 1, 2, 5, 5, 1, 7, 1, 5, 4, 6, 2, 9, 2, 3, 6, 7, 2, 9, 2, 6, 5});
-    return file.text("\n$EndElements\n").bytes();
-}
-
-inline std::string binary_41() {
-    Binary file;
-    file.text("$MeshFormat\n4.1 1 8\n").ints({1}).text("\n$EndMeshFormat\n");
-    file.text("$PhysicalNames\n4\n2 1 \"Quartz\"\n2 2 \"feld spar\"\n1 3 \"crack\"\n1 4 \"Loaded\"\n$EndPhysicalNames\n");
-    file.text("$Entities\n").sizes({1, 2, 2, 0}).ints({1}).reals({0, 0, 0}).sizes({0});
-    file.ints({1}).reals({1, 0, 0, 1, 1, 0}).sizes({1}).ints({3}).sizes({0});
-    file.ints({2}).reals({2, 0, 0, 2, 1, 0}).sizes({1}).ints({4}).sizes({2}).ints({1, -1});
-    file.ints({7}).reals({0, 0, 0, 1, 1, 0}).sizes({1}).ints({1}).sizes({0});
-    file.ints({9}).reals({1, 0, 0, 2, 1, 0}).sizes({1}).ints({2}).sizes({0}).text("\n$EndEntities\n");
-    file.text("$Nodes\n").sizes({1, 6, 1, 6}).ints({2, 7, 0}).sizes({6, 1, 2, 3, 4, 5, 6});
-    for (int i = 0; i < 6; ++i) file.reals({static_cast<double>(i % 3), i < 3 ? 0.0 : 1.0, 0});
-    file.text("\n$EndNodes\n$Elements\n")
-        .sizes({4, 6, 1, 6})
-        .ints({1, 1, 1})
-        .sizes({1, 1, 2, 5})
-        .ints({1, 2, 1})
-        .sizes({1, 2, 3, 6});
-    file.ints({2, 7, 2}).sizes({2, 3, 1, 2, 5, 4, 1, 5, 4}).ints({2, 9, 2}).sizes({2, 5, 2, 3, 6, 6, 2, 6, 5});
-    return file.text("\n$EndElements\n").bytes();
-}
 
 /// A text with one part of it replaced; that part must be there.
 inline std::string with(std::string text, const std::string& part, const std::string& other) {
