@@ -17,7 +17,6 @@
 #include "mesher/mesh_options.hpp"
 #include "mesher/mesh_report.hpp"
 #include "mesher/plane/triangulation.hpp"
-#include "mesher/size_check.hpp"
 #include "share/base/error.hpp"
 #include "share/base/progress.hpp"
 #include "share/base/units.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "mesher/import/mesh_file.hpp"
+#include "mesher/import/import_specimen.hpp"
 #include "mesher/mesh.hpp"
 #include "share/base/progress.hpp"
 #include "share/rock/material.hpp"

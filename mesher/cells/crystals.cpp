@@ -18,7 +18,6 @@
 #include "mesher/cells/laguerre.hpp"
 #include "mesher/cells/polygon.hpp"
 #include "mesher/cells/relaxed_corners.hpp"
-#include "mesher/cells/restored_areas.hpp"
 #include "mesher/cells/short_edges.hpp"
 #include "mesher/cells/statistics.hpp"
 #include "mesher/plane/refined_triangulation.hpp"

@@ -9,7 +9,7 @@
 
 #include "mesher/cells/cell_lines.hpp"
 #include "mesher/cells/polygon.hpp"
-#include "mesher/plane/constrained_triangulation.hpp"
+#include "mesher/plane/triangulation.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::mesher {

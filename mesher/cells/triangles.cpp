@@ -8,7 +8,7 @@
 
 #include "mesher/cells/polygon.hpp"
 #include "mesher/cells/statistics.hpp"
-#include "mesher/region/stretched_region.hpp"
+#include "mesher/region/region.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
 #include "mesher/seeds/orientation.hpp"
 #include "mesher/seeds/sampling.hpp"

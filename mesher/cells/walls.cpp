@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "mesher/plane/constrained_triangulation.hpp"
+#include "mesher/plane/triangulation.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
 
 namespace graincrack::mesher {

@@ -2,14 +2,171 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
-#include "mesher/elements/placed_points.hpp"
-#include "mesher/plane/constrained_triangulation.hpp"
 #include "mesher/plane/step_length.hpp"
+#include "mesher/plane/triangulation.hpp"
 
 namespace graincrack::mesher {
+
+namespace {
+
+constexpr double least_distance = 0.72;  ///< of a new point from the others, over the size of elements
+constexpr double farthest = 1.5;         ///< distance over the size from which on places are alike
+constexpr int n_levels = 32;             ///< of distances that are told apart
+constexpr double places_per_size = 5;
+constexpr double points_over_sides = 1.15;  ///< a distance from a side counts as so much of one from a point
+
+/// Places on a grid over a polygon, each with its distance from what is there.
+class FreePlaces {
+public:
+    FreePlaces(std::span<const Point> boundary, double size) : size_(size), spacing_(size / places_per_size) {
+        Point high = low_ = boundary[0];
+        for (const Point p : boundary) {
+            low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+        // At least some places across a polygon, and as many below its middle as above it.
+        spacing_ = std::min(spacing_, std::min(high.x - low_.x, high.y - low_.y) / places_per_size);
+        columns_ = static_cast<int>(std::ceil((high.x - low_.x) / spacing_));
+        rows_ = static_cast<int>(std::ceil((high.y - low_.y) / spacing_));
+        low_ = 0.5 * (low_ + high - Point{columns_ * spacing_, rows_ * spacing_});
+        distance_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
+        mark_inside(boundary);
+        for (std::size_t i = 0; i < boundary.size(); ++i) keep_from_side(boundary[i], boundary[(i + 1) % boundary.size()]);
+        for (std::size_t i = 0; i < distance_.size(); ++i) offer(i);
+        for (std::vector<std::size_t>& level : levels_) {
+            for (std::size_t i = level.size(); i > 1; --i) std::swap(level[i - 1], level[scattered(i) % i]);
+        }
+    }
+
+    /// Takes a place that is about the farthest from everything. \return whether there is one
+    bool take(Point& place) {
+        while (!levels_.empty()) {
+            std::vector<std::size_t>& highest = levels_.back();
+            if (highest.empty()) {
+                levels_.pop_back();
+                continue;
+            }
+            const std::size_t index = highest.back();
+            highest.pop_back();
+            if (level_of(distance_[index]) + 1 < static_cast<int>(levels_.size())) {
+                offer(index);
+                continue;
+            }
+            place = at(index);
+            keep_from(place, place, 1);
+            return true;
+        }
+        return false;
+    }
+
+private:
+    /// A number from 0 to 2³² − 1 without a pattern along rows or columns.
+    static std::uint32_t scattered(std::size_t index) {
+        std::uint64_t x = (index + 1) * 0x9e3779b97f4a7c15U;
+        x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+        return static_cast<std::uint32_t>((x ^ (x >> 27U)) >> 16U);
+    }
+
+    /// A place lies anywhere in its square of the grid, so that elements have no preferred direction.
+    [[nodiscard]] Point at(std::size_t index) const {
+        const std::size_t row = index / static_cast<std::size_t>(columns_);
+        const std::size_t column = index % static_cast<std::size_t>(columns_);
+        const std::uint32_t bits = scattered(index);
+        return low_ + spacing_ * Point{static_cast<double>(column) + (bits & 0xffffU) / 65536.0,
+                                       static_cast<double>(row) + (bits >> 16U) / 65536.0};
+    }
+
+    /// Of places that a point may take by their distance; below 0 of others.
+    [[nodiscard]] int level_of(double distance) const {
+        return static_cast<int>(std::floor(n_levels * (distance / size_ - least_distance) / (farthest - least_distance)));
+    }
+
+    void offer(std::size_t index) {
+        const int level = std::min(level_of(distance_[index]), n_levels - 1);
+        if (level >= 0) levels_[static_cast<std::size_t>(level)].push_back(index);
+    }
+
+    /// Gives places inside the largest distance: those between an odd and an even crossing of their row with the boundary.
+    void mark_inside(std::span<const Point> boundary) {
+        std::vector<std::vector<double>> crossings(static_cast<std::size_t>(rows_));
+        const auto row_above = [&](double y) {
+            return std::clamp(static_cast<int>(std::ceil((y - low_.y) / spacing_ - 0.5)), 0, rows_);
+        };
+        for (std::size_t i = 0; i < boundary.size(); ++i) {
+            const Point p = boundary[i];
+            const Point q = boundary[(i + 1) % boundary.size()];
+            const int end = row_above(std::max(p.y, q.y));
+            for (int row = row_above(std::min(p.y, q.y)); row < end; ++row) {
+                const double y = low_.y + (row + 0.5) * spacing_;
+                crossings[static_cast<std::size_t>(row)].push_back(p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x));
+            }
+        }
+        for (std::size_t row = 0; row < crossings.size(); ++row) {
+            std::vector<double>& x = crossings[row];
+            std::sort(x.begin(), x.end());
+            for (std::size_t i = 0; i + 1 < x.size(); i += 2) {
+                const int first = std::max(0, static_cast<int>(std::ceil((x[i] - low_.x) / spacing_ - 0.5)));
+                const int end = std::min(columns_, static_cast<int>(std::ceil((x[i + 1] - low_.x) / spacing_ - 0.5)));
+                for (int column = first; column < end; ++column) {
+                    distance_[row * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)] = farthest * size_;
+                }
+            }
+        }
+    }
+
+    void keep_from_side(Point from, Point to) {
+        keep_from(from, from, 1);
+        keep_from(from, to, points_over_sides);
+    }
+
+    /// Lowers the distances of places near a segment to the distance from it times a factor.
+    void keep_from(Point from, Point to, double factor) {
+        const double reach = farthest * size_ / factor;
+        const auto index_at = [&](double x, int n) { return std::clamp(static_cast<int>(std::floor(x / spacing_)), 0, n - 1); };
+        const int left = index_at(std::min(from.x, to.x) - reach - low_.x, columns_);
+        const int right = index_at(std::max(from.x, to.x) + reach - low_.x, columns_);
+        const int bottom = index_at(std::min(from.y, to.y) - reach - low_.y, rows_);
+        const int top = index_at(std::max(from.y, to.y) + reach - low_.y, rows_);
+        const Point along = to - from;
+        const double squared = squared_length(along);
+        for (int row = bottom; row <= top; ++row) {
+            for (int column = left; column <= right; ++column) {
+                const std::size_t index =
+                    static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+                double& distance = distance_[index];
+                if (distance <= 0) continue;
+                const Point p = at(index);
+                const double share = squared > 0 ? std::clamp(dot(p - from, along) / squared, 0.0, 1.0) : 0;
+                distance = std::min(distance, factor * length(p - from - share * along));
+            }
+        }
+    }
+
+    double size_;
+    double spacing_;
+    Point low_;
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<double> distance_;                            ///< negative outside
+    std::vector<std::vector<std::size_t>> levels_{n_levels};  ///< places by the level of a distance that they had
+};
+
+}  // namespace
+
+std::vector<Point> placed_points(std::span<const Point> boundary, double size) {
+    FreePlaces free(boundary, size);
+    std::vector<Point> points;
+    for (Point place; free.take(place);) points.push_back(place);
+    if (points.size() < 2) return points;
+    std::vector<Point> sorted;
+    for (const int i : hilbert_order(points)) sorted.push_back(points[static_cast<std::size_t>(i)]);
+    return sorted;
+}
 
 namespace {
 

@@ -59,4 +59,14 @@ std::vector<int> hilbert_order(std::span<const Point> points);
 /// "CGAL 5.5.1" and the like.
 std::string triangulation_library();
 
+/// Delaunay triangles of points within loops, with given edges (constrained Delaunay triangulation).
+/// \param loops sides of closed loops that do not cross; a triangle is kept if an odd number of loops is around it
+/// \param inner further edges that must be sides of triangles
+/// \throws UsageError if two edges cross
+std::vector<Triangle> constrained_triangles(std::span<const Point> points, std::span<const Edge> loops,
+                                            std::span<const Edge> inner = {});
+
+/// Whether a closed loop nowhere turns right, by exact arithmetic.
+bool is_convex(std::span<const Point> loop);
+
 }  // namespace graincrack::mesher

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesher/plane/geometry.hpp"
+#include "mesher/plane/stretch.hpp"
 #include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
@@ -125,5 +126,9 @@ struct Curve {
 
 /// The curves of all loops, then the prescribed edges.
 std::vector<Curve> curves_of(const Region& region);
+
+/// The image of a region under `Stretch::equiaxed`; the region itself without elongation. Circles and arcs, which would become
+/// ellipses, become polygons with sides of about a length `side` before the map.
+Region stretched(const Region& region, const Stretch& stretch, double side);
 
 }  // namespace graincrack::mesher

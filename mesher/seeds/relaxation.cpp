@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mesher/plane/constrained_triangulation.hpp"
+#include "mesher/plane/triangulation.hpp"
 #include "mesher/seeds/orientation.hpp"
 #include "share/base/error.hpp"
 

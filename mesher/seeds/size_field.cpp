@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/region/stretched_region.hpp"
+#include "mesher/region/region.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
 

@@ -1,4 +1,4 @@
-#include "mesher/size_check.hpp"
+#include "mesher/mesh_report.hpp"
 
 #include <gtest/gtest.h>
 

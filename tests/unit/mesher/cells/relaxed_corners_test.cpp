@@ -9,7 +9,6 @@
 #include "mesher/cells/cell_areas.hpp"
 #include "mesher/cells/laguerre.hpp"
 #include "mesher/cells/polygon.hpp"
-#include "mesher/cells/restored_areas.hpp"
 #include "mesher/cells/short_edges.hpp"
 #include "mesher/cells/walls.hpp"
 #include "mesher/plane/step_length.hpp"

@@ -1,4 +1,4 @@
-#include "mesher/cells/restored_areas.hpp"
+#include "mesher/cells/relaxed_corners.hpp"
 
 #include <gtest/gtest.h>
 

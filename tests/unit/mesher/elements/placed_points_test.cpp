@@ -1,4 +1,4 @@
-#include "mesher/elements/placed_points.hpp"
+#include "mesher/elements/divided_polygon.hpp"
 
 #include <gtest/gtest.h>
 

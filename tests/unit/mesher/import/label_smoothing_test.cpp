@@ -1,4 +1,4 @@
-#include "mesher/import/label_smoothing.hpp"
+#include "mesher/import/label_network.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesher/import/mesh_file.hpp"
+#include "mesher/import/import_specimen.hpp"
 
 #include <gtest/gtest.h>
 

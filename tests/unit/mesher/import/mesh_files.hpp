@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "mesher/import/mesh_file.hpp"
+#include "mesher/import/import_specimen.hpp"
 
 namespace graincrack::mesher::test {
 

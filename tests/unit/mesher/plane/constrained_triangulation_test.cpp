@@ -1,4 +1,4 @@
-#include "mesher/plane/constrained_triangulation.hpp"
+#include "mesher/plane/triangulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesher/region/stretched_region.hpp"
+#include "mesher/region/region.hpp"
 
 #include <gtest/gtest.h>
 
