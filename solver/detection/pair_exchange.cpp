@@ -13,17 +13,6 @@ namespace {
 /// Longest edge that a search counts on, over the longest one in the reference: far more than rock stretches.
 constexpr double most_stretch = 1.5;
 
-struct Region {
-    Vector2 low{1e300, 1e300}, high{-1e300, -1e300};
-    void include(const Vector2& p) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    [[nodiscard]] bool contains(const Vector2& p, double margin) const {
-        return p.x >= low.x - margin && p.x <= high.x + margin && p.y >= low.y - margin && p.y <= high.y + margin;
-    }
-};
-
 /// Calls `act` with the nodes of an edge and of those before and after it on its grain.
 template <class Act>
 void for_each_node_near(const GrainSurface& surface, std::int32_t edge, const Act& act) {
@@ -83,7 +72,7 @@ std::vector<std::uint8_t> exchange_exposed_nodes(const Assemblage& a, const std:
             if (a.part.owns(node)) is_listed[node - own.begin] = 1;
         });
     }
-    Region region;
+    Rectangle region;
     std::vector<std::int32_t> listed;
     for (std::int32_t node = own.begin; node < own.end; ++node) {
         if (is_listed[node - own.begin] == 0) continue;
@@ -96,7 +85,7 @@ std::vector<std::uint8_t> exchange_exposed_nodes(const Assemblage& a, const std:
         std::int64_t node;
         Vector2 displacement;
     };
-    const std::vector<std::vector<Region>> regions = ranks.gather_all(std::vector<Region>{region});
+    const std::vector<std::vector<Rectangle>> regions = ranks.gather_all(std::vector<Rectangle>{region});
     std::vector<std::vector<Motion>> to(regions.size());
     for (const std::int32_t node : listed) {
         const Vector2 p = position_of(a, s, node);

@@ -1,6 +1,7 @@
 // Positions of the nodes of many pairs relative to their edges: gathered one by one, computed side by side.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,6 +11,18 @@
 #include "solver/model/state.hpp"
 
 namespace graincrack {
+
+/// An upright rectangle, at first around nothing.
+struct Rectangle {
+    Vector2 low{1e300, 1e300}, high{-1e300, -1e300};
+    void include(const Vector2& p) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    [[nodiscard]] bool contains(const Vector2& p, double margin = 0) const {
+        return p.x >= low.x - margin && p.x <= high.x + margin && p.y >= low.y - margin && p.y <= high.y + margin;
+    }
+};
 
 /// Present position of a node, m.
 inline Vector2 position_of(const Assemblage& a, const State& s, std::int32_t node) {

@@ -6,61 +6,42 @@
 #include <cstddef>
 #include <numeric>
 
+#include "share/base/union_find.hpp"
 #include "solver/detection/pair_exchange.hpp"
 #include "solver/detection/pair_geometry.hpp"
 
 namespace graincrack {
 namespace {
 
-/// For each node, the lowest of the nodes that it is linked with at a vertex of the specimen, by contact points that have not
-/// debonded.
-std::vector<std::int32_t> linked_nodes(const Assemblage& a, const ContactPairList& list) {
-    std::vector<std::int32_t> root(a.position.size());
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&root](std::int32_t i) {
-        while (root[i] != i) {
-            root[i] = root[root[i]];
-            i = root[i];
-        }
-        return i;
-    };
+/// The vertices of the specimen: nodes that contact points which have not debonded link.
+UnionFind linked_nodes(const Assemblage& a, const ContactPairList& list) {
+    UnionFind linked(a.position.size());
     for_each_contact(a, [&](std::int32_t c, std::int32_t /*contact_class*/) {
         for (std::size_t p = 0; p < 2; ++p) {
-            if (list.debonded[2 * static_cast<std::size_t>(c) + p] == 0) {
-                const std::int32_t i = find(a.contacts[c].nodes[p]);
-                const std::int32_t j = find(a.contacts[c].nodes[2 + p]);
-                root[std::max(i, j)] = std::min(i, j);
-            }
+            if (list.debonded[2 * static_cast<std::size_t>(c) + p] != 0) continue;
+            linked.join(static_cast<std::size_t>(a.contacts[c].nodes[p]), static_cast<std::size_t>(a.contacts[c].nodes[2 + p]));
         }
     });
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(root.size()); ++i) root[i] = find(i);
-    return root;
+    return linked;
 }
 
-struct Box {
-    Vector2 low, high;
-};
-Box around(const Vector2& p, const Vector2& q, double margin) {
+Rectangle around(const Vector2& p, const Vector2& q, double margin) {
     return {{std::min(p.x, q.x) - margin, std::min(p.y, q.y) - margin},
             {std::max(p.x, q.x) + margin, std::max(p.y, q.y) + margin}};
-}
-
-bool contains(const Box& box, const Vector2& p) {
-    return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
 /// Square cells with the exposed edges near them. The origin is the lower left corner of all edges.
 class Cells {
 public:
-    Cells(const std::vector<Box>& boxes, double size) : size_(size) {
+    Cells(const std::vector<Rectangle>& boxes, double size) : size_(size) {
         if (boxes.empty()) {
             begin_.assign(2, 0);
             return;
         }
-        Box all = boxes.front();
-        for (const Box& box : boxes) {
-            all = {{std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)},
-                   {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)}};
+        Rectangle all;
+        for (const Rectangle& box : boxes) {
+            all.include(box.low);
+            all.include(box.high);
         }
         // Fragments may fly far: cells then grow, so that there are not many more cells than edges.
         const double area = (all.high.x - all.low.x) * (all.high.y - all.low.y);
@@ -92,7 +73,7 @@ private:
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
     }
     template <class Visit>
-    void for_cells_of(const std::vector<Box>& boxes, Visit&& visit) const {
+    void for_cells_of(const std::vector<Rectangle>& boxes, Visit&& visit) const {
         for (std::int32_t b = 0; b < static_cast<std::int32_t>(boxes.size()); ++b) {
             for (std::int32_t j = row(boxes[b].low.y); j <= row(boxes[b].high.y); ++j) {
                 for (std::int32_t i = column(boxes[b].low.x); i <= column(boxes[b].high.x); ++i) visit(cell_of(i, j), b);
@@ -112,7 +93,7 @@ std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, State&
     const std::vector<std::int32_t> exposed = find_exposed_edges(a, s.contact_pairs);
     const std::vector<std::uint8_t> is_known = exchange_exposed_nodes(a, exposed, margin, s);
     std::vector<std::int32_t> edges;
-    std::vector<Box> boxes;
+    std::vector<Rectangle> boxes;
     std::vector<std::uint8_t> is_exposed_node(a.position.size(), 0);
     for (const std::int32_t e : exposed) {
         const SurfaceEdge& edge = surface.edges[e];
@@ -123,19 +104,22 @@ std::vector<CandidatePair> find_pairs(const Assemblage& a, double margin, State&
         }
     }
     const Cells cells(boxes, surface.mean_length);
-    const std::vector<std::int32_t> linked = linked_nodes(a, s.contact_pairs);
+    UnionFind linked = linked_nodes(a, s.contact_pairs);
     std::vector<CandidatePair> pairs;
     for (std::int32_t node = 0; node < a.n_nodes(); ++node) {
         if (is_exposed_node[node] == 0) continue;
         const Vector2 p = position_of(a, s, node);
         cells.visit_near(p, [&](std::int32_t box) {
             const SurfaceEdge& edge = surface.edges[edges[box]];
-            if (!contains(boxes[box], p) || edge.grain == surface.grain_of_node[node]) return;
+            if (!boxes[box].contains(p) || edge.grain == surface.grain_of_node[node]) return;
             const Vector2 first = position_of(a, s, edge.nodes[0]);
             const Vector2 along = position_of(a, s, edge.nodes[1]) - first;
             const double place = std::clamp(dot(p - first, along) / dot(along, along), 0.0, 1.0);
             if (length(p - first - place * along) > margin) return;
-            const bool is_linked = linked[node] == linked[edge.nodes[0]] || linked[node] == linked[edge.nodes[1]];
+            const std::size_t vertex = linked.find(static_cast<std::size_t>(node));
+            const bool is_linked = std::any_of(edge.nodes.begin(), edge.nodes.end(), [&](std::int32_t other) {
+                return linked.find(static_cast<std::size_t>(other)) == vertex;
+            });
             const bool is_partner =
                 edge.contact >= 0 && std::find(a.contacts[edge.contact].nodes.begin(), a.contacts[edge.contact].nodes.end(),
                                                node) != a.contacts[edge.contact].nodes.end();

@@ -6,7 +6,6 @@
 
 #include "share/file/specimen.hpp"
 #include "share/rock/material.hpp"
-#include "solver/loading/block_control.hpp"
 #include "solver/loading/rate_control.hpp"
 #include "solver/model/amplitude.hpp"
 #include "solver/program/program.hpp"

@@ -28,12 +28,18 @@ ProgramPlatens platens_of(const Program& program) {
     return none;
 }
 
-double value_of(const NamedNumbers& numbers, const std::string& name) {
+/// The value of a name; null if it is missing.
+const double* find_value(const NamedNumbers& numbers, const std::string& name) {
     const auto at = std::find(numbers.names.begin(), numbers.names.end(), name);
-    if (at == numbers.names.end()) {
-        throw InputError(fmt::format("the saved state of the loading lacks \"{}\"; only a run's own checkpoint has it", name));
-    }
-    return numbers.values[static_cast<std::size_t>(at - numbers.names.begin())];
+    return at == numbers.names.end() ? nullptr : &numbers.values[static_cast<std::size_t>(at - numbers.names.begin())];
+}
+double value_of(const NamedNumbers& numbers, const std::string& name) {
+    if (const double* const value = find_value(numbers, name)) return *value;
+    throw InputError(fmt::format("the saved state of the loading lacks \"{}\"; only a run's own checkpoint has it", name));
+}
+
+std::string name_of_amplitude(const BoundaryCondition& condition, std::size_t action) {
+    return condition.name + "." + std::string(name_of(static_cast<Action>(action)));
 }
 
 }  // namespace
@@ -94,27 +100,11 @@ void StageController::visit_state(Self& self, Visit&& visit) {
 
 void StageController::take_over(const StageControllerState& state) {
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
-        const std::string name =
-            program_.boundary_conditions[condition].name + "." + std::string(name_of(static_cast<Action>(action)));
-        const auto& names = state.boundary_conditions.names;
-        const auto found = std::find(names.begin(), names.end(), name);
-        if (found != names.end()) {
-            amplitudes_[amplitude].function.value =
-                state.boundary_conditions.values[static_cast<std::size_t>(found - names.begin())];
-        }
+        const std::string name = name_of_amplitude(program_.boundary_conditions[condition], action);
+        if (const double* const value = find_value(state.boundary_conditions, name))
+            amplitudes_[amplitude].function.value = *value;
     });
     platens_.take_over(program_.platens ? state.platen_speed : 0, state.mean_compression);
-}
-
-TimeFunction StageController::function_of(std::size_t amplitude) const {
-    TimeFunction function;
-    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t each) {
-        if (each != amplitude) return;
-        const BoundaryCondition& c = program_.boundary_conditions[condition];
-        function = origins_[amplitude] == at_start ? *c.start[action]
-                                                   : *program_.stages[origins_[amplitude]].settings.at(c.name)[action];
-    });
-    return function;
 }
 
 void StageController::resume(const StageControllerState& state) {
@@ -122,10 +112,13 @@ void StageController::resume(const StageControllerState& state) {
     at_ = static_cast<std::size_t>(index_of("stage"));
     for (std::size_t i = 0; i < at_; ++i) records_.push_back({program_.order[i], 0, 0, state.stages_end_by[i]});
     offsets_.resize(finished() ? 0 : now().until.size());
-    for (std::size_t i = 0; i < amplitudes_.size(); ++i) {
+    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
+        const BoundaryCondition& c = program_.boundary_conditions[condition];
         origins_[i] = index_of(fmt::format("amplitude{}.origin", i));
-        if (origins_[i] != nowhere) amplitudes_[i].function = function_of(i);
-    }
+        if (origins_[i] == nowhere) return;
+        amplitudes_[i].function =
+            origins_[i] == at_start ? *c.start[action] : *program_.stages[origins_[i]].settings.at(c.name)[action];
+    });
     platens_origin_ = index_of("platens.origin");
     platens_.take_over(state.platen_speed, state.mean_compression);
     if (platens_origin_ != nowhere) platens_.set(*program_.stages[platens_origin_].platens, 0);
@@ -137,8 +130,7 @@ void StageController::resume(const StageControllerState& state) {
 StageControllerState StageController::state() const {
     StageControllerState state;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
-        state.boundary_conditions.names.push_back(program_.boundary_conditions[condition].name + "." +
-                                                  std::string(name_of(static_cast<Action>(action))));
+        state.boundary_conditions.names.push_back(name_of_amplitude(program_.boundary_conditions[condition], action));
         state.boundary_conditions.values.push_back(amplitudes_[amplitude].at(feedback_.time));
     });
     state.platen_speed = platens_.speed();

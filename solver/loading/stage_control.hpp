@@ -92,8 +92,6 @@ private:
     [[nodiscard]] std::string end_reason(const Rows& rows);
     [[nodiscard]] bool is_at_rest(double tolerance);
     [[noreturn]] void refuse_end(const std::string& reason) const;
-    /// The function that the present origin of an amplitude gives it.
-    [[nodiscard]] TimeFunction function_of(std::size_t amplitude) const;
 
     const Program& program_;
     AmplitudeNumbers numbers_;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <map>
 #include <span>
 #include <utility>
@@ -54,17 +56,13 @@ template <Is<PlatenPoint> T, class Act>
 void visit_members(T& p, Act&& act) {
     visit_all(act, p.node, p.platen, p.tributary, p.gap, p.anchor, p.shear, p.on_boundary);
 }
-template <Is<NodeSums> T, class Act>
-void visit_members(T& s, Act&& act) {
-    visit_all(act, s.damping, s.platen_work, s.load_work, s.reaction_work, s.platen_friction);
-}
-template <Is<ContactSums> T, class Act>
-void visit_members(T& s, Act&& act) {
-    visit_all(act, s.fracture_tension, s.fracture_shear, s.friction, s.non_conservative_work);
-}
-template <Is<ClusterSums> T, class Act>
-void visit_members(T& s, Act&& act) {
-    visit_all(act, s.damping, s.platen_loss, s.platen_work);
+/// Sums: doubles alone.
+template <class T, class Act>
+requires SumOfMembers<std::remove_const_t<T>>
+void visit_members(T& sums, Act&& act) {
+    auto values = std::bit_cast<std::array<double, sizeof(T) / sizeof(double)>>(sums);
+    for (double& value : values) act(value);
+    if constexpr (!std::is_const_v<T>) sums = std::bit_cast<T>(values);
 }
 
 /// Every array of a state that the next step needs and cannot find anew.

@@ -118,17 +118,15 @@ State gather_state(const Assemblage& a, const State& state) {
         part, [&](std::int32_t i) { return part.owner_of_node(state.platen_points[i].node); }, s.platen_points);
     gather_chunks(part, part.nodes, 1, s.node_sums);
     gather_chunks(part, part.nodes, 1, s.contact_pairs.friction);
-    if (!s.clusters.sums.empty()) gather_chunks(part, part.nodes, 1, s.clusters.sums);
+    gather_chunks(part, part.nodes, 1, s.clusters.sums);
     gather_chunks(part, part.contacts, 1, s.contact_sums);
     std::vector<std::int32_t> owner_of_cluster(a.n_clusters());
     for (std::int32_t chunk = 0; chunk < part.nodes.count; ++chunk) {
         const Range clusters = a.node_chunks[chunk].clusters;
         std::fill(owner_of_cluster.begin() + clusters.begin, owner_of_cluster.begin() + clusters.end, part.nodes.owner_of(chunk));
     }
-    if (!s.contact_pairs.cluster_load.empty()) {
-        gather_items(
-            part, [&](std::int32_t i) { return owner_of_cluster[i]; }, s.contact_pairs.cluster_load);
-    }
+    gather_items(
+        part, [&](std::int32_t i) { return owner_of_cluster[i]; }, s.contact_pairs.cluster_load);
     gather_pairs(a, s.contact_pairs);
     return s;
 }

@@ -1,6 +1,5 @@
 #include "solver/run/measure.hpp"
 
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -29,37 +28,13 @@ void find_damping_forces(const Assemblage& a, const StepParameters& parameters, 
     }
 }
 
-/// The action of the platens at a point: energy they keep (J), work of the last half step (J), power (W), force along the axis
-/// (N).
-struct PlatenShare {
-    double energy, half_work, power, force;
-    std::size_t motion;
-};
-PlatenShare share_of_platen(const Boundary& boundary, std::int32_t index, double time_step, const State& s) {
-    const PlatenPoint& point = s.platen_points[index];
-    const Platen& platen = boundary.platens[point.platen];
-    const PlatenResponse r =
-        platen_response(platen, point, s.displacement[point.node], s.loading.platen_displacement[platen.motion]);
-    const double force = dot(r.force, platen.axis);
-    const double increment = s.loading.increment_before[platen.motion];
-    return {r.stored + r.friction, 0.5 * force * increment, force * increment / time_step, force, platen.motion};
-}
-
-/// The part of a measurement from the nodes of a chunk, and Σ |unbalanced force| (N).
-struct NodeShare {
-    Energies energies;
-    std::array<double, 2> platen_force{};  ///< by motion, N
-    double platen_power = 0, confining_force = 0, own_kinetic = 0, unbalanced = 0;
-    using IsSum = void;
-};
-
-void add_motion(const Assemblage& a, const StepParameters& parameters, Range nodes, const State& s, NodeShare& share) {
+void add_motion(const Assemblage& a, const StepParameters& parameters, Range nodes, const State& s, Measurement& share) {
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         const Vector2 force = s.force[i] + s.damping_force[i];
         const Vector2 new_velocity = s.velocity[i] + (parameters.time_step * a.inverse_mass[i]) * force;
         share.own_kinetic += 0.5 * a.mass[i] * dot(s.velocity[i], new_velocity);
         share.energies.damping -= 0.5 * parameters.time_step * dot(s.damping_force[i], s.velocity[i]);
-        share.unbalanced += length(s.force[i]);
+        share.unbalanced_ratio += length(s.force[i]);
     }
     share.energies.kinetic += share.own_kinetic;
 }
@@ -81,19 +56,25 @@ void add_clusters(const Assemblage& a, const StepParameters& parameters, std::in
     energies.external += sums.platen_work;
 }
 
-void add_platens(const Boundary& boundary, double time_step, std::int32_t chunk, const State& s, NodeShare& share) {
+/// Energy that the platens keep, work of their last half step, their power and their forces.
+void add_platens(const Boundary& boundary, double time_step, std::int32_t chunk, const State& s, Measurement& share) {
     const Range points = boundary.platen_points_of_chunk[chunk];
     for (std::int32_t i = points.begin; i < points.end; ++i) {
-        const PlatenShare platen = share_of_platen(boundary, i, time_step, s);
-        share.energies.platen += platen.energy;
-        share.energies.external += platen.half_work;
-        share.platen_power += platen.power;
-        share.platen_force[platen.motion] += platen.force;
+        const PlatenPoint& point = s.platen_points[i];
+        const Platen& platen = boundary.platens[point.platen];
+        const PlatenResponse r =
+            platen_response(platen, point, s.displacement[point.node], s.loading.platen_displacement[platen.motion]);
+        const double force = dot(r.force, platen.axis);
+        const double increment = s.loading.increment_before[platen.motion];
+        share.energies.platen += r.stored + r.friction;
+        share.energies.external += 0.5 * force * increment;
+        share.platen_power += force * increment / time_step;
+        (platen.motion == top_platen ? share.force_top : share.force_bottom) += force;
     }
 }
 
 void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed, double time_step, std::int32_t chunk,
-                    const State& s, NodeShare& share) {
+                    const State& s, Measurement& share) {
     if (prescribed.empty()) return;
     share.energies.external += load_half_work(a, prescribed, chunk, time_step, s);
     share.energies.external += reaction_half_work(prescribed, chunk, time_step, s);
@@ -103,10 +84,11 @@ void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed,
     });
 }
 
-NodeShare sum_over_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const State& s) {
+/// What the nodes give of a measurement, with Σ |unbalanced force| (N) in place of the ratio.
+Measurement sum_over_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const State& s) {
     const std::vector<double> stored = energy_of_active_contacts(a, parameters.laws, s.contact_pairs);
     return sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) {
-        NodeShare share;
+        Measurement share;
         add_motion(a, parameters, a.node_chunks[chunk].nodes, s, share);
         add_booked(chunk, s, share.energies);
         add_clusters(a, parameters, chunk, s, share.energies);
@@ -150,23 +132,16 @@ ContactEnergies sum_over_contacts(const Assemblage& a, const ContactLaws& laws, 
 Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, State& s) {
     sum_nodal_forces(a, boundary, s.loading, s);
     find_damping_forces(a, parameters, s);
-    const NodeShare nodes = sum_over_nodes(a, boundary, parameters, s);
+    Measurement m = sum_over_nodes(a, boundary, parameters, s);
     const ElementSums elements = sum_over_elements(a, s);
     const ContactEnergies contacts = sum_over_contacts(a, parameters.laws, s);
-    Measurement m;
-    m.energies = nodes.energies;
     m.energies.strain = elements.energy;
     m.energies.contact += contacts.stored;
     m.energies.fracture_tension = contacts.sums.fracture_tension;
     m.energies.fracture_shear = contacts.sums.fracture_shear;
     m.energies.friction += contacts.sums.friction;
     m.energies.non_conservative_work = contacts.sums.non_conservative_work;
-    m.force_bottom = nodes.platen_force[bottom_platen];
-    m.force_top = nodes.platen_force[top_platen];
-    m.platen_power = nodes.platen_power;
-    m.confining_force = nodes.confining_force;
-    m.own_kinetic = nodes.own_kinetic;
-    m.unbalanced_ratio = elements.force > 0 ? nodes.unbalanced / elements.force : 0;
+    m.unbalanced_ratio = elements.force > 0 ? m.unbalanced_ratio / elements.force : 0;
     return m;
 }
 

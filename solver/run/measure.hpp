@@ -31,6 +31,7 @@ struct Measurement {
     double confining_force = 0;   ///< along x of pressures on the boundary parts left and right, mean of the two, N
     double own_kinetic = 0;       ///< kinetic energy of the masses as they are, J
     double unbalanced_ratio = 0;  ///< Σ|unbalanced force| / Σ|element force| over nodes
+    using IsSum = void;
 };
 
 /// Measures the state at its time: potential energies of the present displacements, kinetic energy ½ m v(n−½)·v(n+½)

@@ -8,6 +8,7 @@
 #include "share/base/union_find.hpp"
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/node_edge_contact.hpp"
+#include "solver/detection/pair_geometry.hpp"
 
 namespace graincrack {
 namespace {
@@ -27,16 +28,11 @@ public:
     }
     /// The longest, m.
     [[nodiscard]] double longest() {
-        struct Rectangle {
-            Vector2 low, high;
-        };
-        std::vector<Rectangle> rectangles(static_cast<std::size_t>(a_.n_clusters()), {{1e300, 1e300}, {-1e300, -1e300}});
+        std::vector<Rectangle> rectangles(static_cast<std::size_t>(a_.n_clusters()));
         double longest = 0;
         for (const std::int32_t node : nodes_) {
             Rectangle& r = rectangles[sets_.find(static_cast<std::size_t>(a_.cluster_of_node[node]))];
-            const Vector2& p = a_.position[node];
-            r.low = {std::min(r.low.x, p.x), std::min(r.low.y, p.y)};
-            r.high = {std::max(r.high.x, p.x), std::max(r.high.y, p.y)};
+            r.include(a_.position[node]);
             longest = std::max(longest, length(r.high - r.low));
         }
         return longest;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "solver/setup/request.hpp"
 
@@ -21,6 +23,9 @@ std::size_t peak_row(const RunHeader& header, const History& history) {
     return static_cast<std::size_t>(peak - stress.begin());
 }
 
+namespace {
+
+/// Largest difference of the platen forces over their mean, before the peak while the mean exceeds half of it.
 double platen_force_difference(const RunHeader& header, const History& history, double width) {
     const double sign = sign_of_strength(header, history);
     const std::size_t peak = peak_row(header, history);
@@ -35,6 +40,7 @@ double platen_force_difference(const RunHeader& header, const History& history, 
     return worst;
 }
 
+/// Mean of the damping load over the travel of the platens from nine tenths of the strain at the peak to the peak.
 double damping_load_at_peak(const RunHeader& header, const History& history) {
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
     const std::size_t peak = peak_row(header, history);
@@ -48,12 +54,8 @@ double damping_load_at_peak(const RunHeader& header, const History& history) {
     return travel > 0 ? sum / travel : 0;
 }
 
-double damping_share(const History& history) {
-    const double external = history[HistoryColumn::energy_external].back();
-    return external > 0 ? history[HistoryColumn::energy_damping].back() / external : 0;
-}
-
-Confinement achieved_confinement(const History& history, double begin) {
+/// Mean (Pa) and standard deviation (Pa) of the confining pressure over the rows from a time on (s).
+std::pair<double, double> achieved_confinement(const History& history, double begin) {
     double sum = 0;
     double squares = 0;
     double n = 0;
@@ -69,15 +71,16 @@ Confinement achieved_confinement(const History& history, double begin) {
     return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean))};
 }
 
+}  // namespace
+
 void complete_header(const History& history, double width, RunHeader& header) {
     header.peak_axial_stress =
         sign_of_strength(header, history) * history[HistoryColumn::axial_stress][peak_row(header, history)];
     header.platen_force_difference = platen_force_difference(header, history, width);
     header.damping_load = damping_load_at_peak(header, history);
-    header.damping_share = damping_share(history);
-    const Confinement confinement = achieved_confinement(history, header.isotropic_end_time);
-    header.confinement_mean = confinement.mean;
-    header.confinement_deviation = confinement.deviation;
+    const double external = history[HistoryColumn::energy_external].back();
+    header.damping_share = external > 0 ? history[HistoryColumn::energy_damping].back() / external : 0;
+    std::tie(header.confinement_mean, header.confinement_deviation) = achieved_confinement(history, header.isotropic_end_time);
 }
 
 }  // namespace graincrack

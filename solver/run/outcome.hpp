@@ -19,25 +19,9 @@ double sign_of_strength(const RunHeader& header, const History& history);
 /// Row of the largest axial stress in the sense of the test. \pre the history has rows
 std::size_t peak_row(const RunHeader& header, const History& history);
 
-/// Largest difference of the platen forces over their mean, before the peak while the mean exceeds half of it.
-/// \param width of the specimen, m
-double platen_force_difference(const RunHeader& header, const History& history, double width);
-
-/// Mean of the damping load over the travel of the platens from nine tenths of the strain at the peak to the peak.
-double damping_load_at_peak(const RunHeader& header, const History& history);
-
-/// Energy that damping has absorbed at the end, over the external work; 0 without any.
-double damping_share(const History& history);
-
-/// Confining pressure that was achieved.
-struct Confinement {
-    double mean = 0;       ///< over the rows, Pa
-    double deviation = 0;  ///< standard deviation, Pa
-};
-/// \param begin first time that counts, s \pre the history has rows from it on
-Confinement achieved_confinement(const History& history, double begin);
-
-/// Sets what the header of a finished test takes from its history. \param width of the specimen, m
+/// Sets what the header of a finished test takes from its history: the peak, the difference of the platen forces before it, the
+/// load and the work of damping, and the confining pressure since `isotropic_end_time`.
+/// \param width of the specimen, m \pre the history has rows from that time on
 void complete_header(const History& history, double width, RunHeader& header);
 
 }  // namespace graincrack

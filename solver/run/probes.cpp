@@ -169,9 +169,9 @@ void Probes::restore(const H5Input& checkpoint, std::size_t rows) {
     }
 }
 
-const std::vector<double>& Probes::column_of(const std::string& probe, std::size_t column) const {
+double Probes::last(const std::string& probe, std::size_t column) const {
     const auto found = std::find_if(histories_.begin(), histories_.end(), [&](const ProbeHistory& h) { return h.name == probe; });
-    return found->values[column];
+    return found->values[column].back();
 }
 
 }  // namespace graincrack

@@ -21,11 +21,8 @@ public:
     [[nodiscard]] const std::vector<ProbeHistory>& histories() const { return histories_; }
     /// Takes over the rows of a checkpoint. \param rows how many there must be \throws InputError
     void restore(const H5Input& checkpoint, std::size_t rows);
-    /// A value of a column, and the last one.
-    [[nodiscard]] double value(const std::string& probe, std::size_t column, std::size_t row) const {
-        return column_of(probe, column)[row];
-    }
-    [[nodiscard]] double last(const std::string& probe, std::size_t column) const { return column_of(probe, column).back(); }
+    /// The last value of a column.
+    [[nodiscard]] double last(const std::string& probe, std::size_t column) const;
 
 private:
     struct Point {
@@ -33,7 +30,6 @@ private:
         std::array<double, 3> weights;
     };
     void push(std::size_t probe, const std::vector<double>& row);
-    [[nodiscard]] const std::vector<double>& column_of(const std::string& probe, std::size_t column) const;
 
     std::vector<std::vector<std::int32_t>> nodes_of_boundary_;
     std::vector<Point> points_;                             ///< of point probes

@@ -82,6 +82,13 @@ void RunOutput::append_rows() {
     since_flush_.restart();
 }
 
+void RunOutput::write_end(H5Output& file, const State* state, const std::optional<FrameProgress>& frames) const {
+    run_.program.write(file);
+    write_faces(file, run_.setup.boundary, run_.specimen);
+    if (state == nullptr) return;
+    write_saved_state(file, *state, run_.program.stages().state(), run_.recorder.energy().largest_error(), frames);
+}
+
 bool RunOutput::wants_checkpoint() const {
     if (checkpoint_.empty()) return false;
     const bool is_asked = take_checkpoint_request();
@@ -100,9 +107,7 @@ const std::string& RunOutput::write_checkpoint() {
         const State& state = whole.state();
         writer->append_history(run_.recorder.history());
         run_.program.append(writer->file(), 0);
-        run_.program.write(writer->file());
-        write_faces(writer->file(), run_.setup.boundary, run_.specimen);
-        write_saved_state(writer->file(), state, run_.program.stages().state(), run_.recorder.energy().largest_error(), frames);
+        write_end(writer->file(), &state, frames);
         RunHeader header = run_.header;
         header.stop_reason = "checkpoint";
         header.steps = state.step;
@@ -128,12 +133,7 @@ void RunOutput::finish(const std::vector<SensitivityRow>& sensitivity, const Pro
     gather_chunks(a.part, a.part.contacts, 2UL * contacts_per_chunk, fracture_energy);
     ranks_.on_first([&] {
         append_rows();
-        run_.program.write(writer_->file());
-        write_faces(writer_->file(), run_.setup.boundary, run_.specimen);
-        if (whole) {
-            write_saved_state(writer_->file(), whole->state(), run_.program.stages().state(),
-                              run_.recorder.energy().largest_error());
-        }
+        write_end(writer_->file(), whole ? &whole->state() : nullptr);
         writer_->finish(run_.header, run_.recorder.crack_log().rows(a, fracture_energy), provenance, sensitivity);
         if (!checkpoint_.empty()) remove_checkpoint(checkpoint_);
     });

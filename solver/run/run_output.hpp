@@ -47,6 +47,7 @@ public:
 
 private:
     void append_rows();
+    void write_end(H5Output& file, const State* state, const std::optional<FrameProgress>& frames = {}) const;
 
     Run run_;
     const Ranks& ranks_;

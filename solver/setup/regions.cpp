@@ -157,13 +157,12 @@ void append_faces(std::vector<Platen>& platens, Platen platen, const PlatenFaces
         return;
     }
     platen.parts = numbers_of(faces.parts, s, where);
-    for (const double middle : faces.at) {
-        platen.left = middle - faces.width / 2;
-        platen.right = middle + faces.width / 2;
-        platen.position = position_of(platen, a, s, where);
-        platens.push_back(platen);
-    }
-    if (faces.at.empty()) {
+    const std::size_t n_faces = std::max<std::size_t>(faces.at.size(), 1);
+    for (std::size_t i = 0; i < n_faces; ++i) {
+        if (!faces.at.empty()) {
+            platen.left = faces.at[i] - faces.width / 2;
+            platen.right = faces.at[i] + faces.width / 2;
+        }
         platen.position = position_of(platen, a, s, where);
         platens.push_back(platen);
     }

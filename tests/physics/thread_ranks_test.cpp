@@ -135,16 +135,6 @@ TEST(ThreadRanks, WriteTheRunOfOne) {
     }
 }
 
-TEST(ThreadRanks, AnotherRunHasAnotherDigest) {
-    const test::TemporaryFolder folder;
-    SimulationRequest r = request_for_ranks(TestKind::tension, LawVariant::consistent, false);
-    r.peak_drop = 0.7;
-    run_on_ranks(2, grains_for_ranks(), r, folder.file("run.h5"));
-    r.damping *= 0.999;
-    run_on_ranks(2, grains_for_ranks(), r, folder.file("other.h5"));
-    EXPECT_NE(digest_of_run(folder.file("other.h5")), digest_of_run(folder.file("run.h5")));
-}
-
 const std::string head_of_programs = R"(
 name = "cycle"
 damping = 0.8
@@ -180,16 +170,6 @@ SimulationRequest program_for_ranks(const std::string& stages, const std::string
     r.program = parse_program("stages = [" + stages + "]\n" + head_of_programs + tables, "cycle.toml");
     r.material = test::granite_of_phases();
     return r;
-}
-
-TEST(ThreadRanks, AProgramIsThatOfOne) {
-    const test::TemporaryFolder folder;
-    const SimulationRequest r =
-        program_for_ranks(R"("confine", "press", "ease", "crush")", stages_before_peak + stages_after_peak);
-    run_on_ranks(1, phases_for_ranks(), r, folder.file("one.h5"));
-    expect_fragments(folder.file("one.h5"), 100, 20);
-    run_on_ranks(4, phases_for_ranks(), r, folder.file("ranks.h5"));
-    expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
 }
 
 // Gravity, tractions, prescribed velocities and an initial one: every condition has nodes and edges on the cuts.

@@ -44,16 +44,6 @@ TEST(ContactLawTable, LawsWithFrictionBesideCohesionCountDamage) {
     }
 }
 
-TEST(ContactLawPoint, ConstantsFromTheParameters) {
-    const ContactParameters p = augig_contact();
-    const ContactLaw literal = make_contact_law(p, LawVariant::literal);
-    EXPECT_EQ(literal.kt, p.normal_stiffness);
-    EXPECT_EQ(literal.dut, p.ultimate_opening);
-    expect_close(literal.tan_phi, std::tan(48.76 * std::numbers::pi / 180), 1e-15, 1);
-    expect_close(literal.inv_dct * literal.dct, 1, 1e-15, 1);
-    EXPECT_EQ(name_of(LawVariant::coulomb_slip), "coulomb-slip");
-}
-
 TEST(ContactLawPoint, TheTableHasEveryLawOnce) {
     std::set<std::string_view> names;
     for (const LawDescription& law : all_contact_laws()) {
@@ -89,17 +79,6 @@ TEST(ContactLawPoint, LeastFractureEnergies) {
     expect_close(least(LawVariant::combined).sliding, sliding, 1e-15, sliding);
 }
 
-TEST(ContactLawPoint, AtRestThereIsNothing) {
-    for (const ContactLaw& law : all_laws(augig_contact())) {
-        const ContactResponse r = update_contact(law, {0, 0}, {});
-        EXPECT_EQ(r.traction.normal, 0);
-        EXPECT_EQ(r.traction.shear, 0);
-        EXPECT_EQ(stored_energy(law, r.history), 0);
-        EXPECT_EQ(point_state(r.history), PointState::intact);
-        EXPECT_EQ(damage(law, r.history), 0);
-    }
-}
-
 TEST(ContactLawPoint, PeakTractionsAndFirstMode) {
     const ContactParameters p = augig_contact();
     for (const ContactLaw& law : {make_contact_law(p, LawVariant::literal), make_contact_law(p, LawVariant::consistent)}) {
@@ -112,15 +91,6 @@ TEST(ContactLawPoint, PeakTractionsAndFirstMode) {
         const ContactResponse gone = update_contact(law, {p.ultimate_opening * 1.01, 0}, past.history);
         EXPECT_EQ(point_state(gone.history), PointState::separated);
         EXPECT_EQ(damage(law, gone.history), 1);
-    }
-}
-
-// A closed contact pushes with kt whatever has happened to it.
-TEST(ContactLawPoint, ClosedPushesWithInitialStiffness) {
-    for (const ContactLaw& law : all_laws(augig_contact())) {
-        for (const ContactHistory& h : {ContactHistory{}, broken_contact()}) {
-            EXPECT_EQ(update_contact(law, {-1e-8, 0}, h).traction.normal, -1e-8 * law.kt);
-        }
     }
 }
 
@@ -139,19 +109,6 @@ TEST(ContactLawPoint, ShearStrengthWhileOpen) {
                                     : p.cohesion;
         expect_close(walk.largest_shear(), strength, 1e-4, strength);
         EXPECT_EQ(walk.history().first_mode, CrackMode::tensile);  // open then
-    }
-}
-
-TEST(ContactLawPoint, PreExistingCracksAreBrokenInEveryLaw) {
-    for (const ContactLaw& law : all_laws(augig_contact())) {
-        const ContactHistory h = broken_contact();
-        EXPECT_EQ(point_state(h), PointState::separated);
-        EXPECT_EQ(damage(law, h), 1);
-        EXPECT_EQ(stored_energy(law, h), 0);
-        const ContactResponse open = update_contact(law, {1e-8, 1e-7}, h);
-        EXPECT_EQ(open.traction.normal, 0);
-        EXPECT_EQ(open.traction.shear, 0);
-        EXPECT_EQ(open.dissipation.fracture, 0);
     }
 }
 

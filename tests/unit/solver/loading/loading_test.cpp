@@ -1,10 +1,11 @@
-// The standard tests as programs: their stages, platens and rows.
+// Stages of programs and of the standard tests, told what their specimen answers.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "share/base/error.hpp"
 #include "solver/loading/stage_control.hpp"
+#include "solver/program/program_file.hpp"
 #include "solver/program/standard_tests.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
@@ -18,12 +19,12 @@ using test::expect_close;
 Specimen specimen() { return test::one_diagonal_grid(4, 8, 0.04, 0.08); }
 const double transit = 0.08 / std::sqrt(25.8e9 / 2650);  // of a bar wave
 
-/// A test that is told what its specimen answers.
+/// A program that is told what its specimen answers.
 class LedPlatens {
 public:
     explicit LedPlatens(const LoadingRequest& request, double peak_drop = 0.3)
-        : program(standard_test(request, peak_drop, specimen(), test::augig_granite().rock)),
-          stages(program, specimen(), test::augig_granite().rock) {}
+        : LedPlatens(standard_test(request, peak_drop, specimen(), test::augig_granite().rock)) {}
+    explicit LedPlatens(Program of) : program(std::move(of)), stages(program, specimen(), test::augig_granite().rock) {}
     void row(double at, double stress = 0, double unbalanced = 1, Feedback feedback = {}, double cracks = 0) {
         for (auto& column : history.columns) column.push_back(0);
         history[HistoryColumn::time].back() = at;
@@ -85,16 +86,6 @@ TEST(StandardTest, StartsSmoothlyAndKeepsItsSpeed) {
             EXPECT_LT(speed, 5e-3);
         }
     }
-}
-
-TEST(StandardTest, TensionPulls) {
-    LoadingRequest request;
-    request.test = TestKind::tension;
-    LedPlatens led(request);
-    led.row(0);
-    const IntervalLoading b = led.stages.next(transit);
-    EXPECT_LT(b.velocity_end[bottom_platen], 0);
-    EXPECT_GT(b.velocity_end[top_platen], 0);
 }
 
 TEST(StandardTest, PressureFirstThenPlatens) {
@@ -196,6 +187,18 @@ TEST(StandardTest, BlocksRestBetweenThem) {
     }
 }
 
+TEST(StandardTest, BlocksEndWithASpecimenThatDoesNotComeToRest) {
+    LoadingRequest request;
+    request.rate = RateKind::blocks;
+    LedPlatens led(request);
+    led.row(0);
+    test::expect_one_line<NumericalError>(
+        [&] {
+            for (int i = 0; i < 1000; ++i) static_cast<void>(led.stages.next(transit));
+        },
+        {"no equilibrium", "--rate-tolerance"});
+}
+
 TEST(StandardTest, TheLongestWayIsSpeedingUpAndAllOfItAtTheSlowestSpeed) {
     const auto longest = [](const LoadingRequest& request) { return LedPlatens(request).stages.longest(1e-7).time; };
     LoadingRequest request;
@@ -278,6 +281,78 @@ TEST(StandardTest, SupportsOfTheTests) {
     EXPECT_TRUE(tension.platens[top_platen].bonded);
     EXPECT_EQ(tension.platens[top_platen].shear_stiffness, 0);
     EXPECT_EQ(name_of(TestKind::brazilian), "brazilian");
+}
+
+TEST(StageController, EndsStagesAtWhatIsReachedFirst) {
+    LedPlatens led(parse_program(R"(
+name = "led"
+stages = ["load", "unload", "hold", "load"]
+platens.bonded = false
+[stage.load]
+platen_speed = { to = "4 mm/s", over = "2 ms" }
+until = { time = "10 ms", axial_stress = "-2 MPa" }
+[stage.unload]
+platen_speed = "-2 mm/s"
+until = { time = "10 ms", axial_stress = "-1 MPa" }
+[stage.hold]
+platen_speed = 0.0
+until = { time = "20 ms", rest = 1e-3, peak_drop = 0.5 }
+)",
+                                 "led.toml"));
+    IntervalLoading last;
+    const auto row = [&](double at, double stress, double unbalanced = 1) {
+        led.row(at, stress, unbalanced);
+        if (!led.stages.finished()) last = led.stages.next(1e-3);
+    };
+    row(0, 0);
+    expect_close(led.stages.platens().speed(), 2e-3, 1e-12, 1e-3);  // half of the ramp after 1 ms
+    row(1e-3, -1e6);
+    expect_close(last.velocity_begin[bottom_platen], 2e-3, 1e-12, 1e-3);
+    expect_close(last.velocity_begin[top_platen], -2e-3, 1e-12, 1e-3);
+    EXPECT_TRUE(led.stages.records().empty());
+    row(2e-3, -2.1e6);
+    ASSERT_EQ(led.stages.records().size(), 1U);
+    EXPECT_EQ(led.stages.records()[0].ended_by, "axial_stress");
+    EXPECT_EQ(led.stages.platens().speed(), -2e-3);
+    row(3e-3, -2.5e6);  // not reached from this side yet
+    EXPECT_EQ(led.stages.records().size(), 1U);
+    row(4e-3, -0.9e6);
+    ASSERT_EQ(led.stages.records().size(), 2U);
+    row(5e-3, -0.8e6, 1e-4);
+    row(6e-3, -0.8e6, 1e-2);  // once is by chance
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(led.stages.records().size(), 2U);
+        row(7e-3 + 1e-3 * i, -0.8e6, 1e-4);
+    }
+    ASSERT_EQ(led.stages.records().size(), 3U);
+    EXPECT_EQ(led.stages.records()[2].ended_by, "rest");
+    EXPECT_EQ(led.stages.records()[2].end, 11e-3);
+    row(21e-3, -0.8e6);
+    ASSERT_TRUE(led.stages.finished());
+    EXPECT_EQ(led.stages.records()[3].ended_by, "time");
+}
+
+TEST(StageController, AStageGoesOnFromWhatIsThere) {
+    LedPlatens led(parse_program(R"(
+name = "led"
+stages = ["up", "wave", "keep"]
+boundary.a = { on = "top", pressure = "1 MPa" }
+boundary.b = { on = "bottom" }
+stage.up = { a.pressure = { to = "3 MPa", over = "1 ms" }, until.time = "1 ms" }
+stage.wave = { a.pressure = { pulse = "1 MPa", over = "1 ms" }, b.velocity_y = 1.0, until.time = "2 ms" }
+stage.keep = { b.velocity_y = "free", until.time = "1 ms" }
+)",
+                                 "led.toml"));
+    EXPECT_TRUE(std::isnan(led.stages.values(0)[1]));  // free until it is named
+    led.row(0, 0);
+    EXPECT_EQ(led.stages.values(0)[0], 1e6);
+    EXPECT_EQ(led.stages.values(0.5e-3)[0], 2e6);
+    led.row(1e-3, 0);
+    expect_close(led.stages.values(1.5e-3)[0], 4e6, 1e-12, 1e6);
+    EXPECT_EQ(led.stages.values(1.5e-3)[1], 1);
+    led.row(3e-3, 0);
+    EXPECT_EQ(led.stages.values(3.5e-3)[0], 3e6);
+    EXPECT_TRUE(std::isnan(led.stages.values(3.5e-3)[1]));
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "share/base/error.hpp"
-#include "solver/loading/block_control.hpp"
 #include "tests/support/check.hpp"
 
 namespace graincrack {
@@ -59,13 +57,6 @@ TEST(RateControl, NearDamageTheLoadRisesByTheToleranceInATransit) {
     // The speed follows the strain, which grows e-fold in 1/T = 200 transits, with a lag of 4 + 1 transits: 2.5 % below.
     const double speed = bar.speed_after(4 * 400);
     expect_close(2 * speed / (wave_speed * bar.strain()), tolerance, 0.03, tolerance);
-}
-
-TEST(RateControl, HalfTheToleranceIsHalfTheSpeed) {
-    Bar whole(1.0);
-    Bar half(1.0, tolerance / 2);
-    const double speed = whole.speed_after(4 * 400) / whole.strain();
-    expect_close(half.speed_after(4 * 800) / half.strain(), speed / 2, 0.02, speed / 2);  // lags as above, 2.5 % and 1.3 %
 }
 
 TEST(RateControl, HalfTheShareIsHalfTheSpeedNearDamageAndFarFromIt) {
@@ -137,27 +128,6 @@ TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
     RateControl started(tolerance, scales);
     EXPECT_EQ(started.next(measures(0, 100, 1), 1e-3, duration), control.min_speed(1e-3, tolerance));
     EXPECT_LT(started.next(measures(0, 100, 0), 1e-3, duration), 1.1 * control.min_speed(1e-3, tolerance));
-}
-
-TEST(BlockControl, MovesAndThenStandsUntilAtRest) {
-    BlockControl control(2.0, 1e-4, 10.0);
-    for (int block = 0; block < 3; ++block) {
-        for (int part = 0; part < parts_of_block - 1; ++part) {
-            EXPECT_EQ(control.next(part == 0 ? 1e-5 : 0.5, 1.0), 2.0);
-        }
-        for (int interval = 0; interval < 5; ++interval) {
-            EXPECT_EQ(control.next(0.5, 1.0), 0.0);
-        }
-    }
-}
-
-TEST(BlockControl, GivesUpOnASpecimenThatDoesNotComeToRest) {
-    BlockControl control(2.0, 1e-4, 10.0);
-    test::expect_one_line<NumericalError>(
-        [&] {
-            for (int i = 0; i < 100; ++i) static_cast<void>(control.next(0.5, 1.0));
-        },
-        {"no equilibrium", "--rate-tolerance"});
 }
 
 }  // namespace

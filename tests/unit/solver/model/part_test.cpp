@@ -131,30 +131,6 @@ TEST(Part, SumsHaveTheSameBytesOnAnyNumberOfRanks) {
     }
 }
 
-TEST(Part, SumsOfManyChunksAreMadeOfSumsOfSome) {
-    const WholeSpecimen whole = scattered_chunks(9001, 13001, 4096);
-    for (const Part& part : parts_of(whole, 3)) {
-        EXPECT_EQ(part.nodes.chunks_per_sum, 3);
-        EXPECT_EQ(part.elements.chunks_per_sum, 4);
-        EXPECT_EQ(part.contacts.chunks_per_sum, 1);
-        for (const ChunkShare* share : {&part.nodes, &part.elements, &part.contacts}) {
-            EXPECT_LE(share->n_sums(), 4096);
-            EXPECT_EQ(share->chunks_of_sum(share->n_sums() - 1).end, share->count);
-        }
-    }
-    const double expected = [&] {
-        double total = 0;
-        for (std::int32_t begin = 0; begin < 9001; begin += 3) {
-            double sum = 0;
-            for (std::int32_t chunk = begin; chunk < std::min(begin + 3, 9001); ++chunk) sum += number_of_chunk(chunk);
-            total += sum;
-        }
-        return total;
-    }();
-    const Part alone = parts_of(whole, 1).front();
-    EXPECT_EQ(sum_over_chunks(whole_part(whole.assemblage), alone.nodes, number_of_chunk), expected);
-}
-
 TEST(Part, FindsValuesAtNodesOfAnyRank) {
     const WholeSpecimen& whole = whole_specimens().front();
     const std::int32_t n_nodes = whole.assemblage.n_nodes();

@@ -22,27 +22,19 @@ ContactHistory slipped_history() {
     return h;
 }
 
-TEST(PointHistory, IsReadAsItWasStored) {
-    test::SmallRun run(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), test::augig_law());
-    const ContactHistory stored = slipped_history();
-    store_point(stored, true, 3, run.state);
-    EXPECT_EQ(point_history(run.state, 3), stored);
-    EXPECT_EQ(run.state.failed[3], 1);
-    EXPECT_EQ(run.state.residual[3], 1);
-    store_point(ContactHistory{}, false, 3, run.state);
-    EXPECT_EQ(point_history(run.state, 3), ContactHistory{});
-    EXPECT_EQ(run.state.failed[3], 0);
-    EXPECT_EQ(run.state.residual[3], 0);
-}
-
-TEST(PointHistory, OtherPointsKeepTheirs) {
+TEST(PointHistory, IsReadAsItWasStoredAndOtherPointsKeepTheirs) {
     test::SmallRun run(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), test::augig_law());
     run.state.opening[2] = 1e-8;  // the arrays of motions are those that steps write
-    store_point(slipped_history(), true, 3, run.state);
-    ContactHistory expected;
-    expected.motion.opening = 1e-8;
-    EXPECT_EQ(point_history(run.state, 2), expected);
-    EXPECT_EQ(point_history(run.state, 4), ContactHistory{});
+    ContactHistory moved;
+    moved.motion.opening = 1e-8;
+    for (const auto& [stored, is_residual] : {std::pair(slipped_history(), true), std::pair(ContactHistory{}, false)}) {
+        store_point(stored, is_residual, 3, run.state);
+        EXPECT_EQ(point_history(run.state, 3), stored);
+        EXPECT_EQ(run.state.failed[3], is_residual ? 1 : 0);
+        EXPECT_EQ(run.state.residual[3], is_residual ? 1 : 0);
+        EXPECT_EQ(point_history(run.state, 2), moved);
+        EXPECT_EQ(point_history(run.state, 4), ContactHistory{});
+    }
 }
 
 TEST(MakeState, NotchesAndOpenBoundariesAreBrokenFromTheStart) {

@@ -17,19 +17,6 @@ using test::SmallRun;
 
 SmallRun measured_run(const Specimen& s) { return {s, test::augig_law()}; }
 
-TEST(Measure, KineticEnergyOfAFlight) {
-    SmallRun run = measured_run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2));
-    run.set_velocity([](const Vector2&) { return Vector2{3, -4}; });
-    run.begin();
-    const Measurement m = run.measured();
-    const double expected = 0.5 * 2650 * 0.02 * 0.03 * 25;
-    expect_close(m.energies.kinetic, expected, 1e-13, expected);
-    EXPECT_EQ(m.energies.strain, 0);
-    EXPECT_EQ(m.energies.contact, 0);
-    EXPECT_EQ(m.unbalanced_ratio, 0);
-    EXPECT_EQ(m.energies.balance_error(), -m.energies.kinetic);
-}
-
 // One contact opened by hand to half its critical opening.
 TEST(Measure, EnergyOfAnOpenedContact) {
     SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},

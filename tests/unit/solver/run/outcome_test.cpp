@@ -13,6 +13,8 @@ namespace {
 using enum HistoryColumn;
 using test::expect_close;
 
+constexpr double width = 0.04;
+
 /// Rows of which all columns are zero, but the time: 0, 1, 2, … s.
 History rows_of_zeros(std::size_t rows) {
     History h;
@@ -24,6 +26,12 @@ History rows_of_zeros(std::size_t rows) {
 RunHeader header_of(const std::string& test) {
     RunHeader header;
     header.test = test;
+    return header;
+}
+RunHeader completed(const std::string& test, const History& h, double isotropic_end_time = 0) {
+    RunHeader header = header_of(test);
+    header.isotropic_end_time = isotropic_end_time;
+    complete_header(h, width, header);
     return header;
 }
 
@@ -41,11 +49,10 @@ TEST(Outcome, StrengthIsThatOfTheSenseOfTheTest) {
 
 TEST(Outcome, PlatenForcesAreComparedFromHalfThePeakToThePeak) {
     History h = rows_of_zeros(5);
-    constexpr double width = 0.04;
     h[force_top] = {-0.1e6, -0.39e6, -0.9e6, -1e6, -0.5e6};
     h[force_bottom] = {-0.3e6, -0.41e6, -1.1e6, -1e6, -0.9e6};
     h[axial_stress] = {-0.2e6 / width, -0.4e6 / width, -1e6 / width, -1.1e6 / width, -0.7e6 / width};
-    expect_close(platen_force_difference(header_of("uniaxial"), h, width), 0.2, 1e-12, 1);  // the row before the peak alone
+    expect_close(completed("uniaxial", h).platen_force_difference, 0.2, 1e-12, 1);  // the row before the peak alone
 }
 
 TEST(Outcome, DampingLoadIsTheMeanOverTheLastTenthOfTheWayToThePeak) {
@@ -53,39 +60,22 @@ TEST(Outcome, DampingLoadIsTheMeanOverTheLastTenthOfTheWayToThePeak) {
     h[axial_strain] = {0, -0.8e-3, -0.92e-3, -0.95e-3, -1e-3};
     h[axial_stress] = {0, -8e6, -9e6, -9.5e6, -10e6};
     h[damping_load] = {9, 9, 9, 0.01, 0.03};
-    expect_close(damping_load_at_peak(header_of("uniaxial"), h), (3 * 0.01 + 5 * 0.03) / 8, 1e-12, 0.01);
+    expect_close(completed("uniaxial", h).damping_load, (3 * 0.01 + 5 * 0.03) / 8, 1e-12, 0.01);
     h[axial_stress] = {-10e6, 0, 0, 0, 0};  // no way to the peak
-    EXPECT_EQ(damping_load_at_peak(header_of("uniaxial"), h), 0);
-}
-
-TEST(Outcome, DampingShareIsOfTheExternalWork) {
-    History h = rows_of_zeros(2);
-    EXPECT_EQ(damping_share(h), 0) << "without work";
-    h[energy_external] = {0, 20};
-    h[energy_damping] = {0, 5};
-    EXPECT_EQ(damping_share(h), 0.25);
+    EXPECT_EQ(completed("uniaxial", h).damping_load, 0);
 }
 
 TEST(Outcome, ConfinementCountsFromTheEndOfTheIsotropicStage) {
     History h = rows_of_zeros(4);
+    EXPECT_EQ(completed("triaxial", h).damping_share, 0) << "without work";
+    h[axial_stress] = {0, -5e6, -4e6, 0};
+    h[energy_external] = {0, 10, 20, 20};
+    h[energy_damping] = {0, 1, 4, 5};
     h[confining_pressure] = {0, 100, 3, 5};
-    const Confinement achieved = achieved_confinement(h, 2);
-    EXPECT_EQ(achieved.mean, 4);
-    EXPECT_EQ(achieved.deviation, 1);
-}
-
-TEST(Outcome, CompletesTheHeader) {
-    History h = rows_of_zeros(3);
-    h[axial_stress] = {0, -5e6, -4e6};
-    h[energy_external] = {0, 10, 20};
-    h[energy_damping] = {0, 1, 4};
-    h[confining_pressure] = {0, 2, 4};
-    RunHeader header = header_of("triaxial");
-    header.isotropic_end_time = 1;
-    complete_header(h, 0.04, header);
+    const RunHeader header = completed("triaxial", h, 2);
     EXPECT_EQ(header.peak_axial_stress, 5e6);
-    EXPECT_EQ(header.damping_share, 0.2);
-    EXPECT_EQ(header.confinement_mean, 3);
+    EXPECT_EQ(header.damping_share, 0.25);
+    EXPECT_EQ(header.confinement_mean, 4);
     EXPECT_EQ(header.confinement_deviation, 1);
 }
 

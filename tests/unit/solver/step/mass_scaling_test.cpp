@@ -11,13 +11,6 @@
 namespace graincrack {
 namespace {
 
-TEST(MassScaling, NoneHasNoGroups) {
-    const test::SmallRun run(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), test::augig_law());
-    const MassScaling none = make_mass_scaling(run.assemblage, 0);
-    EXPECT_FALSE(none.is_on());
-    EXPECT_TRUE(none.cluster_mass.empty());
-}
-
 TEST(MassScaling, ClustersAreTheVerticesOfTheMesh) {
     const int nx = 9;
     const int ny = 11;
