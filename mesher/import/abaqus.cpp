@@ -24,20 +24,14 @@ constexpr std::size_t longest_set_name = 80;
 struct AbaqusElement {
     std::string_view name;  ///< the letters and digits that types of one kind begin with
     int n_corners;
-    bool has_midsides;
 };
 /// The first that fits counts. Letters behind, as R and H, say how an element is integrated.
 constexpr std::array abaqus_elements{
-    AbaqusElement{"CPS3", 3, false},   AbaqusElement{"CPE3", 3, false},  AbaqusElement{"CAX3", 3, false},
-    AbaqusElement{"S3", 3, false},     AbaqusElement{"STRI3", 3, false}, AbaqusElement{"M3D3", 3, false},
-    AbaqusElement{"SFM3D3", 3, false}, AbaqusElement{"CPS4", 4, false},  AbaqusElement{"CPE4", 4, false},
-    AbaqusElement{"CAX4", 4, false},   AbaqusElement{"S4", 4, false},    AbaqusElement{"M3D4", 4, false},
-    AbaqusElement{"CPS6", 3, true},    AbaqusElement{"CPE6", 3, true},   AbaqusElement{"CAX6", 3, true},
-    AbaqusElement{"STRI65", 3, true},  AbaqusElement{"CPS8", 4, true},   AbaqusElement{"CPE8", 4, true},
-    AbaqusElement{"CAX8", 4, true},    AbaqusElement{"S8", 4, true},     AbaqusElement{"T2D2", 2, false},
-    AbaqusElement{"T3D2", 2, false},   AbaqusElement{"B21", 2, false},   AbaqusElement{"B31", 2, false},
-    AbaqusElement{"R2D2", 2, false},   AbaqusElement{"T2D3", 2, true},   AbaqusElement{"T3D3", 2, true},
-    AbaqusElement{"B22", 2, true},     AbaqusElement{"B32", 2, true},
+    AbaqusElement{"CPS3", 3},  AbaqusElement{"CPE3", 3}, AbaqusElement{"CAX3", 3},   AbaqusElement{"S3", 3},
+    AbaqusElement{"STRI3", 3}, AbaqusElement{"M3D3", 3}, AbaqusElement{"SFM3D3", 3}, AbaqusElement{"CPS4", 4},
+    AbaqusElement{"CPE4", 4},  AbaqusElement{"CAX4", 4}, AbaqusElement{"S4", 4},     AbaqusElement{"M3D4", 4},
+    AbaqusElement{"T2D2", 2},  AbaqusElement{"T3D2", 2}, AbaqusElement{"B21", 2},    AbaqusElement{"B31", 2},
+    AbaqusElement{"R2D2", 2},
 };
 
 std::string upper(std::string_view text) {
@@ -80,10 +74,6 @@ public:
         if (mesh_.elements.empty()) fail("no *Element");
         give_sets();
         mesh_.format = "Abaqus";
-        if (n_curved_lines_ > 0) {
-            mesh_.notes.push_back(fmt::format(
-                "{} lines of second order are passed over: parts of the boundary are told by geometry", n_curved_lines_));
-        }
         mesh_.without_groups = "elsets of phases: none, so that all grains are of one phase";
         return std::move(mesh_);
     }
@@ -142,8 +132,8 @@ private:
         });
         if (found == abaqus_elements.end()) {
             fail(fmt::format(
-                "elements of type \"{}\" are not read; triangles or quadrangles of the plane (CPE3, CPS3, CPE6, CPE4, …) are "
-                "needed",
+                "elements of type \"{}\" are not read; triangles or quadrangles of the plane and of first order (CPE3, CPS3, "
+                "CPE4, …) are needed",
                 shown(type)));
         }
         type_ = found;
@@ -163,17 +153,14 @@ private:
     /// An element may go on in the next line, after a comma.
     void add_element(std::string_view line) {
         for (const std::string_view field : fields_of_line(line)) element_fields_.push_back(field);
-        const std::size_t n_nodes = static_cast<std::size_t>(nodes_of_type());
+        const std::size_t n_nodes = static_cast<std::size_t>(type_->n_corners);
         if (element_fields_.size() < n_nodes + 1 && line.back() == ',') return;
         if (element_fields_.size() != n_nodes + 1) {
             fail(fmt::format("{} fields; the number of an element and its {} nodes are needed", element_fields_.size(), n_nodes));
         }
         FileElement element;
         element.number = integer(element_fields_[0], "the number of an element");
-        // The middle node of a line stands second or third, as programs have it: such lines are passed over.
-        element.n_corners = type_->n_corners == 2 && type_->has_midsides ? 1 : type_->n_corners;
-        element.has_midsides = type_->has_midsides;
-        if (element.n_corners == 1) ++n_curved_lines_;
+        element.n_corners = type_->n_corners;
         for (std::size_t k = 0; k < n_nodes; ++k) element.nodes[k] = integer(element_fields_[k + 1], "a node of an element");
         element_fields_.clear();
         if (!index_.emplace(element.number, mesh_.elements.size()).second) {
@@ -181,11 +168,6 @@ private:
         }
         mesh_.elements.push_back(element);
         if (!set_.empty()) set_named(set_).push_back(element.number);
-    }
-
-    [[nodiscard]] int nodes_of_type() const {
-        if (!type_->has_midsides) return type_->n_corners;
-        return type_->n_corners == 2 ? 3 : 2 * type_->n_corners;
     }
 
     std::vector<std::int64_t>& set_named(const std::string& name) {
@@ -284,7 +266,6 @@ private:
     std::map<std::string, std::vector<std::int64_t>> sets_;
     std::vector<std::string> set_order_;
     std::unordered_map<std::int64_t, std::size_t> index_;
-    std::size_t n_curved_lines_ = 0;
     FileMesh mesh_;
 };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tuple>
+#include <optional>
 #include <utility>
 
 #include "share/base/error.hpp"
@@ -31,6 +31,26 @@ struct Extent {
     }
     [[nodiscard]] double size() const { return std::max(high.x - low.x, high.y - low.y); }
 };
+
+/// Sides of triangles, ascending: each from a corner to the next, with its triangle on its left.
+using Sides = std::vector<std::pair<Edge, std::size_t>>;
+
+Sides sides_of(const std::vector<Triangle>& triangles) {
+    Sides sides;
+    sides.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) sides.push_back({{triangles[t][k], triangles[t][(k + 1) % 3]}, t});
+    }
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+/// The triangle on the right of a side, if there is one.
+std::optional<std::size_t> triangle_beyond(const Sides& sides, const Edge& side) {
+    const Edge turned{side[1], side[0]};
+    const auto found = std::lower_bound(sides.begin(), sides.end(), std::pair(turned, std::size_t{0}));
+    return found != sides.end() && found->first == turned ? std::optional(found->second) : std::nullopt;
+}
 
 class Cleaner {
 public:
@@ -135,13 +155,11 @@ private:
     /// Grains of several pieces, and the order of triangles.
     void make_pieces() {
         const std::size_t n = mesh_.triangles.size();
-        const std::vector<HalfEdge> halves = half_edges(mesh_.triangles);
+        const Sides sides = sides_of(mesh_.triangles);
         UnionFind pieces(n);
-        for (std::size_t i = 1; i < halves.size(); ++i) {
-            const std::size_t t = halves[i].triangle;
-            const std::size_t other = halves[i - 1].triangle;
-            const bool is_of_grain = mesh_.grain_of_triangle[t] == mesh_.grain_of_triangle[other];
-            if (halves[i].edge == halves[i - 1].edge && is_of_grain) pieces.join(t, other);
+        for (const auto& [side, t] : sides) {
+            const auto other = triangle_beyond(sides, side);
+            if (other && mesh_.grain_of_triangle[t] == mesh_.grain_of_triangle[*other]) pieces.join(t, *other);
         }
         // Grains in their order, their pieces in that of their first triangles.
         std::vector<std::size_t> order(n);
@@ -178,13 +196,12 @@ private:
 
     /// A side may belong to two triangles, in opposite directions.
     void check_overlap() {
-        std::vector<Edge> sides;
-        for (const HalfEdge& half : half_edges(mesh_.triangles)) sides.push_back(half.side(mesh_.triangles));
-        std::sort(sides.begin(), sides.end());
-        const auto twice = std::adjacent_find(sides.begin(), sides.end());
+        const Sides sides = sides_of(mesh_.triangles);
+        const auto twice =
+            std::adjacent_find(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
         if (twice == sides.end()) return;
         fail(fmt::format("two triangles overlap: both have the side from {} to {} with themselves on its left",
-                         position_text(at((*twice)[0])), position_text(at((*twice)[1]))));
+                         position_text(at(twice->first[0])), position_text(at(twice->first[1]))));
     }
 
     /// Open sides must not cross, nor hold points that are not their ends: there neighbours do not conform.
@@ -236,32 +253,16 @@ private:
 
 void clean(ImportedMesh& mesh, const std::string& name) { Cleaner(mesh, name).run(); }
 
-std::vector<HalfEdge> half_edges(const std::vector<Triangle>& triangles) {
-    std::vector<HalfEdge> halves;
-    halves.reserve(3 * triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) halves.push_back({edge_between(triangles[t][k], triangles[t][(k + 1) % 3]), t, k});
-    }
-    std::sort(halves.begin(), halves.end(), [](const HalfEdge& l, const HalfEdge& r) {
-        return std::tie(l.edge, l.triangle, l.corner) < std::tie(r.edge, r.triangle, r.corner);
-    });
-    return halves;
-}
-
 std::vector<OpenSide> open_sides(const std::vector<Triangle>& triangles) {
-    const std::vector<HalfEdge> halves = half_edges(triangles);
-    std::vector<HalfEdge> open;
-    for (std::size_t i = 0; i < halves.size(); ++i) {
-        const bool has_before = i > 0 && halves[i - 1].edge == halves[i].edge;
-        const bool has_after = i + 1 < halves.size() && halves[i + 1].edge == halves[i].edge;
-        if (!has_before && !has_after) open.push_back(halves[i]);
+    const Sides sides = sides_of(triangles);
+    std::vector<OpenSide> open;
+    for (const Triangle& t : triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Edge side{t[k], t[(k + 1) % 3]};
+            if (!triangle_beyond(sides, side)) open.push_back({side[0], side[1]});
+        }
     }
-    std::sort(open.begin(), open.end(), [](const HalfEdge& l, const HalfEdge& r) {
-        return std::tie(l.triangle, l.corner) < std::tie(r.triangle, r.corner);
-    });
-    std::vector<OpenSide> sides;
-    for (const HalfEdge& half : open) sides.push_back({half.side(triangles)[0], half.side(triangles)[1]});
-    return sides;
+    return open;
 }
 
 }  // namespace graincrack::mesher

@@ -16,20 +16,6 @@ namespace graincrack::mesher {
 ///         corner, or the boundary crosses itself
 void clean(ImportedMesh& mesh, const std::string& name);
 
-/// A side of a triangle, from its corner of that number to the next.
-struct HalfEdge {
-    Edge edge{};
-    std::size_t triangle = 0;
-    std::size_t corner = 0;
-
-    /// Its ends, with the triangle on its left.
-    [[nodiscard]] Edge side(const std::vector<Triangle>& triangles) const {
-        return {triangles[triangle][corner], triangles[triangle][(corner + 1) % 3]};
-    }
-};
-/// The sides of triangles, ascending by their edges, then by their triangles.
-std::vector<HalfEdge> half_edges(const std::vector<Triangle>& triangles);
-
 /// A side that belongs to one triangle only, with the triangle on its left.
 struct OpenSide {
     int from = 0;

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <map>
-#include <span>
 #include <utility>
 
 #include "mesher/import/mesh_text.hpp"
@@ -14,34 +12,8 @@ namespace graincrack::mesher {
 
 namespace {
 
-/// Types of elements with the numbers that the format gives them. What is neither a point nor of a dimension of a plane mesh is
-/// refused.
-struct GmshElement {
-    int number;
-    const char* name;
-    int n_nodes;
-    int n_corners;  ///< 1 a point, 2 a line, 3, 4; 0: refused
-    bool has_midsides = false;
-};
-constexpr std::array gmsh_elements{
-    GmshElement{1, "2-node line", 2, 2},
-    GmshElement{2, "3-node triangle", 3, 3},
-    GmshElement{3, "4-node quadrangle", 4, 4},
-    GmshElement{4, "4-node tetrahedron", 4, 0},
-    GmshElement{5, "8-node hexahedron", 8, 0},
-    GmshElement{6, "6-node prism", 6, 0},
-    GmshElement{7, "5-node pyramid", 5, 0},
-    GmshElement{8, "3-node line", 3, 2, true},
-    GmshElement{9, "6-node triangle", 6, 3, true},
-    GmshElement{10, "9-node quadrangle", 9, 4, true},
-    GmshElement{11, "10-node tetrahedron", 10, 0},
-    GmshElement{15, "point", 1, 1},
-    GmshElement{16, "8-node quadrangle", 8, 4, true},
-    GmshElement{20, "9-node triangle", 9, 0},
-    GmshElement{21, "10-node triangle", 10, 0},
-    GmshElement{26, "4-node line", 4, 1},
-    GmshElement{27, "5-node line", 5, 1},
-};
+/// Corners of elements of first order by the numbers that the format gives their types.
+const std::map<std::int64_t, int> corners_of_type{{15, 1}, {1, 2}, {2, 3}, {3, 4}};
 
 class GmshReader {
 public:
@@ -181,31 +153,19 @@ private:
         }
     }
 
-    const GmshElement& type_of(std::int64_t number) {
-        const auto* const found = std::find_if(gmsh_elements.begin(), gmsh_elements.end(),
-                                               [&](const GmshElement& type) { return type.number == number; });
-        if (found == gmsh_elements.end()) {
-            text_.fail(
-                fmt::format("elements of type {} are not known; triangles (2, 9) or quadrangles (3, 10, 16) are needed", number));
-        }
-        if (found->n_corners == 0) {
-            text_.fail(
-                fmt::format("elements of type {} ({}) have no place in a specimen; triangles (2, 9) or quadrangles (3, 10, 16) "
-                            "are needed",
-                            number, found->name));
-        }
-        return *found;
+    /// The number of corners of a type of elements.
+    int corners_of(std::int64_t type) {
+        const auto found = corners_of_type.find(type);
+        if (found != corners_of_type.end()) return found->second;
+        text_.fail(
+            fmt::format("elements of type {}; triangles (2) or quadrangles (3) of first order are needed (gmsh -order 1)", type));
     }
 
     /// Reads the nodes of an element and keeps it, if it is no point.
-    void add_element(const GmshElement& type, FileElement element) {
-        for (int k = 0; k < type.n_nodes; ++k) {
-            const std::int64_t node = text_.integer("a node of an element");
-            if (k < static_cast<int>(element.nodes.size())) element.nodes[static_cast<std::size_t>(k)] = node;
-        }
-        element.n_corners = type.n_corners;
-        element.has_midsides = type.has_midsides;
-        if (type.n_corners > 1) mesh_.elements.push_back(element);
+    void add_element(int n_corners, FileElement element) {
+        element.n_corners = n_corners;
+        for (int k = 0; k < n_corners; ++k) element.nodes[static_cast<std::size_t>(k)] = text_.integer("a node of an element");
+        if (n_corners > 1) mesh_.elements.push_back(element);
     }
 
     void read_elements_2() {
@@ -213,14 +173,14 @@ private:
         for (; n_elements > 0; --n_elements) {
             FileElement element;
             element.number = text_.integer("the number of an element");
-            const GmshElement& type = type_of(text_.integer("the type of an element"));
+            const int n_corners = corners_of(text_.integer("the type of an element"));
             const std::size_t n_tags = text_.count("the number of tags of an element");
             for (std::size_t k = 0; k < n_tags; ++k) {
                 const std::int64_t tag = text_.integer("a tag of an element");
                 if (k == 0) element.physical = tag;
                 if (k == 1) element.entity = tag;
             }
-            add_element(type, element);
+            add_element(n_corners, element);
         }
     }
 
@@ -230,7 +190,7 @@ private:
         for (std::size_t block = 0; block < n_blocks; ++block) {
             const std::int64_t dimension = text_.integer("the dimension of a block of elements");
             const std::int64_t tag = text_.integer("the entity of a block of elements");
-            const GmshElement& type = type_of(text_.integer("the type of elements"));
+            const int n_corners = corners_of(text_.integer("the type of elements"));
             const std::size_t n_elements = text_.count("the number of elements of a block", 4);
             const auto found = physical_of_.find({dimension, tag});
             for (std::size_t i = 0; i < n_elements; ++i) {
@@ -238,7 +198,7 @@ private:
                 element.number = text_.integer("the number of an element");
                 element.entity = tag;
                 element.physical = found == physical_of_.end() ? 0 : found->second;
-                add_element(type, element);
+                add_element(n_corners, element);
             }
         }
     }

@@ -1,7 +1,9 @@
 // A rectangle of 20 × 40 mm of two minerals, with a joint between them: the source of the meshes beside it, by Gmsh 4.8.4:
 //
 //     gmsh two-minerals.geo -2 -format msh22 -o two-minerals-msh22.msh
-//     gmsh two-minerals.geo -2 -format msh41 -order 2 -o two-minerals-msh41-order2.msh
+//     gmsh two-minerals.geo -2 -format msh41 -order 2 -o two-minerals-msh41.msh
+//
+// Of the second, elements were then given their corners alone.
 h = 10;
 Point(1) = {0, 0, 0, h};
 Point(2) = {20, 0, 0, h};
