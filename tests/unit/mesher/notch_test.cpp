@@ -1,4 +1,4 @@
-#include "mesher/assemblage/notch.hpp"
+#include "mesher/mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <map>
 #include <string>
 
-#include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack::mesher {
