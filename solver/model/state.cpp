@@ -4,21 +4,16 @@ namespace graincrack {
 
 State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& specimen) {
     State s;
-    s.displacement.resize(a.position.size());
-    s.velocity.resize(a.position.size());
-    s.force.resize(a.position.size());
-    s.last_force.resize(a.position.size());
-    s.damping_load.mean_displacement.resize(a.position.size());
-    s.damping_force.resize(a.position.size());
+    for (auto* of_nodes :
+         {&s.displacement, &s.velocity, &s.force, &s.last_force, &s.damping_force, &s.damping_load.mean_displacement}) {
+        of_nodes->resize(a.position.size());
+    }
     s.near_platen.resize(a.position.size());
     s.contact_force.resize(a.n_slot_values());
     s.element_force.resize(a.n_element_slot_values());
     s.points = PointHistories(2 * a.contacts.size());
-    s.opening.resize(2 * a.contacts.size());
-    s.sliding.resize(2 * a.contacts.size());
-    s.slip.resize(2 * a.contacts.size());
-    s.failed.resize(2 * a.contacts.size());
-    s.residual.resize(2 * a.contacts.size());
+    for (auto* of_points : {&s.opening, &s.sliding, &s.slip, &s.fracture_energy}) of_points->resize(2 * a.contacts.size());
+    for (auto* of_points : {&s.failed, &s.residual}) of_points->resize(2 * a.contacts.size());
     s.next_level.assign(2 * a.contacts.size(), damage_level(0));
     s.integrity.assign(2 * a.contacts.size(), 1);
     for_each_contact(a, [&](std::int32_t place, std::int32_t /*contact_class*/) {
@@ -30,7 +25,6 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
             }
         }
     });
-    s.fracture_energy.resize(2 * a.contacts.size());
     s.contact_pairs = make_contact_pair_list(a);
     s.platen_points = boundary.platen_points;
     s.loading.platen_axis = boundary.platens.front().axis;

@@ -49,4 +49,17 @@ std::uint8_t name_boundary(Specimen& specimen, const std::string& name, const Re
 /// The same specimen turned by `angle` (rad) about the origin.
 Specimen rotated(Specimen specimen, double angle);
 
+/// Gives every node that elements, contacts and edges name another number. \param number_of (node): the new one
+template <class NumberOf>
+void renumber_nodes(Specimen& s, const NumberOf& number_of) {
+    const auto renumber = [&](auto& rows) {
+        for (auto& row : rows) {
+            for (std::int32_t& node : row) node = number_of(node);
+        }
+    };
+    renumber(s.element_nodes);
+    renumber(s.contact_nodes);
+    renumber(s.boundary_edges);
+}
+
 }  // namespace graincrack::test

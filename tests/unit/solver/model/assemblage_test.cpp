@@ -22,15 +22,7 @@ Assemblage of(const Specimen& s) { return make_assemblage(s, test::augig_granite
 TEST(Assemblage, ANodeOfNoElementHasNoMassAndStays) {
     Specimen s = test::one_diagonal_grid(1, 1, 0.01, 0.01);
     s.node_position.insert(s.node_position.begin(), {0.5, 0.5});
-    for (auto& e : s.element_nodes) {
-        for (auto& n : e) ++n;
-    }
-    for (auto& c : s.contact_nodes) {
-        for (auto& n : c) ++n;
-    }
-    for (auto& b : s.boundary_edges) {
-        for (auto& n : b) ++n;
-    }
+    test::renumber_nodes(s, [](std::int32_t node) { return node + 1; });
     const Assemblage a = of(s);
     const std::int32_t i = a.node_of_specimen[0];
     EXPECT_EQ(a.mass[i], 0);
@@ -42,14 +34,7 @@ TEST(Assemblage, NodesAreRenumberedOnceEach) {
     // Any order of nodes is allowed: reverse it.
     const auto n = static_cast<std::int32_t>(s.n_nodes());
     std::reverse(s.node_position.begin(), s.node_position.end());
-    const auto turn = [n](auto& rows) {
-        for (auto& row : rows) {
-            for (auto& i : row) i = n - 1 - i;
-        }
-    };
-    turn(s.element_nodes);
-    turn(s.contact_nodes);
-    turn(s.boundary_edges);
+    test::renumber_nodes(s, [n](std::int32_t node) { return n - 1 - node; });
     ASSERT_NO_THROW(validate(s, "reversed"));
     const Assemblage a = of(s);
     std::vector<std::int32_t> sorted = a.node_of_specimen;

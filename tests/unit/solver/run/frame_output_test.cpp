@@ -20,15 +20,7 @@ TEST(Frame, IsInTheOrderOfTheSpecimen) {
     Specimen s = test::one_diagonal_grid(2, 2, 0.02, 0.02);
     const auto n = static_cast<std::int32_t>(s.n_nodes());
     std::reverse(s.node_position.begin(), s.node_position.end());
-    for (auto& e : s.element_nodes) {
-        for (auto& i : e) i = n - 1 - i;
-    }
-    for (auto& c : s.contact_nodes) {
-        for (auto& i : c) i = n - 1 - i;
-    }
-    for (auto& b : s.boundary_edges) {
-        for (auto& i : b) i = n - 1 - i;
-    }
+    test::renumber_nodes(s, [n](std::int32_t node) { return n - 1 - node; });
     SmallRun run = run_of(s);
     for (std::size_t i = 0; i < run.state.displacement.size(); ++i) run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
     run.begin();
