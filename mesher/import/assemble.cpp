@@ -13,7 +13,7 @@
 #include "share/base/error.hpp"
 #include "share/base/union_find.hpp"
 #include "share/base/units.hpp"
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 

@@ -23,8 +23,8 @@
 #include "share/base/sha256.hpp"
 #include "share/base/text.hpp"
 #include "share/base/units.hpp"
-#include "share/file/open_boundaries.hpp"
 #include "share/file/output_file.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack::mesher {
 

@@ -12,12 +12,12 @@
 #include "share/base/units.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
-#include "share/file/open_boundaries.hpp"
 #include "share/file/platen_faces.hpp"
 #include "share/file/probe_file.hpp"
 #include "share/file/provenance.hpp"
 #include "share/file/run_file.hpp"
 #include "share/file/schema.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "share/options/option_set.hpp"
 #include "share/rock/contact_parameters.hpp"
 

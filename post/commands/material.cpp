@@ -14,7 +14,6 @@
 #include "share/options/option_set.hpp"
 #include "share/rock/incomplete_material.hpp"
 #include "share/rock/material_edit.hpp"
-#include "share/rock/material_kinds.hpp"
 
 namespace graincrack {
 

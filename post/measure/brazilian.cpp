@@ -9,7 +9,7 @@
 #include "post/cracks/crack_network.hpp"
 #include "post/run/crack_label.hpp"
 #include "share/base/error.hpp"
-#include "share/file/end_faces.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
 

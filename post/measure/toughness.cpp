@@ -12,7 +12,7 @@
 #include "share/base/error.hpp"
 #include "share/base/printable.hpp"
 #include "share/base/units.hpp"
-#include "share/file/notch.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
 

@@ -51,7 +51,7 @@ std::string text_of_file(const std::string& file, const std::string& needed) {
     return text;
 }
 
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
     std::string nearest;
     std::size_t least = (word.size() < 4 ? 1 : std::max<std::size_t>(word.size() / 3, 2)) +
                         1;  // one more than the largest distance that counts as near
@@ -62,11 +62,6 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
             nearest = candidate;
         }
     }
-    return nearest;
-}
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-    const std::string nearest = nearest_word(word, known);
     return nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
 }
 

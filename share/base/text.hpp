@@ -40,8 +40,6 @@ std::pair<std::string, std::string> key_and_value(std::string_view text, std::st
 /// The bytes of a file. \param needed end of the message, "; a TOML file is needed" \throws InputError if it cannot be read
 std::string text_of_file(const std::string& file, const std::string& needed = "");
 
-/// The word of `known` nearest to `word`, or "" if none is near.
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 /// " (did you mean …?)" with the nearest of the known words, or nothing.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 

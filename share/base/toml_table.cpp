@@ -8,7 +8,6 @@
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
-#include "share/base/toml_keys.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack {

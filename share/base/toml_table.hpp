@@ -1,10 +1,12 @@
-// A table of a TOML file that is asked for its keys one by one; what nobody asked for is refused.
+// Tables of a TOML file: keys bound to where their values go, and a table that is asked for its keys one by one, of which what
+// nobody asked for is refused.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +17,28 @@
 
 namespace graincrack {
 
+/// A key of a table: the quantity it holds, where its value is stored, and whether it is required; or, in place of a quantity, a
+/// word.
+struct TomlKey {
+    std::string name;
+    Quantity quantity;
+    std::function<void(double)> set;
+    bool needed = false;
+    std::vector<std::string> words = {};                         ///< that a key of a word may have; none: any
+    std::function<void(const std::string&)> set_word = nullptr;  ///< of a key of a word
+
+    [[nodiscard]] bool is_word() const { return set_word != nullptr; }
+    /// \throws InputError unless a key of a word may have it
+    void require_word(const std::string& word, const std::string& where) const;
+};
+
+/// A table, called by its path: "contact", "pairs.quartz-mica".
+struct TomlKeys {
+    std::string path;
+    std::vector<TomlKey> keys;
+};
+
+/// A table of a file that is read.
 class TomlTable {
 public:
     explicit TomlTable(const TomlFile& file);

@@ -139,20 +139,16 @@ double parse_quantity(std::string_view text, const Quantity& quantity, std::stri
     }
     const std::string_view symbol = trimmed(std::string_view(end, static_cast<std::size_t>(digits.data() + digits.size() - end)));
     digits = digits.substr(0, static_cast<std::size_t>(end - digits.data()));
-    if (error == std::errc::result_out_of_range || !std::isfinite(value)) {
-        refuse(where, fmt::format("{} is not a finite number", quoted(whole)),
-               fmt::format("it must be {}", bounds_text(quantity)));
-    }
+    const auto require = [&](bool holds, const char* wrong) {
+        if (!holds)
+            refuse(where, fmt::format("{} {}", quoted(whole), wrong), fmt::format("it must be {}", bounds_text(quantity)));
+    };
+    require(error != std::errc::result_out_of_range && std::isfinite(value), "is not a finite number");
     const auto unit = find_unit(symbol, quantity.dimension);
     if (!unit) refuse_unit(whole, symbol, quantity.dimension, where);
     const auto si = scaled_number(digits, unit->to_si);
-    if (!si || !std::isfinite(*si)) {
-        refuse(where, fmt::format("{} is not a finite number", quoted(whole)),
-               fmt::format("it must be {}", bounds_text(quantity)));
-    }
-    if (!quantity.admits(*si)) {
-        refuse(where, fmt::format("{} is out of bounds", quoted(whole)), fmt::format("it must be {}", bounds_text(quantity)));
-    }
+    require(si && std::isfinite(*si), "is not a finite number");
+    require(quantity.admits(*si), "is out of bounds");
     return *si;
 }
 

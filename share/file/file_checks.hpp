@@ -1,8 +1,11 @@
-// What values read from a file are held against before they are used.
+// Vectors as datasets of a file, and what values read from one are held against before they are used.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,8 +13,49 @@
 
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
+#include "share/file/schema.hpp"
 
 namespace graincrack {
+
+/// How an element of a vector is stored: a number, or a row of several.
+template <class T>
+struct Stored {
+    using Number = T;
+    static constexpr std::size_t width = 1;
+};
+template <class T, std::size_t n>
+struct Stored<std::array<T, n>> {
+    using Number = T;
+    static constexpr std::size_t width = n;
+};
+/// Shape of the dataset of a vector of T.
+template <class T>
+Extents extents_of(std::size_t rows) {
+    return Stored<T>::width == 1 ? Extents{rows} : Extents{rows, Stored<T>::width};
+}
+template <class T>
+void write_rows(H5Output& file, const schema::Dataset& dataset, const std::vector<T>& rows) {
+    using Number = typename Stored<T>::Number;
+    std::span<const Number> numbers;
+    if constexpr (Stored<T>::width == 1) {
+        numbers = rows;
+    } else {
+        numbers = flat(rows);
+    }
+    file.write<Number>(dataset.path, numbers, extents_of<T>(rows.size()), dataset.unit, dataset.description);
+}
+/// The vector of the numbers of a dataset.
+template <class T>
+std::vector<T> rows_from(const std::vector<typename Stored<T>::Number>& numbers) {
+    if constexpr (Stored<T>::width == 1) {
+        return numbers;
+    } else {
+        constexpr std::size_t width = Stored<T>::width;
+        std::vector<T> rows(numbers.size() / width);
+        for (std::size_t i = 0; i < rows.size(); ++i) std::copy_n(numbers.data() + i * width, width, rows[i].begin());
+        return rows;
+    }
+}
 
 /// \throws InputError naming file, dataset and row unless `holds(value)` of every value
 template <class T, class Holds>

@@ -68,10 +68,6 @@ herr_t collect_link(hid_t /*group*/, const char* name, const H5L_info_t* info, v
     static_cast<std::vector<Link>*>(data)->push_back({name, info->type == H5L_TYPE_HARD});
     return 0;
 }
-herr_t collect_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /*info*/, void* data) {
-    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
-    return 0;
-}
 
 }  // namespace
 
@@ -89,19 +85,6 @@ std::vector<std::string> link_names(hid_t file, const std::string& group) {
     links_of(file, group, links);
     for (const Link& link : links) names.push_back(link.name);
     return names;
-}
-
-// The iteration frees its table twice where an attribute cannot be decoded (HDF5 1.10.8). Looking up a name that there is not
-// decodes all attributes, and fails where one cannot be.
-bool attribute_names(hid_t object, std::vector<std::string>& names) {
-    constexpr const char* absent = "\x01";
-    hsize_t start = 0;
-    names.clear();
-    if (H5Aexists(object, absent) < 0 || H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &start, collect_attribute, &names) < 0) {
-        return false;
-    }
-    std::sort(names.begin(), names.end());
-    return true;
 }
 
 std::string type_name(hid_t type) {

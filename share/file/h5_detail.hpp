@@ -1,4 +1,5 @@
-// Internals of reading and writing HDF5: identifiers that close themselves, types, attributes. Included by share/h5_*.cpp only.
+// Internals of reading and writing HDF5: identifiers that close themselves, types, attributes; opening files and checking them
+// before anything in them is used; their digest. Included by share/file/h5_*.cpp only.
 #pragma once
 
 #include <hdf5.h>
@@ -49,7 +50,6 @@ inline Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 template <class T>
 hid_t memory_type() {
     if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
-    if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
     if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
     if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
     if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
@@ -114,11 +114,41 @@ struct Link {
 bool links_of(hid_t file, const std::string& group, std::vector<Link>& links);
 /// Names of the links in a group, sorted.
 std::vector<std::string> link_names(hid_t file, const std::string& group);
-/// Names of the attributes of an object, sorted; false if one of them is damaged.
-bool attribute_names(hid_t object, std::vector<std::string>& names);
 
 std::string type_name(hid_t type);
 Extents space_extents(hid_t space);
 std::string extents_text(const Extents& extents);
+
+// --- opening and checking ---------------------------------------------------------------------------------------------
+
+/// All bytes of stdin. \throws InputError
+std::vector<char> read_stdin();
+
+/// Opens a file image. \param name for messages \throws InputError if it is empty or cannot be opened
+Handle open_image(const std::vector<char>& bytes, const std::string& name);
+/// Opens a file. \throws InputError if there is no such file, or it cannot be opened
+Handle open_path(const std::string& path);
+
+/// Walks through all groups. \throws InputError for links other than hard ones, for a group that is linked more than once (one in
+/// a circle is), and for groups nested deeper than any of ours
+void require_tree(hid_t file, const std::string& file_name);
+
+/// Number of values of a dataset. \throws InputError unless they are numbers, kept in this file, by filters that ours have, and
+/// as many as its bytes can hold; nothing has been read then
+std::size_t require_readable(hid_t dataset, const std::string& file_name, const std::string& path);
+
+/// \throws InputError for an attribute that declares more than the file has bytes, or for texts of variable length: the
+/// library keeps those apart, in what a damaged file leads it astray
+void require_readable_attribute(hid_t attribute, const std::string& file_name, const std::string& object,
+                                const std::string& name);
+
+// --- digest and list of the content -----------------------------------------------------------------------------------
+
+/// SHA-256 (hex) over every path, type, shape, attribute and value below the root, except the object `left_out`.
+/// \throws InputError for the first object that cannot be read
+std::string digest(hid_t file, const std::string& file_name, const std::string& left_out);
+
+/// One line for each dataset: path, type, shape, unit, description.
+std::vector<std::string> describe(hid_t file, const std::string& file_name);
 
 }  // namespace graincrack::h5

@@ -1,12 +1,10 @@
-#include "share/file/h5_digest.hpp"
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "share/base/error.hpp"
 #include "share/base/sha256.hpp"
 #include "share/file/h5_detail.hpp"
-#include "share/file/h5_open.hpp"
-
 namespace graincrack::h5 {
 namespace {
 
@@ -17,6 +15,25 @@ hid_t hash_type(hid_t type) {
         case H5T_FLOAT: return H5T_IEEE_F64LE;
         default: return -1;
     }
+}
+
+herr_t collect_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /*info*/, void* data) {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+}
+
+/// Names of the attributes of an object, sorted; false if one of them is damaged.
+/// The iteration frees its table twice where an attribute cannot be decoded (HDF5 1.10.8). Looking up a name that there is not
+/// decodes all attributes, and fails where one cannot be.
+bool attribute_names(hid_t object, std::vector<std::string>& names) {
+    constexpr const char* absent = "\x01";
+    hsize_t start = 0;
+    names.clear();
+    if (H5Aexists(object, absent) < 0 || H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &start, collect_attribute, &names) < 0) {
+        return false;
+    }
+    std::sort(names.begin(), names.end());
+    return true;
 }
 
 /// Walks through a file whose groups are a tree (`require_tree`).

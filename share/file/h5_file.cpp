@@ -10,8 +10,6 @@
 
 #include "share/base/error.hpp"
 #include "share/file/h5_detail.hpp"
-#include "share/file/h5_digest.hpp"
-#include "share/file/h5_open.hpp"
 #include "share/file/output_file.hpp"
 
 namespace graincrack {
@@ -147,10 +145,6 @@ Handle open_dataset(hid_t file, const std::string& file_name, const std::string&
     return id;
 }
 
-[[noreturn]] void refuse_values(const std::string& file_name, const std::string& dataset) {
-    throw InputError(fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", file_name, dataset));
-}
-
 }  // namespace
 
 Extents H5Input::extents(const std::string& dataset) const {
@@ -167,7 +161,8 @@ std::vector<T> H5Input::read(const std::string& dataset) const {
     const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
     std::vector<T> values(require_readable(id.get(), state_->name, dataset));
     if (!values.empty() && H5Dread(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-        refuse_values(state_->name, dataset);
+        throw InputError(
+            fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
     }
     return values;
 }
@@ -179,27 +174,6 @@ std::vector<T> H5Input::read(const std::string& dataset, const Extents& shape) c
                                      extents_text(shape)));
     }
     return read<T>(dataset);
-}
-
-template <class T>
-std::vector<T> H5Input::read_rows(const std::string& dataset, std::size_t first, std::size_t count) const {
-    const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
-    require_readable(id.get(), state_->name, dataset);
-    const Handle space = space_of_dataset(id.get());
-    std::vector<hsize_t> extents = to_hsize(space_extents(space.get()));
-    if (extents.empty() || first > extents[0] || count > extents[0] - first) {
-        throw InputError(fmt::format("{}: dataset {} has no rows {} to {}", state_->name, dataset, first, first + count));
-    }
-    std::vector<hsize_t> offset(extents.size(), 0);
-    offset[0] = first;
-    extents[0] = count;
-    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, extents.data(), nullptr);
-    const Handle memory(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
-    std::vector<T> values(product({extents.begin(), extents.end()}));
-    if (!values.empty() && H5Dread(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
-        refuse_values(state_->name, dataset);
-    }
-    return values;
 }
 
 template <class T>
@@ -243,6 +217,10 @@ void write_meaning(hid_t dataset, std::string_view unit, std::string_view descri
     write_attribute(dataset, "description", std::string(description));
 }
 
+std::string unwritten(const std::string& dataset) {
+    return fmt::format("dataset {} cannot be written; is the disk full?", dataset);
+}
+
 /// \throws UsageError if an output would replace what is no file of its kind
 void require_kind_of_replaced(const OutputFile& place, std::string_view kind) {
     const std::string replaced = place.replaced();
@@ -271,15 +249,13 @@ H5Output::H5Output(std::unique_ptr<OutputFile> place, std::string_view kind)
     if (state_->is_in_memory) {
         H5Pset_fapl_core(access.get(), image_growth, is_stream() ? 0 : 1);  // one with a name is written there as it is flushed
     }
-    if (state_->place->is_terminal()) {
-        throw OutputError(name() + ": is a terminal; send the file into a pipe or name one with -o FILE");
-    }
+    require(!state_->place->is_terminal(), "is a terminal; send the file into a pipe or name one with -o FILE");
     if (!is_stream()) {
         require_kind_of_replaced(*state_->place, kind);
         path = state_->place->begin();
     }
     state_->file = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
-    if (!state_->file.valid()) throw OutputError(name() + ": cannot be created");
+    require(state_->file.valid(), "cannot be created");
     attribute("/", "format", std::string("graincrack"));
     attribute("/", "schema_version", std::int64_t{schema_version});
     attribute("/", "kind", std::string(kind));
@@ -298,7 +274,7 @@ void H5Output::create_group(const std::string& group) {
             const Handle properties = property_list(H5P_GROUP_CREATE);
             H5Pset_obj_track_times(properties.get(), 0);
             const Handle id(H5Gcreate2(state_->file.get(), path.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Gclose);
-            if (!id.valid()) throw OutputError(fmt::format("{}: group {} cannot be created", name(), path));
+            require(id.valid(), fmt::format("group {} cannot be created", path));
         }
         if (slash == std::string::npos) return;
     }
@@ -326,12 +302,8 @@ Handle H5Output::create(const std::string& dataset, const Extents& extents, bool
     Handle id(
         H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
         H5Dclose);
-    if (!id.valid()) refuse_dataset(dataset, "written");
+    require(id.valid(), unwritten(dataset));
     return id;
-}
-
-void H5Output::refuse_dataset(const std::string& dataset, const char* done) const {
-    throw OutputError(fmt::format("{}: dataset {} cannot be {}; is the disk full?", name(), dataset, done));
 }
 
 template <class T>
@@ -339,9 +311,8 @@ void H5Output::write(const std::string& dataset, std::span<const T> values, cons
                      std::string_view description) {
     if (values.size() != product(extents)) throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
     const Handle id = create<T>(dataset, extents, false);
-    if (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-        refuse_dataset(dataset, "written");
-    }
+    require(values.empty() || H5Dwrite(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0,
+            unwritten(dataset));
     write_meaning(id.get(), unit, description);
 }
 
@@ -359,14 +330,13 @@ void H5Output::append(const std::string& dataset, std::span<const T> values, con
     std::vector<hsize_t> offset(extents.size(), 0);
     offset[0] = shape[0];
     shape[0] += extents[0];
-    if (H5Dset_extent(id.get(), shape.data()) < 0) refuse_dataset(dataset, "extended");
+    require(H5Dset_extent(id.get(), shape.data()) >= 0, fmt::format("dataset {} cannot be extended; is the disk full?", dataset));
     const Handle space = space_of_dataset(id.get());
     const std::vector<hsize_t> count = to_hsize(extents);
     H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
     const Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
-    if (!values.empty() && H5Dwrite(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0) {
-        refuse_dataset(dataset, "written");
-    }
+    require(values.empty() || H5Dwrite(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) >= 0,
+            unwritten(dataset));
 }
 
 template <class T>
@@ -381,58 +351,58 @@ void H5Output::quantity(const std::string& object, const std::string& name, doub
     attribute(object, name + "_unit", std::string(unit));
 }
 
+void H5Output::require(bool done, const std::string& wrong) const {
+    if (!done) throw OutputError(fmt::format("{}: {}", name(), wrong));
+}
+
 void H5Output::hard_link(const std::string& existing, const std::string& link) {
     create_parents(link);
-    if (H5Lcreate_hard(state_->file.get(), existing.c_str(), state_->file.get(), link.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
-        throw OutputError(fmt::format("{}: {} cannot be linked to {}", name(), link, existing));
-    }
+    const hid_t file = state_->file.get();
+    require(H5Lcreate_hard(file, existing.c_str(), file, link.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0,
+            fmt::format("{} cannot be linked to {}", link, existing));
 }
 
 void H5Output::copy(const H5Output& from, const std::string& object, const std::string& to) {
-    if (H5Ocopy(from.state_->file.get(), object.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
-        throw OutputError(fmt::format("{}: {} cannot be written; is the disk full?", name(), to));
-    }
+    require(H5Ocopy(from.state_->file.get(), object.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0,
+            to + " cannot be written; is the disk full?");
 }
 
 void H5Output::remove(const std::string& object) { H5Ldelete(state_->file.get(), object.c_str(), H5P_DEFAULT); }
 
 void H5Output::move(const std::string& from, const std::string& to) {
-    if (H5Lmove(state_->file.get(), from.c_str(), state_->file.get(), to.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) {
-        throw OutputError(fmt::format("{}: {} cannot be renamed to {}", name(), from, to));
-    }
+    const hid_t file = state_->file.get();
+    require(H5Lmove(file, from.c_str(), file, to.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0,
+            fmt::format("{} cannot be renamed to {}", from, to));
 }
 
 void H5Output::flush() {
-    if (!state_->is_in_memory && H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
-        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", name()));
-    }
+    if (!state_->is_in_memory) flush_file();
+}
+
+void H5Output::flush_file() {
+    require(H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) >= 0, "cannot be flushed; is the disk full?");
 }
 
 void H5Output::commit() {
-    if (H5Fflush(state_->file.get(), H5F_SCOPE_GLOBAL) < 0) {
-        throw OutputError(fmt::format("{}: cannot be flushed; is the disk full?", name()));
-    }
+    flush_file();
     if (is_stream()) {
         const ssize_t size = H5Fget_file_image(state_->file.get(), nullptr, 0);
         std::string image(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-        if (size <= 0 || H5Fget_file_image(state_->file.get(), image.data(), image.size()) < 0) {
-            throw OutputError(name() + ": the file image cannot be made");
-        }
+        require(size > 0 && H5Fget_file_image(state_->file.get(), image.data(), image.size()) >= 0,
+                "the file image cannot be made");
         state_->place->write(image);
-    } else if (!state_->file.reset()) {
-        throw OutputError(fmt::format("{}: cannot be closed; is the disk full?", name()));
+    } else {
+        require(state_->file.reset(), "cannot be closed; is the disk full?");
     }
     state_->place->commit();
 }
 
 // --- instantiations of the templates -----------------------------------------------------------------------------------
 
-#define GRAINCRACK_READ(T)                                                              \
-    template std::vector<T> H5Input::read<T>(const std::string&) const;                 \
-    template std::vector<T> H5Input::read<T>(const std::string&, const Extents&) const; \
-    template std::vector<T> H5Input::read_rows<T>(const std::string&, std::size_t, std::size_t) const;
+#define GRAINCRACK_READ(T)                                              \
+    template std::vector<T> H5Input::read<T>(const std::string&) const; \
+    template std::vector<T> H5Input::read<T>(const std::string&, const Extents&) const;
 GRAINCRACK_READ(double)
-GRAINCRACK_READ(float)
 GRAINCRACK_READ(std::int32_t)
 GRAINCRACK_READ(std::int64_t)
 GRAINCRACK_READ(std::uint8_t)

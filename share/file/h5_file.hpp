@@ -56,16 +56,13 @@ public:
     /// Names of the links in a group, sorted.
     [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
 
-    /// Whole dataset, flattened; T is double, float, int32_t, int64_t or uint8_t (converted by HDF5 as needed).
+    /// Whole dataset, flattened; T is double, int32_t, int64_t or uint8_t (converted by HDF5 as needed).
     /// \throws InputError naming file and path if it is missing or unreadable
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& dataset) const;
     /// The same of a dataset that must have this shape. \throws InputError before anything is read if it has another
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& dataset, const Extents& shape) const;
-    /// Rows [first, first + count) of a dataset, flattened.
-    template <class T>
-    [[nodiscard]] std::vector<T> read_rows(const std::string& dataset, std::size_t first, std::size_t count) const;
 
     /// Attribute as double, int64_t, std::string, std::vector<double> or std::vector<std::string>.
     template <class T>
@@ -136,7 +133,9 @@ public:
 private:
     struct State;
     void create_parents(const std::string& object);
-    [[noreturn]] void refuse_dataset(const std::string& dataset, const char* done) const;
+    /// \throws OutputError that says what is wrong
+    void require(bool done, const std::string& wrong) const;
+    void flush_file();
     /// Makes a dataset without values. \param grows whether rows are appended to it, which has none yet
     template <class T>
     h5::Handle create(const std::string& dataset, const Extents& extents, bool grows);

@@ -1,5 +1,3 @@
-#include "share/file/h5_open.hpp"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -12,6 +10,7 @@
 #include <set>
 
 #include "share/base/error.hpp"
+#include "share/file/h5_detail.hpp"
 
 namespace graincrack::h5 {
 namespace {

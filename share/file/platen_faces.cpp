@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-#include "share/file/end_faces.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/schema.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
 namespace {

@@ -20,14 +20,6 @@ namespace graincrack {
 
 namespace {
 
-template <class T, std::size_t n>
-void unflatten(const std::vector<T>& values, std::vector<std::array<T, n>>& rows) {
-    rows.resize(values.size() / n);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * n), n, rows[i].begin());
-    }
-}
-
 /// Visits every array of a frame once.
 template <class FrameType, class Visit>
 void visit_frame(FrameType& frame, Visit&& visit) {
@@ -81,10 +73,10 @@ void RunWriter::add_frame(const Frame& frame, FrameRole role) {
     file_.quantity(group, "time", frame.time, "s");
     file_.attribute(group, "step", frame.step);
     visit_frame(frame, [&](const schema::Dataset& dataset, const auto& rows, std::size_t split) {
-        using T = typename std::decay_t<decltype(rows)>::value_type::value_type;
-        const std::size_t width = std::tuple_size_v<typename std::decay_t<decltype(rows)>::value_type>;
+        using Row = typename std::decay_t<decltype(rows)>::value_type;
+        const std::size_t width = Stored<Row>::width;
         const Extents extents = split == 0 ? Extents{rows.size(), width} : Extents{rows.size(), split, width / split};
-        file_.write<T>(group + "/" + dataset.path, flat(rows), extents, dataset.unit, dataset.description);
+        file_.write<typename Row::value_type>(group + "/" + dataset.path, flat(rows), extents, dataset.unit, dataset.description);
     });
     file_.attribute(group + "/" + schema::frame_state.path, "names",
                     std::vector<std::string>{"intact", "failed in tension", "failed in shear", "separated"});
@@ -192,7 +184,7 @@ Frame RunReader::frame(std::size_t index) const {
     visit_frame(frame, [&](const schema::Dataset& dataset, auto& rows, std::size_t split) {
         using Row = typename std::decay_t<decltype(rows)>::value_type;
         using T = typename Row::value_type;
-        const std::size_t width = std::tuple_size_v<Row>;
+        const std::size_t width = Stored<Row>::width;
         const std::string_view array = dataset.path;
         const bool is_nodal = array == schema::frame_displacement.path || array == schema::frame_velocity.path;
         const std::size_t n = is_nodal ? nodes : array == schema::frame_element_stress.path ? elements : contacts;
@@ -203,7 +195,7 @@ Frame RunReader::frame(std::size_t index) const {
         } else {
             require_all(file, path, values, "0 to 3", [](T value) { return value <= static_cast<T>(PointState::separated); });
         }
-        unflatten(values, rows);
+        rows = rows_from<Row>(values);
     });
     return frame;
 }

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <span>
-#include <utility>
 
 #include "share/base/error.hpp"
 #include "share/file/file_checks.hpp"
@@ -16,22 +15,28 @@ namespace graincrack {
 
 namespace {
 
-/// Visits every contact parameter once.
-template <class Contact, class Visit>
-void visit_contact(Contact& contact, const Visit& visit) {
-    for (const ContactParameter& row : all_contact_parameters()) {
-        visit(row.quantity.name.data(), contact.*row.value, row.quantity.dimension);
-    }
-    visit("critical_opening", contact.critical_opening, Dimension::length);
-    visit("critical_sliding", contact.critical_sliding, Dimension::length);
-    visit("ultimate_opening", contact.ultimate_opening, Dimension::length);
-}
-/// Visits every property of a phase once.
-template <class AnyPhase, class Visit>
-void visit_phase(AnyPhase& phase, const Visit& visit) {
-    visit("young_modulus", phase.young_modulus, Dimension::stress);
-    visit("poisson_ratio", phase.poisson_ratio, Dimension::one);
-    visit("density", phase.density, Dimension::density);
+/// A property of phases or of classes of contacts: the name of its dataset, and the member that has it.
+template <class Row>
+struct Property {
+    const char* name;
+    double Row::*member;
+    Dimension dimension;
+};
+constexpr std::array<Property<Phase>, 3> phase_properties{{{"young_modulus", &Phase::young_modulus, Dimension::stress},
+                                                           {"poisson_ratio", &Phase::poisson_ratio, Dimension::one},
+                                                           {"density", &Phase::density, Dimension::density}}};
+const std::vector<Property<ContactParameters>>& contact_properties() {
+    static const std::vector<Property<ContactParameters>> all = [] {
+        std::vector<Property<ContactParameters>> rows;
+        for (const ContactParameter& row : all_contact_parameters()) {
+            rows.push_back({row.quantity.name.data(), row.value, row.quantity.dimension});
+        }
+        rows.push_back({"critical_opening", &ContactParameters::critical_opening, Dimension::length});
+        rows.push_back({"critical_sliding", &ContactParameters::critical_sliding, Dimension::length});
+        rows.push_back({"ultimate_opening", &ContactParameters::ultimate_opening, Dimension::length});
+        return rows;
+    }();
+    return all;
 }
 
 /// Visits every attribute of /run once, for writing and reading alike.
@@ -47,7 +52,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("mode_i_toughness", h.rock.mode_i_toughness, Dimension::toughness);
     visit("mode_ii_toughness", h.rock.mode_ii_toughness, Dimension::toughness);
     visit("tensile_strength", h.rock.tensile_strength, Dimension::stress);
-    visit_contact(h.contact, visit);
+    for (const auto& [name, member, dimension] : contact_properties()) visit(name, h.contact.*member, dimension);
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
     visit("rate", h.rate);
@@ -113,55 +118,45 @@ void write_header(H5Output& file, const RunHeader& header) {
 
 namespace {
 
-/// Properties of phases or classes as datasets of a group, one a property.
-class PropertyTable {
-public:
-    void operator()(const char* name, const double& value, Dimension dimension) const {
-        if (columns_.find(name) == columns_.end()) order_.emplace_back(name, dimension);
-        columns_[name].push_back(value);
+/// Writes properties of phases or classes as datasets of a group, one a property.
+template <class Properties, class Row>
+void write_properties(H5Output& file, const std::string& group, const std::vector<std::string>& names,
+                      const Properties& properties, const std::vector<Row>& rows) {
+    file.create_group(group);
+    file.attribute(group, "names", names);
+    for (const auto& [name, member, dimension] : properties) {
+        std::vector<double> values;
+        for (const Row& row : rows) values.push_back(row.*member);
+        file.write<double>(group + "/" + name, std::span<const double>(values), {names.size()}, si_unit(dimension),
+                           "by index of the attribute names of the group");
     }
-    void write(H5Output& file, const std::string& group, const std::vector<std::string>& names) const {
-        file.create_group(group);
-        file.attribute(group, "names", names);
-        for (const auto& [name, dimension] : order_) {
-            file.write<double>(group + "/" + name, std::span<const double>(columns_[name]), {names.size()}, si_unit(dimension),
-                               "by index of the attribute names of the group");
+}
+
+/// Reads properties into as many rows as there are. \throws InputError
+template <class Properties, class Row>
+void read_properties(const H5Input& file, const std::string& group, const Properties& properties, std::vector<Row>& rows) {
+    for (const auto& [name, member, dimension] : properties) {
+        const std::vector<double> values = file.read<double>(group + "/" + name, {rows.size()});
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!std::isfinite(values[i])) {
+                throw InputError(
+                    fmt::format("{}: {}/{} has the value {}; a finite number is needed", file.name(), group, name, values[i]));
+            }
+            rows[i].*member = values[i];
         }
     }
-
-private:
-    mutable std::vector<std::pair<std::string, Dimension>> order_;
-    mutable std::map<std::string, std::vector<double>> columns_;
-};
+}
 
 }  // namespace
 
 void write_fabric(H5Output& file, const RunHeader& header, const Specimen& specimen) {
     const Fabric fabric =
         header.fabric.phases.empty() ? uniform_fabric(header.rock, header.contact, specimen.phase_names.size()) : header.fabric;
-    const PropertyTable phases;
-    for (const Phase& phase : fabric.phases) visit_phase(phase, phases);
-    phases.write(file, schema::phases_group, specimen.phase_names);
-    const PropertyTable classes;
-    for (const ContactParameters& contact : fabric.contacts) visit_contact(contact, classes);
-    classes.write(file, schema::classes_group, contact_class_names(specimen));
+    write_properties(file, schema::phases_group, specimen.phase_names, phase_properties, fabric.phases);
+    write_properties(file, schema::classes_group, contact_class_names(specimen), contact_properties(), fabric.contacts);
 }
 
 namespace {
-
-/// Row `row` of a group of properties.
-struct PropertyReader {
-    const H5Input& file;
-    std::string group;
-    std::size_t rows, row;
-    void operator()(const char* name, double& value, Dimension /*dimension*/) const {
-        value = file.read<double>(group + "/" + name, {rows})[row];
-        if (!std::isfinite(value)) {
-            throw InputError(
-                fmt::format("{}: {}/{} has the value {}; a finite number is needed", file.name(), group, name, value));
-        }
-    }
-};
 
 Fabric read_fabric(const H5Input& file) {
     const std::size_t n_phases = rows_of(file, std::string(schema::phases_group) + "/young_modulus");
@@ -175,12 +170,8 @@ Fabric read_fabric(const H5Input& file) {
                                      n_classes, n_phases, n_contact_classes(n_phases)));
     }
     Fabric fabric{std::vector<Phase>(n_phases), std::vector<ContactParameters>(n_classes)};
-    for (std::size_t i = 0; i < fabric.phases.size(); ++i) {
-        visit_phase(fabric.phases[i], PropertyReader{file, schema::phases_group, fabric.phases.size(), i});
-    }
-    for (std::size_t i = 0; i < fabric.contacts.size(); ++i) {
-        visit_contact(fabric.contacts[i], PropertyReader{file, schema::classes_group, fabric.contacts.size(), i});
-    }
+    read_properties(file, schema::phases_group, phase_properties, fabric.phases);
+    read_properties(file, schema::classes_group, contact_properties(), fabric.contacts);
     return fabric;
 }
 

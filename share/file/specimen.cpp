@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "share/base/error.hpp"
@@ -11,33 +12,26 @@
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "share/file/specimen_validation.hpp"
 
 namespace graincrack {
 namespace {
 
-template <class T, std::size_t n>
-std::vector<std::array<T, n>> table_of(const H5Input& file, const schema::Dataset& dataset) {
-    const Extents extents = file.extents(dataset.path);
-    if (extents.size() != 2 || extents[1] != n) {
-        throw InputError(fmt::format("{}: dataset {} needs {} columns", file.name(), dataset.path, n));
-    }
-    const std::vector<T> values = file.read<T>(dataset.path);
-    std::vector<std::array<T, n>> rows(extents[0]);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * n), n, rows[i].begin());
-    }
-    return rows;
-}
-
-template <class T, std::size_t n>
-void write_rows(H5Output& file, const schema::Dataset& dataset, const std::vector<std::array<T, n>>& rows) {
-    file.write<T>(dataset.path, flat(rows), {rows.size(), n}, dataset.unit, dataset.description);
-}
-
-template <class T>
-void write_column(H5Output& file, const schema::Dataset& dataset, const std::vector<T>& values) {
-    file.write<T>(dataset.path, std::span<const T>(values), {values.size()}, dataset.unit, dataset.description);
+/// Calls `visit(dataset, array, rows, is_optional)` for each array; `rows` is nothing where an array tells how many rows others
+/// have. An array that is optional has no dataset where it is empty.
+template <class AnySpecimen, class Visit>
+void visit_arrays(AnySpecimen& s, const Visit& visit) {
+    visit(schema::node_position, s.node_position, std::nullopt, false);
+    visit(schema::element_nodes, s.element_nodes, std::nullopt, false);
+    visit(schema::element_grain, s.element_grain, s.n_elements(), false);
+    visit(schema::grain_phase, s.grain_phase, std::nullopt, false);
+    visit(schema::grain_area, s.grain_area, s.n_grains(), false);
+    visit(schema::grain_crystal, s.grain_crystal, s.n_grains(), true);
+    visit(schema::contact_nodes, s.contact_nodes, std::nullopt, false);
+    visit(schema::contact_grain_boundary, s.contact_grain_boundary, s.n_contacts(), false);
+    visit(schema::contact_kind, s.contact_kind, s.n_contacts(), false);
+    visit(schema::contact_strength_factor, s.contact_strength_factor, s.n_contacts(), true);
+    visit(schema::boundary_edges, s.boundary_edges, std::nullopt, false);
+    visit(schema::boundary_part, s.boundary_part, s.n_boundary_edges(), false);
 }
 
 struct StatisticAttribute {
@@ -172,17 +166,11 @@ void write_specimen(H5Output& file, const Specimen& s) {
         if (s.statistics.elongation == 0 && std::string_view(a.name).starts_with("elongation")) continue;  // not measured
         file.quantity(group, a.name, s.statistics.*a.member, si_unit(a.dimension));
     }
-    write_rows(file, schema::node_position, s.node_position);
-    write_rows(file, schema::element_nodes, s.element_nodes);
-    write_column(file, schema::element_grain, s.element_grain);
-    write_column(file, schema::grain_phase, s.grain_phase);
+    visit_arrays(s, [&](const schema::Dataset& dataset, const auto& array, std::optional<std::size_t>, bool is_optional) {
+        if (!array.empty() || !is_optional) write_rows(file, dataset, array);
+    });
     file.attribute(schema::grain_phase.path, "names", s.phase_names);
     if (s.phase_names.size() > 1) file.attribute(schema::grain_phase.path, "fractions", phase_fractions(s));
-    write_column(file, schema::grain_area, s.grain_area);
-    if (!s.grain_crystal.empty()) write_column(file, schema::grain_crystal, s.grain_crystal);
-    write_rows(file, schema::contact_nodes, s.contact_nodes);
-    write_column(file, schema::contact_grain_boundary, s.contact_grain_boundary);
-    write_column(file, schema::contact_kind, s.contact_kind);
     std::vector<std::string> kinds{"grain boundary", "pre-existing crack"};
     const bool any_open = std::find(s.contact_kind.begin(), s.contact_kind.end(),
                                     static_cast<std::uint8_t>(ContactKind::open_boundary)) != s.contact_kind.end();
@@ -190,12 +178,9 @@ void write_specimen(H5Output& file, const Specimen& s) {
     if (any_open) kinds.emplace_back("open boundary");
     file.attribute(schema::contact_kind.path, "names", kinds);
     if (const auto names = contact_class_names(s); names.size() > 1) {
-        write_column(file, schema::contact_class, contact_classes(s));
+        write_rows(file, schema::contact_class, contact_classes(s));
         file.attribute(schema::contact_class.path, "names", names);
     }
-    if (!s.contact_strength_factor.empty()) write_column(file, schema::contact_strength_factor, s.contact_strength_factor);
-    write_rows(file, schema::boundary_edges, s.boundary_edges);
-    write_column(file, schema::boundary_part, s.boundary_part);
     file.attribute(schema::boundary_part.path, "names", s.part_names);
     write_vtk_view(file, s);
 }
@@ -224,24 +209,18 @@ Specimen read_specimen(const H5Input& file) {
     s.elements_per_edge = static_cast<int>(file.attribute_or<std::int64_t>(group, "elements_per_edge", 1));
     s.loading_arc = file.attribute_or<double>(group, "loading_arc", 0);
     for (const StatisticAttribute& a : statistic_attributes) s.statistics.*a.member = file.attribute_or<double>(group, a.name, 0);
-    s.node_position = table_of<double, 2>(file, schema::node_position);
-    s.element_nodes = table_of<std::int32_t, 3>(file, schema::element_nodes);
-    s.element_grain = file.read<std::int32_t>(schema::element_grain.path, {s.n_elements()});
-    s.grain_phase = file.read<std::uint8_t>(schema::grain_phase.path, {rows_of(file, schema::grain_phase.path)});
+    visit_arrays(s, [&]<class T>(const schema::Dataset& dataset, std::vector<T>& array, std::optional<std::size_t> rows,
+                                 bool is_optional) {
+        if (is_optional && !file.has(dataset.path)) return;
+        const Extents own = file.extents(dataset.path);
+        if (constexpr std::size_t width = Stored<T>::width; width > 1 && (own.size() != 2 || own[1] != width)) {
+            throw InputError(fmt::format("{}: dataset {} needs {} columns", file.name(), dataset.path, width));
+        }
+        const std::size_t n = rows ? *rows : rows_of(file, dataset.path);
+        array = rows_from<T>(file.read<typename Stored<T>::Number>(dataset.path, extents_of<T>(n)));
+    });
     s.phase_names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", s.phase_names);
-    s.grain_area = file.read<double>(schema::grain_area.path, {s.n_grains()});
-    if (file.has(schema::grain_crystal.path)) {
-        s.grain_crystal = file.read<std::int32_t>(schema::grain_crystal.path, {s.n_grains()});
-    }
-    s.contact_nodes = table_of<std::int32_t, 4>(file, schema::contact_nodes);
-    s.contact_grain_boundary = file.read<std::int32_t>(schema::contact_grain_boundary.path, {s.n_contacts()});
-    s.contact_kind = file.read<std::uint8_t>(schema::contact_kind.path, {s.n_contacts()});
-    s.boundary_edges = table_of<std::int32_t, 2>(file, schema::boundary_edges);
-    s.boundary_part = file.read<std::uint8_t>(schema::boundary_part.path, {s.n_boundary_edges()});
     s.part_names = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", s.part_names);
-    if (file.has(schema::contact_strength_factor.path)) {
-        s.contact_strength_factor = file.read<double>(schema::contact_strength_factor.path, {s.n_contacts()});
-    }
     std::vector<std::uint8_t> classes;
     if (file.has(schema::contact_class.path)) {
         classes = file.read<std::uint8_t>(schema::contact_class.path, {s.n_contacts()});

@@ -1,4 +1,4 @@
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

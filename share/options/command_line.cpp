@@ -249,19 +249,18 @@ const CLI::Option* first_of(const std::set<CLI::Option*>& options, bool given) {
     return found == options.end() ? nullptr : *found;
 }
 
-std::string exclusion_message(const Call& call) {
-    const CLI::Option* one = first_option(
-        call, [](const CLI::Option& option) { return option.count() > 0 && first_of(option.get_excludes(), true) != nullptr; });
+/// An option that was given with one that it excludes, or without one that it needs.
+std::string companion_message(const Call& call, bool excludes) {
+    const auto wrong = [excludes](const CLI::Option& option) {
+        return first_of(excludes ? option.get_excludes() : option.get_needs(), excludes);
+    };
+    const CLI::Option* one =
+        first_option(call, [&](const CLI::Option& option) { return option.count() > 0 && wrong(option) != nullptr; });
     if (one == nullptr) return "";
-    return fmt::format("{} and {}: only one of them can be given; leave one out", with_origin(call, *one),
-                       with_origin(call, *first_of(one->get_excludes(), true)));
-}
-
-std::string requirement_message(const Call& call) {
-    const CLI::Option* one = first_option(
-        call, [](const CLI::Option& option) { return option.count() > 0 && first_of(option.get_needs(), false) != nullptr; });
-    if (one == nullptr) return "";
-    return fmt::format("{}: not alone; give {} as well", with_origin(call, *one), shown_name(*first_of(one->get_needs(), false)));
+    const std::string name = with_origin(call, *one);
+    return excludes
+               ? fmt::format("{} and {}: only one of them can be given; leave one out", name, with_origin(call, *wrong(*one)))
+               : fmt::format("{}: not alone; give {} as well", name, shown_name(*wrong(*one)));
 }
 
 std::string file_message(const Call& call) {
@@ -287,9 +286,9 @@ std::string message_of(const Call& call, const CLI::ParseError& error) {
     } else if (is<CLI::ConversionError>(error)) {
         message = conversion_message(call);
     } else if (is<CLI::ExcludesError>(error)) {
-        message = exclusion_message(call);
+        message = companion_message(call, true);
     } else if (is<CLI::RequiresError>(error)) {
-        message = requirement_message(call);
+        message = companion_message(call, false);
     } else if (is<CLI::FileError>(error)) {
         message = file_message(call);
     }

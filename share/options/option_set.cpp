@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
@@ -56,53 +57,13 @@ T parse_integer(const std::string& text, const std::string& where, T lower, T up
     return value;
 }
 
-/// A quantity. \param target a number or an optional one
-template <class Target>
-Option add_quantity_to(OptionSet set, const std::string& option, Target& target, const Quantity& quantity,
-                       const std::string& help, const std::string& default_text) {
-    const auto read = [&target, quantity, where = long_name(option)](const std::string& text) {
-        target = parse_quantity(text, quantity, where);
-        note_bare_number(text, quantity, where);
-    };
-    return add_value(set, option, read, help_of(help, quantity), type_name(quantity.dimension), default_text);
-}
-
-/// A whole number. \param target a number or an optional one
-template <class T, class Target>
-Option add_number(OptionSet set, const std::string& option, Target& target, const std::string& help, T lower, T upper,
-                  const std::string& default_text) {
-    const auto read = [&target, where = long_name(option), lower, upper](const std::string& text) {
-        target = parse_integer<T>(text, where, lower, upper);
-    };
-    return add_value(set, option, read, help, "N", default_text);
-}
-
 }  // namespace
 
-Option Option::required() {
-    option_->required();
-    return *this;
-}
-
-Option Option::type_name(const std::string& name) {
-    option_->type_name(name);
-    return *this;
-}
-
-Option Option::only_on_command_line() {
-    option_->configurable(false);
-    return *this;
-}
-
-Option Option::excludes(Option other) {
-    option_->excludes(other.option_);
-    return *this;
-}
-
-Option Option::needs(Option other) {
-    option_->needs(other.option_);
-    return *this;
-}
+Option Option::required() { return Option(option_->required()); }
+Option Option::type_name(const std::string& name) { return Option(option_->type_name(name)); }
+Option Option::only_on_command_line() { return Option(option_->configurable(false)); }
+Option Option::excludes(Option other) { return Option(option_->excludes(other.option_)); }
+Option Option::needs(Option other) { return Option(option_->needs(other.option_)); }
 
 OptionSet OptionSet::add_subcommand(const std::string& name, const std::string& help, const std::string& examples) {
     app_->require_subcommand(1);
@@ -149,15 +110,18 @@ Option add_value(OptionSet set, const std::string& option, const std::function<v
     return Option(added);
 }
 
-Option add_quantity(OptionSet set, const std::string& option, double& target, const Quantity& quantity, const std::string& help,
+template <class Target>
+Option add_quantity(OptionSet set, const std::string& option, Target& target, const Quantity& quantity, const std::string& help,
                     const std::string& default_text) {
-    return add_quantity_to(set, option, target, quantity, help, default_text);
+    const auto read = [&target, quantity, where = long_name(option)](const std::string& text) {
+        target = parse_quantity(text, quantity, where);
+        note_bare_number(text, quantity, where);
+    };
+    return add_value(set, option, read, help_of(help, quantity), type_name(quantity.dimension), default_text);
 }
-
-Option add_quantity(OptionSet set, const std::string& option, std::optional<double>& target, const Quantity& quantity,
-                    const std::string& help) {
-    return add_quantity_to(set, option, target, quantity, help, "");
-}
+template Option add_quantity(OptionSet, const std::string&, double&, const Quantity&, const std::string&, const std::string&);
+template Option add_quantity(OptionSet, const std::string&, std::optional<double>&, const Quantity&, const std::string&,
+                             const std::string&);
 
 Option add_quantity_or(OptionSet set, const std::string& option, double& target, const Quantity& quantity,
                        const std::string& word, double word_value, const std::string& help, const std::string& default_text) {
@@ -177,23 +141,22 @@ Option add_fracture_energy(OptionSet set, std::optional<FractureEnergyChoice>& t
         help_of(help, contact_parameter(&ContactParameters::fracture_energy).quantity), "mixed|mode-i|ENERGY/AREA", "");
 }
 
-template <class T>
-Option add_integer(OptionSet set, const std::string& option, T& target, const std::string& help, T lower, T upper) {
-    return add_number(set, option, target, help, lower, upper, std::to_string(target));
+template <class T, class Target>
+Option add_integer(OptionSet set, const std::string& option, Target& target, const std::string& help, T lower, T upper) {
+    std::string default_text;
+    if constexpr (std::is_same_v<T, Target>) default_text = std::to_string(target);
+    const auto read = [&target, where = long_name(option), lower, upper](const std::string& text) {
+        target = parse_integer<T>(text, where, lower, upper);
+    };
+    return add_value(set, option, read, help, "N", default_text);
 }
-template <class T>
-Option add_integer(OptionSet set, const std::string& option, std::optional<T>& target, const std::string& help, T lower,
-                   T upper) {
-    return add_number(set, option, target, help, lower, upper, "");
-}
-template Option add_integer(OptionSet, const std::string&, int&, const std::string&, int, int);
-template Option add_integer(OptionSet, const std::string&, std::optional<int>&, const std::string&, int, int);
-template Option add_integer(OptionSet, const std::string&, std::int64_t&, const std::string&, std::int64_t, std::int64_t);
-template Option add_integer(OptionSet, const std::string&, std::optional<std::int64_t>&, const std::string&, std::int64_t,
-                            std::int64_t);
-template Option add_integer(OptionSet, const std::string&, std::uint64_t&, const std::string&, std::uint64_t, std::uint64_t);
-template Option add_integer(OptionSet, const std::string&, std::optional<std::uint64_t>&, const std::string&, std::uint64_t,
-                            std::uint64_t);
+#define GRAINCRACK_INTEGER(T)                                                                 \
+    template Option add_integer(OptionSet, const std::string&, T&, const std::string&, T, T); \
+    template Option add_integer(OptionSet, const std::string&, std::optional<T>&, const std::string&, T, T);
+GRAINCRACK_INTEGER(int)
+GRAINCRACK_INTEGER(std::int64_t)
+GRAINCRACK_INTEGER(std::uint64_t)
+#undef GRAINCRACK_INTEGER
 
 Option add_keyword(OptionSet set, const std::string& option, const std::vector<std::string>& words,
                    const std::function<void(std::size_t)>& choose, const std::string& help, const std::string& default_word) {

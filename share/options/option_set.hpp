@@ -70,26 +70,21 @@ Option add_flag(OptionSet set, const std::string& option, bool& target, const st
 Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
                  const std::string& help, const std::string& type_name, const std::string& default_text = "");
 
-/// Adds an option for a quantity with a unit ("--edge 4mm"); its help names units and bounds. `target` is SI; if
-/// `default_text` is not empty, the target is set from it and help shows it.
-Option add_quantity(OptionSet set, const std::string& option, double& target, const Quantity& quantity, const std::string& help,
+/// Adds an option for a quantity with a unit ("--edge 4mm"); its help names units and bounds. `target` is SI, a `double` or an
+/// optional one, unset if the option is not given. If `default_text` is not empty, the target is set from it and help shows it.
+template <class Target>
+Option add_quantity(OptionSet set, const std::string& option, Target& target, const Quantity& quantity, const std::string& help,
                     const std::string& default_text = "");
-/// The same for an optional quantity; unset if the option is not given.
-Option add_quantity(OptionSet set, const std::string& option, std::optional<double>& target, const Quantity& quantity,
-                    const std::string& help);
 /// The same where a keyword stands for a value: "--damping 0.8|none".
 Option add_quantity_or(OptionSet set, const std::string& option, double& target, const Quantity& quantity,
                        const std::string& word, double word_value, const std::string& help, const std::string& default_text = "");
 /// Adds --fracture-energy mixed|mode-i|VALUE.
 Option add_fracture_energy(OptionSet set, std::optional<FractureEnergyChoice>& target, const std::string& help);
 
-/// Adds an option for a whole number, `int`, `std::int64_t` or `std::uint64_t`; help shows the value of `target` as the default.
-template <class T>
-Option add_integer(OptionSet set, const std::string& option, T& target, const std::string& help, T lower,
-                   T upper = std::numeric_limits<T>::max());
-/// The same for an optional number; unset if the option is not given.
-template <class T>
-Option add_integer(OptionSet set, const std::string& option, std::optional<T>& target, const std::string& help, T lower,
+/// Adds an option for a whole number T, `int`, `std::int64_t` or `std::uint64_t`. `target` is one, whose value help shows as the
+/// default, or an optional one, unset if the option is not given.
+template <class T, class Target>
+Option add_integer(OptionSet set, const std::string& option, Target& target, const std::string& help, T lower,
                    T upper = std::numeric_limits<T>::max());
 
 /// Adds an option that takes one of several keywords, whose index `choose` gets. \param default_word "" for none

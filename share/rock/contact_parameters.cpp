@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "share/base/toml_keys.hpp"
+#include "share/base/toml_table.hpp"
 
 namespace graincrack {
 namespace {

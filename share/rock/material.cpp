@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -14,7 +15,6 @@
 #include "share/base/shared_file.hpp"
 #include "share/base/text.hpp"
 #include "share/base/toml_file.hpp"
-#include "share/base/toml_keys.hpp"
 #include "share/base/toml_table.hpp"
 #include "share/base/units.hpp"
 #include "share/rock/incomplete_material.hpp"
@@ -55,6 +55,53 @@ void note_value(const std::string& text, const Quantity& quantity, double value,
                                 format_quantity(value, quantity.dimension), far, value < rocks->low ? "below" : "above"));
 }
 
+/// The keys of [ratios], bound to `ratios`, which must stay where it is; the ratio of the fracture energy is "process_zone".
+std::vector<TomlKey> ratio_keys(ContactRatios& ratios) {
+    const auto key = [](const char* name, std::optional<double>& to, const char* meaning) {
+        return TomlKey{name, {name, Dimension::one, 0, 1e6, meaning, true}, [&to](double value) { to = value; }};
+    };
+    return {
+        key("tensile_strength", ratios.tensile_strength, "tensile strength of a contact over that of the rock"),
+        key("cohesion", ratios.cohesion, "cohesion of a contact over its tensile strength"),
+        key("process_zone", ratios.fracture_energy, "E G_I/tc^2 of a contact over the grain size"),
+        key("mode_ii_fracture_energy", ratios.mode_ii_fracture_energy, "G_II of a contact over its G_I"),
+        key("open_shear_strength", ratios.open_shear_strength, "shear strength of an open contact over its tensile strength")};
+}
+
+/// `given`, and where it has no value what the ratios make of the values before it in the table of contact parameters; a value
+/// stays unset if what it follows from is unset. \param grain_size mean equal-area diameter of the grains, m
+GivenContact with_ratios(GivenContact given, const ContactRatios& ratios, const Rock& rock, std::optional<double> grain_size,
+                         PlaneCondition plane) {
+    const auto follow = [&](std::optional<double> GivenContact::*key, const std::optional<double>& from) {
+        if (!(given.*key) && ratios.*key && from) given.*key = *(ratios.*key) * *from;
+    };
+    follow(&GivenContact::tensile_strength, rock.tensile_strength);
+    const std::optional<double>& tc = given.tensile_strength;
+    follow(&GivenContact::cohesion, tc);
+    follow(&GivenContact::open_shear_strength, tc);
+    if (tc && grain_size) follow(&GivenContact::fracture_energy, *grain_size * *tc * *tc / rock.young_modulus);
+    follow(&GivenContact::mode_ii_fracture_energy, given.fracture_energy.value_or(fpz::mode_i_fracture_energy(rock, plane)));
+    return given;
+}
+
+/// Values that [laboratory] may hold, by the names of its keys, in the order of the template.
+constexpr std::array laboratory_quantities{quantity::young_modulus,
+                                           quantity::poisson_ratio,
+                                           quantity::density,
+                                           quantity::tensile_strength,
+                                           quantity::compressive_strength,
+                                           quantity::internal_cohesion,
+                                           quantity::internal_friction_angle,
+                                           quantity::confined_strength,
+                                           quantity::confining_pressure,
+                                           quantity::mode_i_toughness,
+                                           quantity::direct_tensile_strength,
+                                           quantity::crack_initiation,
+                                           quantity::crack_damage,
+                                           quantity::grain_size,
+                                           quantity::min_grain_size,
+                                           quantity::max_grain_size};
+
 /// The keys of a material file, bound to a material.
 std::vector<TomlKeys> tables_of(Material& material) {
     const auto to = [](double& target) { return [&target](double value) { target = value; }; };
@@ -73,7 +120,7 @@ std::vector<TomlKeys> tables_of(Material& material) {
         {"fabric", grain_keys(material.grains)},
         {"laboratory", {}},
     };
-    for (const Quantity& quantity : laboratory_quantities()) {
+    for (const Quantity& quantity : laboratory_quantities) {
         const std::string name(quantity.name);
         tables.back().keys.push_back({name, quantity, [&material, name](double v) { material.laboratory[name] = v; }, false});
     }
@@ -224,26 +271,6 @@ fs::path find_material(const std::string& name_or_file) {
 }
 
 }  // namespace
-
-const std::vector<Quantity>& laboratory_quantities() {
-    static const std::vector<Quantity> quantities{quantity::young_modulus,
-                                                  quantity::poisson_ratio,
-                                                  quantity::density,
-                                                  quantity::tensile_strength,
-                                                  quantity::compressive_strength,
-                                                  quantity::internal_cohesion,
-                                                  quantity::internal_friction_angle,
-                                                  quantity::confined_strength,
-                                                  quantity::confining_pressure,
-                                                  quantity::mode_i_toughness,
-                                                  quantity::direct_tensile_strength,
-                                                  quantity::crack_initiation,
-                                                  quantity::crack_damage,
-                                                  quantity::grain_size,
-                                                  quantity::min_grain_size,
-                                                  quantity::max_grain_size};
-    return quantities;
-}
 
 Material read_material(const std::string& name_or_file) {
     IncompleteMaterial read = read_incomplete_material(name_or_file);

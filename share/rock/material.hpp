@@ -11,11 +11,16 @@
 
 #include "share/base/quantities.hpp"
 #include "share/rock/contact_parameters.hpp"
-#include "share/rock/contact_ratios.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 #include "share/rock/material_fabric.hpp"
 
 namespace graincrack {
+
+/// [ratios] of a material: contact values that follow from others, so that a kind of rock is described without numbers of one
+/// rock, and a calibration that moves the tensile strength takes the others with it. By the contact value that follows:
+/// tensile_strength tc over the tensile strength of the rock; cohesion and open_shear_strength over tc; fracture_energy E G_I/tc²
+/// over the grain size, with E of the rock; mode_ii_fracture_energy over G_I. Other members are not used.
+using ContactRatios = GivenContact;
 
 /// [laboratory]: measured values, by key, in SI.
 using LaboratoryValues = std::map<std::string, double>;
@@ -41,9 +46,6 @@ struct Material {
     std::vector<std::string>
         notes;  ///< on its values, for `write_notes`: "note: …" without a unit, "warning: …" far off any rock's
 };
-
-/// What [laboratory] may hold, by the names of its keys, in the order of the template.
-const std::vector<Quantity>& laboratory_quantities();
 
 /// Reads a material, a name or a file as `materials` finds it. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
 /// What [rock] and [fabric] do not give is that of [laboratory], as `take_laboratory` has it.

@@ -4,18 +4,42 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "share/base/error.hpp"
+#include "share/base/shared_file.hpp"
 #include "share/base/text.hpp"
 #include "share/base/toml_file.hpp"
 #include "share/base/units.hpp"
+#include "share/rock/contact_parameters.hpp"
 #include "share/rock/incomplete_material.hpp"
-#include "share/rock/material_kinds.hpp"
 
 namespace graincrack {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+RockKind read_kind(const fs::path& file) {
+    const std::string text = text_of_file(file.string());
+    const std::size_t end = text.find('\n');
+    if (!text.starts_with("# ") || end == std::string::npos || text.find("\nname = \"") == std::string::npos) {
+        throw InputError(
+            fmt::format("{}: a kind of rock begins with a comment that describes it, and has a name", file.string()));
+    }
+    return {file.stem().string(), text.substr(2, end - 2), text};
+}
+
+/// Every key of [contact] as a comment, with an example and its default.
+std::string contact_examples() {
+    std::string text;
+    for (const ContactParameter& row : all_contact_parameters()) {
+        text += fmt::format("# {:<39} # {}: {}{}\n", fmt::format("{} = \"{}\"", row.key(), row.example),
+                            row.is_needed() ? "first guess" : "default", row.usual, row.every_law ? "" : "; some laws only");
+    }
+    return text;
+}
 
 /// "phases.quartz" and "fraction"; the name of the material is in no table.
 std::pair<std::string, std::string> parts_of(const std::string& key) {
@@ -137,6 +161,39 @@ std::string with_settings(Edit edit, const std::vector<MaterialSetting>& setting
 }
 
 }  // namespace
+
+std::vector<RockKind> rock_kinds() {
+    std::map<std::string, RockKind> kinds;
+    std::error_code ignored;
+    for (const fs::path& place : materials().places()) {
+        for (fs::directory_iterator entry(place / "kinds", ignored); entry != fs::directory_iterator();
+             entry.increment(ignored)) {
+            if (ignored) break;
+            if (entry->path().extension() != ".toml" || kinds.contains(entry->path().stem().string())) continue;
+            kinds.emplace(entry->path().stem().string(), read_kind(entry->path()));
+        }
+    }
+    std::vector<RockKind> all;
+    all.reserve(kinds.size());
+    for (auto& [name, kind] : kinds) all.push_back(std::move(kind));
+    std::stable_partition(all.begin(), all.end(), [](const RockKind& kind) { return kind.name != every_key; });
+    return all;
+}
+
+std::string material_of_kind(const std::string& kind, const std::string& name) {
+    const std::vector<RockKind> kinds = rock_kinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const RockKind& each) { return each.name == kind; });
+    if (found == kinds.end()) {
+        std::vector<std::string> known;
+        for (const RockKind& each : kinds) known.push_back(each.name);
+        throw UsageError(
+            fmt::format("--kind {}: unknown kind{}; known are {}", kind, did_you_mean(kind, known), fmt::join(known, ", ")));
+    }
+    std::string text = found->text;
+    if (kind == every_key) text.insert(text.find("# law = "), contact_examples());
+    const std::size_t from = text.find("\nname = \"") + 1;
+    return text.replace(from, text.find('\n', from) - from, fmt::format("name = \"{}\"", name));
+}
 
 std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings) {
     const std::string file = read_incomplete_material(name_or_file).material.file.string();

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "share/base/toml_keys.hpp"
+#include "share/base/toml_table.hpp"
 #include "share/rock/contact_parameters.hpp"
 
 namespace graincrack {

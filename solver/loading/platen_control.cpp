@@ -5,7 +5,7 @@
 #include <numeric>
 #include <variant>
 
-#include "share/file/end_faces.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "solver/model/transit_time.hpp"
 
 namespace graincrack {

@@ -11,7 +11,7 @@
 
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
-#include "share/file/end_faces.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "solver/model/transit_time.hpp"
 
 namespace graincrack {

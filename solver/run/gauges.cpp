@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "share/file/end_faces.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
 namespace {

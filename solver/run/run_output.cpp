@@ -4,10 +4,10 @@
 #include <memory>
 #include <utility>
 
-#include "share/file/end_faces.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/output_file.hpp"
 #include "share/file/platen_faces.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "solver/model/gather.hpp"
 #include "solver/restart/whole_state.hpp"
 

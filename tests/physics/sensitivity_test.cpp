@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "mesher/mesh.hpp"
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/program/program_file.hpp"
 #include "solver/setup/setup.hpp"

@@ -13,7 +13,7 @@
 #include "mesher/seeds/orientation.hpp"
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack::mesher {

@@ -12,7 +12,7 @@
 #include "mesher/elements/divided_cells.hpp"
 #include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 namespace {

@@ -14,7 +14,7 @@
 #include "mesher/fabric/crystals.hpp"
 #include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace graincrack::mesher {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "share/base/error.hpp"
-#include "share/file/notch.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "tests/unit/mesher/fabric/test_requests.hpp"
 
 namespace graincrack::mesher {

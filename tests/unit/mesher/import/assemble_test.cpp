@@ -11,7 +11,7 @@
 #include "mesher/import/clean_mesh.hpp"
 #include "mesher/import/outline.hpp"
 #include "share/base/error.hpp"
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 #include "tests/unit/mesher/import/mesh_files.hpp"
 
 namespace graincrack::mesher {

@@ -27,8 +27,8 @@ TEST(Text, KeysAndValues) {
 }
 
 TEST(Text, TheNearestWordIsNotFar) {
-    EXPECT_EQ(nearest_word("confning-pressure", {"edge", "confining-pressure"}), "confining-pressure");
-    EXPECT_EQ(nearest_word("colour", {"edge", "spread"}), "");
+    EXPECT_EQ(did_you_mean("confning-pressure", {"edge", "confining-pressure"}), " (did you mean confining-pressure?)");
+    EXPECT_EQ(did_you_mean("colour", {"edge", "spread"}), "");
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
-#include "share/file/notch.hpp"
+#include "share/file/specimen_measures.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "share/file/end_faces.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace graincrack {

@@ -11,7 +11,6 @@
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "share/file/specimen_validation.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"

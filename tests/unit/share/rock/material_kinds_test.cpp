@@ -1,5 +1,4 @@
 // Kinds of rock: what a material of one's own begins with.
-#include "share/rock/material_kinds.hpp"
 
 #include <gtest/gtest.h>
 

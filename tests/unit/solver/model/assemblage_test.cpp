@@ -7,7 +7,7 @@
 #include <map>
 #include <numeric>
 
-#include "share/file/specimen_validation.hpp"
+#include "share/file/specimen.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"

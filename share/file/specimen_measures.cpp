@@ -1,11 +1,28 @@
-#include "share/file/notch.hpp"
+#include "share/file/specimen_measures.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace graincrack {
+
+double width_of_part(const Specimen& specimen, BoundaryPart part) {
+    double left = specimen.width;
+    double right = -specimen.width;
+    for (std::size_t e = 0; e < specimen.n_boundary_edges(); ++e) {
+        if (specimen.boundary_part[e] != static_cast<std::uint8_t>(part)) continue;
+        for (const std::int32_t node : specimen.boundary_edges[e]) {
+            left = std::min(left, specimen.node_position[static_cast<std::size_t>(node)][0]);
+            right = std::max(right, specimen.node_position[static_cast<std::size_t>(node)][0]);
+        }
+    }
+    return std::max(0.0, right - left);
+}
 
 std::optional<std::array<double, 2>> notch_ends(const Specimen& specimen) {
     double left = std::numeric_limits<double>::infinity();
@@ -52,6 +69,28 @@ std::optional<EdgeNotch> edge_notch(const Specimen& specimen) {
         });
     }
     return notch;
+}
+
+std::string open_boundaries_text(const Specimen& specimen) {
+    const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
+    const auto crystal = [&](std::int32_t node) {
+        const std::int32_t own = grain[static_cast<std::size_t>(node)];
+        return specimen.grain_crystal.empty() ? own : specimen.grain_crystal[static_cast<std::size_t>(own)];
+    };
+    std::array<std::set<std::pair<std::int32_t, std::int32_t>>, 2> boundaries;  // closed, open
+    std::array<double, 2> length{};
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
+        const std::uint8_t kind = specimen.contact_kind[c];
+        const bool is_open = kind == static_cast<std::uint8_t>(ContactKind::open_boundary);
+        const bool has_class = !specimen.contact_flaw.empty() && specimen.contact_flaw[c] > 0;
+        if (has_class || !(is_open || kind == static_cast<std::uint8_t>(ContactKind::grain_boundary))) continue;
+        boundaries[is_open].insert(std::minmax({crystal(specimen.contact_nodes[c][0]), crystal(specimen.contact_nodes[c][2])}));
+        length[is_open] += contact_length(specimen, c);
+    }
+    const std::size_t n_open = boundaries[1].size();
+    return n_open == 0 ? ""
+                       : fmt::format("{} of {}, {:.4f} of their length", n_open, boundaries[0].size() + n_open,
+                                     length[1] / (length[0] + length[1]));
 }
 
 }  // namespace graincrack

@@ -1,0 +1,43 @@
+// What a specimen is like, told from its arrays: how platens meet it, its notch, and how much of its grain boundaries is open.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "share/file/specimen.hpp"
+
+namespace graincrack {
+
+/// Extent along x of a part of the boundary, m; 0 if there is none.
+double width_of_part(const Specimen& specimen, BoundaryPart part);
+
+/// Whether platens meet a specimen with faces, the boundary parts bottom and top, that are at least half as wide as it. A disc
+/// has none, or flat poles that are narrower: it is loaded along its diameter.
+inline bool has_end_faces(const Specimen& specimen) {
+    const double half = specimen.width / 2;
+    return width_of_part(specimen, BoundaryPart::bottom) >= half && width_of_part(specimen, BoundaryPart::top) >= half;
+}
+
+/// Width between the platens in which load and strain are those of the test, m: that of the end faces; without them half the
+/// width of the specimen.
+inline double loaded_width(const Specimen& specimen) { return specimen.width * (has_end_faces(specimen) ? 1.0 : 0.5); }
+
+/// Ends along x, m, of the contacts that are broken from the start (kind `pre_existing_crack`); empty without any.
+std::optional<std::array<double, 2>> notch_ends(const Specimen& specimen);
+
+/// A notch that starts from the lower rim.
+struct EdgeNotch {
+    std::array<double, 2> mouth;  ///< m
+    std::array<double, 2> tip;    ///< the highest place of those contacts that the mouth leads to, m
+    [[nodiscard]] double length() const { return tip[1] - mouth[1]; }
+};
+/// Of the contacts that are broken from the start; empty if none of them starts from the lower rim.
+std::optional<EdgeNotch> edge_notch(const Specimen& specimen);
+
+/// How much of the boundaries between crystals that are no flaw is open from the start, "93 of 310, 0.301 of their length"; "" if
+/// none is. Contacts between two crystals are one boundary.
+std::string open_boundaries_text(const Specimen& specimen);
+
+}  // namespace graincrack
