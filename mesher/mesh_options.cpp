@@ -12,7 +12,6 @@
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/region/region_files.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
 #include "share/base/quantities.hpp"
 #include "share/base/text.hpp"
 #include "share/base/units.hpp"

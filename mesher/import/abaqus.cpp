@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack::mesher {

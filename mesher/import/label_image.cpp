@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher {
 

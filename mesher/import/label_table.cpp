@@ -11,7 +11,7 @@
 #include "mesher/import/label_image.hpp"
 #include "mesher/import/label_pieces.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher {
 

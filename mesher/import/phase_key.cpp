@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack::mesher {

@@ -8,7 +8,6 @@
 
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
 #include "share/base/quantities.hpp"
 #include "share/base/text.hpp"
 #include "share/base/units.hpp"

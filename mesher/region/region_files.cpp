@@ -8,8 +8,8 @@
 
 #include "mesher/region/shapes.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
 #include "share/base/table_file.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher {
 

@@ -11,7 +11,7 @@
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
 #include "share/file/output_file.hpp"
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack::calibrate {
 

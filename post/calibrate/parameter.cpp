@@ -10,7 +10,7 @@
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack::calibrate {
 

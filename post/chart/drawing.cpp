@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 

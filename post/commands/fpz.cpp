@@ -10,7 +10,7 @@
 #include "post/options/command.hpp"
 #include "share/base/units.hpp"
 #include "share/options/option_set.hpp"
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 

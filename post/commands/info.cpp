@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "post/run/crystals.hpp"
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"

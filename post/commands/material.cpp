@@ -12,7 +12,7 @@
 #include "share/base/units.hpp"
 #include "share/file/output_file.hpp"
 #include "share/options/option_set.hpp"
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 #include "share/rock/material_edit.hpp"
 
 namespace graincrack {

@@ -12,7 +12,6 @@
 #include "post/statistics/statistics.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {

@@ -10,7 +10,7 @@
 #include "post/run/crystals.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 #include "share/file/specimen_measures.hpp"
 

@@ -12,7 +12,7 @@
 #include "post/table/table.hpp"
 #include "share/base/progress.hpp"
 #include "share/options/option_set.hpp"
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 

@@ -21,7 +21,7 @@
 #include "post/statistics/statistics.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::summary {
 

@@ -11,7 +11,7 @@
 #include <iostream>
 #include <new>
 
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 namespace {

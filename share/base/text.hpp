@@ -1,4 +1,5 @@
-// Parts of texts and files as texts, words that are near, and names of the values of an enumeration.
+// Parts of texts and files as texts, texts from outside as they are shown, words that are near, and names of the values of an
+// enumeration.
 #pragma once
 
 #include <cstddef>
@@ -36,6 +37,11 @@ inline std::pair<std::string, std::string> sides_of_equals(std::string_view text
 /// The sides of KEY=VALUE, of which the first is not empty. \param option as messages name it, "--set" \param form "KEY=VALUE"
 /// \throws UsageError "--set TEXT: KEY=VALUE is needed"
 std::pair<std::string, std::string> key_and_value(std::string_view text, std::string_view option, std::string_view form);
+
+/// A text that comes from outside, with what a terminal, a table or a page would obey as `\x1b` or `\u202e`.
+std::string printable(std::string_view text);
+/// A text of at most about `limit` bytes: of a longer one its first two thirds of that and its end, between whole characters.
+std::string shortened(std::string_view text, std::size_t limit);
 
 /// The bytes of a file. \param needed end of the message, "; a TOML file is needed" \throws InputError if it cannot be read
 std::string text_of_file(const std::string& file, const std::string& needed = "");

@@ -32,6 +32,12 @@ struct TomlKey {
     void require_word(const std::string& word, const std::string& where) const;
 };
 
+/// Where the value of a key goes: a number or an optional one.
+template <class Target>
+std::function<void(double)> to(Target& target) {
+    return [&target](double value) { target = value; };
+}
+
 /// A table, called by its path: "contact", "pairs.quartz-mica".
 struct TomlKeys {
     std::string path;

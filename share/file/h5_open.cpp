@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -33,38 +34,6 @@ std::size_t product_of(const Extents& extents) {
     }
     return n;
 }
-
-class Walk {
-public:
-    Walk(hid_t file, const std::string& file_name) : file_(file), file_name_(file_name) {}
-    void visit(const std::string& path, std::size_t depth) {
-        require(depth <= max_depth, path, "is nested deeper than any group of a file of ours");
-        H5O_info_t info;
-        require(H5Oget_info_by_name2(file_, path.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT) >= 0, path, "cannot be read");
-        if (info.type == H5O_TYPE_DATASET) return;
-        require(info.type == H5O_TYPE_GROUP, path, "is neither a group nor a dataset");
-        require(groups_.insert(info.addr).second, path, "is a group with two links, perhaps in a circle");
-        std::vector<Link> links;
-        require(links_of(file_, path, links), path, "cannot be read");
-        for (const Link& link : links) {
-            const std::string child = (path == "/" ? "" : path) + "/" + link.name;
-            require(link.is_hard, child, "is a soft or external link");
-            visit(child, depth + 1);
-        }
-    }
-
-private:
-    void require(bool holds, const std::string& path, const char* what) const {
-        if (!holds) {
-            throw InputError(
-                fmt::format("{}: {} {}; write the file again with the tool that made it", file_name_, path.substr(0, 80), what));
-        }
-    }
-
-    hid_t file_;
-    const std::string& file_name_;
-    std::set<haddr_t> groups_;
-};
 
 /// How the values of a dataset are kept: false where it is not in this file, or by filters that ours do not have.
 bool is_kept_plainly(hid_t properties) {
@@ -137,7 +106,30 @@ Handle open_path(const std::string& path) {
     return opened({H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose}, path, H5Fis_hdf5(path.c_str()) > 0);
 }
 
-void require_tree(hid_t file, const std::string& file_name) { Walk(file, file_name).visit("/", 0); }
+void require_tree(hid_t file, const std::string& file_name) {
+    std::set<haddr_t> groups;
+    const std::function<void(const std::string&, std::size_t)> visit = [&](const std::string& path, std::size_t depth) {
+        const auto require = [&](bool holds, const std::string& of, const char* what) {
+            if (holds) return;
+            throw InputError(
+                fmt::format("{}: {} {}; write the file again with the tool that made it", file_name, of.substr(0, 80), what));
+        };
+        require(depth <= max_depth, path, "is nested deeper than any group of a file of ours");
+        H5O_info_t info;
+        require(H5Oget_info_by_name2(file, path.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT) >= 0, path, "cannot be read");
+        if (info.type == H5O_TYPE_DATASET) return;
+        require(info.type == H5O_TYPE_GROUP, path, "is neither a group nor a dataset");
+        require(groups.insert(info.addr).second, path, "is a group with two links, perhaps in a circle");
+        std::vector<Link> links;
+        require(links_of(file, path, links), path, "cannot be read");
+        for (const Link& link : links) {
+            const std::string child = (path == "/" ? "" : path) + "/" + link.name;
+            require(link.is_hard, child, "is a soft or external link");
+            visit(child, depth + 1);
+        }
+    };
+    visit("/", 0);
+}
 
 std::size_t require_readable(hid_t dataset, const std::string& file_name, const std::string& path) {
     const auto require = [&](bool holds, const char* what) {

@@ -2,17 +2,21 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sched.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include "share/base/error.hpp"
-#include "share/base/processors.hpp"
 #include "share/base/text.hpp"
 #include "share/file/provenance.hpp"
 #include "share/options/completion.hpp"
@@ -295,6 +299,31 @@ std::string message_of(const Call& call, const CLI::ParseError& error) {
     return message.empty() ? fmt::format("{}; see {}", one_line(error.what()), help_command(call.app)) : message;
 }
 
+/// Processors that the quota of this process's control group amounts to; a large number without a quota.
+double control_group_quota() {
+    double least = 1e9;
+    const auto take = [&](const std::string& quota, double period) {
+        if (quota.empty() || quota == "max" || quota.front() == '-' || !(period > 0)) return;
+        least = std::min(least, std::strtod(quota.c_str(), nullptr) / period);
+    };
+    std::ifstream groups("/proc/self/cgroup");
+    for (std::string line; std::getline(groups, line);) {
+        if (line.compare(0, 3, "0::") != 0) continue;
+        for (std::string path = line.substr(3);; path.erase(path.find_last_of('/'))) {
+            std::string quota;
+            double period = 0;
+            if (std::ifstream file("/sys/fs/cgroup" + path + "/cpu.max"); file >> quota >> period) take(quota, period);
+            if (path.find('/') == std::string::npos) break;
+        }
+    }
+    std::string quota;
+    double period = 0;
+    std::ifstream quota_file("/sys/fs/cgroup/cpu/cpu.cfs_quota_us");  // version 1
+    std::ifstream period_file("/sys/fs/cgroup/cpu/cpu.cfs_period_us");
+    if (quota_file >> quota && period_file >> period) take(quota, period);
+    return least;
+}
+
 }  // namespace
 
 CommandLine::CommandLine(const std::string& tool, const std::string& description, CommonOptions& common,
@@ -395,6 +424,15 @@ bool CommandLine::parse(int argc, const char* const* argv, const std::function<v
 }
 
 std::string CommandLine::effective_configuration() const { return graincrack::effective_configuration(*app_); }
+
+int available_processors() {
+    int processors = 0;
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    if (sched_getaffinity(0, sizeof set, &set) == 0) processors = CPU_COUNT(&set);
+    if (processors < 1) processors = static_cast<int>(std::thread::hardware_concurrency());
+    return std::max(1, static_cast<int>(std::min<double>(processors, std::ceil(control_group_quota() - 1e-6))));
+}
 
 Option add_threads(OptionSet set, int& threads) {
     threads = available_processors();

@@ -73,6 +73,8 @@ private:
     std::unique_ptr<CLI::App> app_;
 };
 
+/// Processors this process may use: its affinity, and the quota of its control group if that is less.
+int available_processors();
 /// Adds --threads, by default the processors this process may use.
 Option add_threads(OptionSet set, int& threads);
 /// Adds --dry-run; `help` says what is printed.

@@ -78,8 +78,7 @@ const ContactParameter& contact_parameter(ContactValue value) {
 std::vector<TomlKey> contact_keys(GivenContact& given) {
     std::vector<TomlKey> keys;
     for (const ContactParameter& row : all_contact_parameters()) {
-        std::optional<double>& to = given.*row.given;
-        keys.push_back({row.key(), row.quantity, [&to](double value) { to = value; }, row.is_needed()});
+        keys.push_back({row.key(), row.quantity, to(given.*row.given), row.is_needed()});
     }
     return keys;
 }

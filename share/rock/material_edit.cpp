@@ -13,7 +13,7 @@
 #include "share/base/toml_file.hpp"
 #include "share/base/units.hpp"
 #include "share/rock/contact_parameters.hpp"
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
 

@@ -22,13 +22,6 @@ constexpr Quantity factor{"factor", Dimension::one, 0, 1000, "factor on a contac
 constexpr Quantity modulus{"modulus", Dimension::one, 0, 1000, "Weibull modulus of the strengths of grain boundaries", true};
 constexpr Quantity correlation{"correlation", Dimension::length, 0, 1e3, "distance over which strengths are alike"};
 
-auto to(double& target) {
-    return [&target](double value) { target = value; };
-}
-auto to(std::optional<double>& target) {
-    return [&target](double value) { target = value; };
-}
-
 /// Contact parameters of which none is needed.
 std::vector<TomlKey> optional_contact_keys(GivenContact& given) {
     std::vector<TomlKey> keys = contact_keys(given);
@@ -41,12 +34,21 @@ std::vector<TomlKey> factor_keys(GivenContact& given) {
     return keys;
 }
 
+/// What a phase may have other than the rock.
+struct PhaseValue {
+    const char* key;
+    Quantity quantity;
+    std::optional<double> PhaseMaterial::*value;
+};
+constexpr PhaseValue phase_values[] = {{"young_modulus", quantity::young_modulus, &PhaseMaterial::young_modulus},
+                                       {"relative_young_modulus", relative_modulus, &PhaseMaterial::relative_young_modulus},
+                                       {"poisson_ratio", quantity::poisson_ratio, &PhaseMaterial::poisson_ratio},
+                                       {"density", quantity::density, &PhaseMaterial::density}};
+
 std::vector<TomlKey> phase_keys(PhaseMaterial& phase) {
-    return {{"fraction", fraction, to(phase.fraction), true},
-            {"young_modulus", quantity::young_modulus, to(phase.young_modulus)},
-            {"relative_young_modulus", relative_modulus, to(phase.relative_young_modulus)},
-            {"poisson_ratio", quantity::poisson_ratio, to(phase.poisson_ratio)},
-            {"density", quantity::density, to(phase.density)}};
+    std::vector<TomlKey> keys{{"fraction", fraction, to(phase.fraction), true}};
+    for (const PhaseValue& row : phase_values) keys.push_back({row.key, row.quantity, to(phase.*row.value)});
+    return keys;
 }
 
 std::vector<TomlKey> rule_keys(MaterialFabric& fabric) {
@@ -176,13 +178,9 @@ std::string fabric_text(const MaterialFabric& fabric) {
     if (!fabric.phases.empty()) text += "\n[phases]\n" + fabric_line("contrast", fabric.contrast);
     for (const auto& [name, phase] : fabric.phases) {
         text += fmt::format("\n[phases.{}]\n{}", name, fabric_line("fraction", phase.fraction));
-        const auto add = [&](const char* key, const std::optional<double>& value) {
-            if (value) text += fabric_line(key, *value);
-        };
-        add("young_modulus", phase.young_modulus);
-        add("relative_young_modulus", phase.relative_young_modulus);
-        add("poisson_ratio", phase.poisson_ratio);
-        add("density", phase.density);
+        for (const PhaseValue& row : phase_values) {
+            if (phase.*row.value) text += fabric_line(row.key, *(phase.*row.value));
+        }
         text += contact_table(fmt::format("phases.{}.contact", name), phase.contact);
     }
     if (!fabric.phases.empty()) {

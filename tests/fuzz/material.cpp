@@ -1,7 +1,6 @@
 // Material files, whole and incomplete, and the tables of a calibration.
 #include "share/rock/material.hpp"
 #include "post/calibrate/folder.hpp"
-#include "share/rock/incomplete_material.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -15,7 +15,7 @@
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
 #include "share/base/units.hpp"
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/synthetic_rock.hpp"
 #include "tests/support/temporary_folder.hpp"

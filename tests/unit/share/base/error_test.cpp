@@ -6,7 +6,7 @@
 #include <csignal>
 #include <new>
 
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 namespace {

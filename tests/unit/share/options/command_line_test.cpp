@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "share/base/error.hpp"
-#include "share/base/processors.hpp"
 #include "share/base/text.hpp"
 #include "share/options/option_set.hpp"
 #include "share/rock/material.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 #include "share/rock/material_edit.hpp"
 #include "tests/support/augig_granite.hpp"
 

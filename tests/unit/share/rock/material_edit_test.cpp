@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "share/base/error.hpp"
-#include "share/rock/incomplete_material.hpp"
+#include "share/rock/material.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -11,7 +11,6 @@
 
 #include "share/base/error.hpp"
 #include "share/base/toml_file.hpp"
-#include "share/rock/incomplete_material.hpp"
 #include "share/rock/material_edit.hpp"
 #include "tests/support/check.hpp"
 
