@@ -140,8 +140,8 @@ double parse_quantity(std::string_view text, const Quantity& quantity, std::stri
     const std::string_view symbol = trimmed(std::string_view(end, static_cast<std::size_t>(digits.data() + digits.size() - end)));
     digits = digits.substr(0, static_cast<std::size_t>(end - digits.data()));
     const auto require = [&](bool holds, const char* wrong) {
-        if (!holds)
-            refuse(where, fmt::format("{} {}", quoted(whole), wrong), fmt::format("it must be {}", bounds_text(quantity)));
+        const std::string right = fmt::format("it must be {}", bounds_text(quantity));
+        if (!holds) refuse(where, fmt::format("{} {}", quoted(whole), wrong), right);
     };
     require(error != std::errc::result_out_of_range && std::isfinite(value), "is not a finite number");
     const auto unit = find_unit(symbol, quantity.dimension);
