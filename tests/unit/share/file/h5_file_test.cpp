@@ -189,14 +189,6 @@ TEST(H5File, NothingIsLeftWithoutACommit) {
     EXPECT_TRUE(folder.is_empty());
 }
 
-TEST(H5File, ACommitLeavesTheFileAlone) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "specimen");
-    out.commit();
-    EXPECT_TRUE(fs::exists(folder.file("a.h5")));
-    EXPECT_FALSE(fs::exists(folder.file("a.h5.part")));
-}
-
 TEST(H5File, AnAbandonedWriteKeepsTheOldFile) {
     const TemporaryFolder folder;
     {
