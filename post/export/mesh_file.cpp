@@ -20,7 +20,7 @@
 
 #include "post/cracks/vtk_arrays.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 #include "share/base/union_find.hpp"
 #include "share/file/output_file.hpp"
 

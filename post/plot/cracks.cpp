@@ -21,9 +21,9 @@
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
-#include "share/file/end_faces.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/platen_faces.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "post/summary/summarize.hpp"
-#include "share/base/printable.hpp"
+#include "share/base/text.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
