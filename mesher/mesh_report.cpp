@@ -10,8 +10,7 @@
 #include "mesher/cells/triangles.hpp"
 #include "mesher/fabric/crystals.hpp"
 #include "share/base/units.hpp"
-#include "share/file/notch.hpp"
-#include "share/file/open_boundaries.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 
 namespace graincrack::mesher {

@@ -19,7 +19,6 @@
 #include "mesher/import/gmsh.hpp"
 #include "mesher/import/label_table.hpp"
 #include "share/base/error.hpp"
-#include "share/base/printable.hpp"
 #include "share/base/sha256.hpp"
 #include "share/base/text.hpp"
 #include "share/base/units.hpp"
