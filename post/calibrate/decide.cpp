@@ -58,6 +58,13 @@ struct Misfit {
     std::string remedy;         ///< which parameter would have to go where
 };
 
+/// The one of some responses or outcomes that is of a target; null: there is none.
+template <class Ones>
+auto* find_of(Ones& all, const Target& target) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.target.name() == target.name(); });
+    return found == all.end() ? nullptr : &*found;
+}
+
 /// Adds to a list in a sentence.
 void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; }
 
@@ -465,9 +472,7 @@ void Calibration::predict() {
     const std::vector<Outcome> outcomes = std::exchange(decision.outcomes, {});
     std::map<std::size_t, std::vector<const Measures*>> runs;  // by the test
     for (const Target& target : problem_.targets) {
-        const auto known =
-            std::find_if(outcomes.begin(), outcomes.end(), [&](const Outcome& o) { return o.target.name() == target.name(); });
-        if (known != outcomes.end()) {
+        if (const Outcome* known = find_of(outcomes, target)) {
             decision.outcomes.push_back(*known);
             continue;
         }
@@ -479,9 +484,8 @@ void Calibration::predict() {
     require_all();
     // Repeated tests say how equal points scatter.
     for (Response& response : fit_.responses) {
-        const auto outcome = std::find_if(decision.outcomes.begin(), decision.outcomes.end(),
-                                          [&](const Outcome& o) { return o.target.name() == response.target.name(); });
-        if (outcome == decision.outcomes.end() || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 3) continue;
+        const Outcome* const outcome = find_of(decision.outcomes, response.target);
+        if (outcome == nullptr || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 3) continue;
         const auto n = static_cast<double>(specimens_at_point({response.target.test()}));
         response.pure_error = *outcome->ours->deviation / outcome->ours->mean.value / std::sqrt(n);
         response.pure_freedom = static_cast<int>(outcome->ours->n) - 1;
@@ -504,9 +508,8 @@ std::string off_text(const Outcome& o) {
 
 Misfit Calibration::misfit_of(const Outcome& outcome) const {
     const Target& t = outcome.target;
-    const auto response = std::find_if(fit_.responses.begin(), fit_.responses.end(),
-                                       [&](const Response& r) { return r.target.name() == t.name(); });
-    if (response == fit_.responses.end() || t.is_elastic()) return {};
+    const Response* const response = find_of(fit_.responses, t);
+    if (response == nullptr || t.is_elastic()) return {};
     if (!response->surface) {
         return {true, true,
                 fmt::format("{} of {} tests of the designs have a value of {}", response->measured, response->tests, t.symbol())};

@@ -1,14 +1,17 @@
 #include "post/calibrate/parameter.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_qrng.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
+#include "share/base/toml_table.hpp"
 #include "share/base/units.hpp"
 #include "share/rock/material.hpp"
 
@@ -209,23 +212,25 @@ void begin_at_ratio(Parameter& p, const Material& rock) {
 }
 
 /// A row of [parameters] on top of its default box.
-void set_parameter(Parameter& p, const TomlEntry& entry, const std::string& where) {
-    const std::string& text = entry.values.empty() ? entry.key : entry.values.front().text;
-    if (entry.key == "scale") {
-        if (text != "log" && text != "linear") throw InputError(fmt::format("{}: {} is neither log nor linear", where, text));
-        p.logarithmic = text == "log";
-        return;
-    }
-    double* const to = entry.key == "low" ? &p.low : entry.key == "high" ? &p.high : entry.key == "first" ? &p.first : nullptr;
-    if (to == nullptr) throw InputError(fmt::format("{}: unknown key; known are low, high, scale, first", where));
-    // A bound of what is no ratio may be a part of the first guess.
+void set_parameter(Parameter& p, TomlTable row) {
     const Quantity quantity = material_quantity(p.key);
-    const bool is_part = to != &p.first && text.ends_with("%") && quantity.dimension != Dimension::one;
-    *to = is_part ? p.first * parse_quantity(text, part_of_first, where) : parse_quantity(text, quantity, where);
-    // Bounds that are given are limits too.
-    if (to == &p.low) p.least = p.low;
-    if (to == &p.high) p.most = p.high;
-    p.source = "given";
+    if (row.has("first") || row.has("low") || row.has("high")) p.source = "given";
+    row.given("first", quantity, p.first);
+    // A bound of what is no ratio may be a part of the first guess; one that is given is a limit too.
+    const auto bound = [&](const char* key, double& value, double& limit) {
+        const bool is_part = row.shown(key).ends_with("%") && quantity.dimension != Dimension::one;
+        row.given(key, is_part ? part_of_first : quantity, value);
+        if (is_part) value *= p.first;
+        if (row.has(key)) limit = value;
+    };
+    bound("low", p.low, p.least);
+    bound("high", p.high, p.most);
+    if (row.is_word("scale", "log") || row.is_word("scale", "linear")) {
+        p.logarithmic = row.shown("scale") == "log";
+    } else if (row.has("scale")) {
+        row.refuse("scale", row.shown("scale") + " is neither log nor linear");
+    }
+    row.refuse_others();
 }
 
 void require_sound(Parameter& p, const std::string& where) {
@@ -242,6 +247,30 @@ void require_sound(Parameter& p, const std::string& where) {
 }
 
 }  // namespace
+
+Box box_between(const DesignPoint& low, const DesignPoint& high) { return {0.5 * (low + high), 0.5 * (high - low)}; }
+
+Box hull(const Box& a, const Box& b) {
+    return box_between((a.centre - a.half).cwiseMin(b.centre - b.half), (a.centre + a.half).cwiseMax(b.centre + b.half));
+}
+
+Box Box::about(const DesignPoint& at, double times, const Box& limits) const {
+    const DesignPoint width = (times * half).cwiseMin(limits.half);
+    const Box of_centres{limits.centre, limits.half - width};
+    return {of_centres.nearest(at), width};
+}
+
+std::vector<DesignPoint> sobol_points(const Box& box, std::size_t first, std::size_t n) {
+    const std::unique_ptr<gsl_qrng, decltype(&gsl_qrng_free)> sequence(
+        gsl_qrng_alloc(gsl_qrng_sobol, static_cast<unsigned>(box.size())), &gsl_qrng_free);
+    std::vector<DesignPoint> points;
+    for (std::size_t i = 0; i < first + n; ++i) {
+        DesignPoint share(box.size());
+        gsl_qrng_get(sequence.get(), share.data());
+        if (i >= first) points.emplace_back(box.centre + box.half.cwiseProduct(2 * share - DesignPoint::Ones(box.size())));
+    }
+    return points;
+}
 
 double Parameter::coordinate(double value) const {
     if (logarithmic) return std::log(value / low) / std::log(high / low) * 2 - 1;
@@ -269,24 +298,16 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
         return p;
     };
     std::vector<Parameter> parameters;
-    for (const TomlSection& section : file.sections) {
-        if (section.name.front() != "parameters" || section.name.size() < 2) continue;
-        const std::string& key = section.name[1];
-        const std::string where = fmt::format("{}: line {}: parameters.\"{}\"", file.file, section.line, key);
+    auto table = TomlTable(file).table("parameters");
+    for (const TomlTable& row : table ? table->tables() : std::vector<TomlTable>{}) {
         try {
-            static_cast<void>(material_quantity(key));
+            static_cast<void>(material_quantity(row.name()));
         } catch (const UsageError& error) {
-            throw InputError(fmt::format("{}: {}", where, error.what()));
+            throw InputError(fmt::format("{}: {}", row.where(), error.what()));
         }
-        Parameter p = usual(key);
-        for (const bool is_first : {true, false}) {  // bounds may be parts of the first guess
-            for (const TomlEntry& entry : file.entries) {
-                if (entry.section != section.name || (entry.key == "first") != is_first) continue;
-                set_parameter(p, entry, where + "." + entry.key);
-            }
-        }
-        require_sound(p, where);
-        parameters.push_back(p);
+        parameters.push_back(usual(row.name()));
+        set_parameter(parameters.back(), row);
+        require_sound(parameters.back(), row.where());
     }
     if (parameters.empty()) {
         for (const Row& row : rows) {

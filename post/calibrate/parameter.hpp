@@ -1,16 +1,45 @@
 // Calibration parameters: what a calibration may change of a material, each with its box, first guess and source.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "post/calibrate/design.hpp"
 #include "share/base/toml_file.hpp"
 #include "share/rock/material.hpp"
 #include "share/rock/material_edit.hpp"
 
 namespace graincrack::calibrate {
+
+/// A coordinate for each parameter, 0 in the middle and ±1 at the edges of the first box, so that coordinates stay the same when
+/// a box moves or becomes smaller.
+using DesignPoint = Eigen::VectorXd;
+
+struct Box {
+    DesignPoint centre;
+    DesignPoint half;  ///< of the widths
+
+    [[nodiscard]] Eigen::Index size() const { return centre.size(); }
+    /// Coordinates that are ±1 at the edges of this box.
+    [[nodiscard]] DesignPoint local(const DesignPoint& point) const { return (point - centre).cwiseQuotient(half); }
+    [[nodiscard]] bool contains(const DesignPoint& point) const { return local(point).lpNorm<Eigen::Infinity>() <= 1 + 1e-9; }
+    [[nodiscard]] DesignPoint nearest(const DesignPoint& point) const {
+        return point.cwiseMax(centre - half).cwiseMin(centre + half);
+    }
+    /// The box about another centre, so many times as wide, moved or cut where it would leave the limits.
+    [[nodiscard]] Box about(const DesignPoint& at, double times, const Box& limits) const;
+};
+
+/// The box that both corners span.
+Box box_between(const DesignPoint& low, const DesignPoint& high);
+/// The smallest box that holds two boxes.
+Box hull(const Box& a, const Box& b);
+
+/// Points first, first + 1, … of the sequence of Sobol' in a box. They fill it evenly, however many there are.
+/// \pre at most 40 parameters
+std::vector<DesignPoint> sobol_points(const Box& box, std::size_t first, std::size_t n);
 
 /// Values of parameters by their keys of a material file, "contact.cohesion", SI.
 using Point = std::vector<std::pair<std::string, double>>;

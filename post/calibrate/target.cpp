@@ -9,6 +9,7 @@
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
+#include "share/base/toml_table.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
@@ -120,22 +121,28 @@ std::vector<Target> laboratory_targets(const Material& rock, double pressure, co
     return targets;
 }
 
-/// A key of a row of [targets].
-void set_target(Target& target, const TomlEntry& entry, const std::string& where) {
-    const std::string& text = entry.values.empty() ? entry.key : entry.values.front().text;
-    if (entry.key == "value") {
-        target.value = parse_quantity(text, target.property.quantity, where);
-    } else if (entry.key == "deviation") {
-        // A deviation of a strength may be a part of it.
-        const bool relative = text.ends_with("%") && target.property.quantity.dimension != Dimension::one;
-        target.deviation = relative ? -parse_quantity(text, part, where) : parse_quantity(text, target.property.quantity, where);
-    } else if (entry.key == "use" && (text == "fit" || text == "predict")) {
-        target.use = text == "fit" ? Use::fit : Use::predict;
-    } else if (entry.key == "use") {
-        throw InputError(fmt::format("{}: {} is neither fit nor predict", where, text));
-    } else {
-        throw InputError(fmt::format("{}: unknown key; known are value, deviation, use", where));
+/// A row of [targets].
+Target given_target(TomlTable row) {
+    Target target = target_of(row.name(), row.where());
+    const Quantity& quantity = target.property.quantity;
+    target.value = target.deviation = NAN;
+    row.given("value", quantity, target.value);
+    // A deviation of a strength may be a part of it.
+    const bool is_part = row.shown("deviation").ends_with("%") && quantity.dimension != Dimension::one;
+    row.given("deviation", is_part ? part : quantity, target.deviation);
+    const bool is_fitted = row.is_word("use", "fit") || !row.has("use");
+    if (!is_fitted && !row.is_word("use", "predict")) row.refuse("use", row.shown("use") + " is neither fit nor predict");
+    row.refuse_others();
+    if (std::isnan(target.value) && is_fitted) {
+        row.refuse("", "value is missing; only a target with use = \"predict\" needs none");
     }
+    target.use = is_fitted ? Use::fit : Use::predict;
+    if (std::isnan(target.deviation)) {
+        target.deviation = target.usual_deviation();
+    } else if (is_part) {
+        target.deviation *= target.value;
+    }
+    return target;
 }
 
 }  // namespace
@@ -149,27 +156,12 @@ double disagreement(const Material& rock) {
 
 std::vector<Target> given_targets(const TomlFile& file) {
     std::vector<Target> targets;
-    for (const TomlSection& section : file.sections) {
-        if (section.name.front() != "targets" || section.name.size() < 2) continue;
-        const std::string where = fmt::format("{}: line {}: targets.{}", file.file, section.line, section.name[1]);
-        Target target = target_of(section.name[1], where);
-        target.value = target.deviation = NAN;
-        for (const TomlEntry& entry : file.entries) {
-            if (entry.section == section.name) set_target(target, entry, where + "." + entry.key);
-        }
-        if (std::isnan(target.value) && target.use == Use::fit) {
-            throw InputError(fmt::format("{}: value is missing; only a target with use = \"predict\" needs none", where));
-        }
-        if (std::isnan(target.deviation)) target.deviation = target.usual_deviation();
-        if (target.deviation < 0) target.deviation *= -target.value;
-        targets.push_back(target);
-    }
+    auto table = TomlTable(file).table("targets");
+    if (!table) return targets;
+    for (TomlTable& row : table->tables()) targets.push_back(given_target(std::move(row)));
     for (const TomlEntry& entry : file.entries) {
-        if (entry.section == std::vector<std::string>{"targets"}) {
-            throw InputError(
-                fmt::format("{}: line {}: targets.{}: a row is needed, such as {{value = \"8.8 MPa\", deviation = \"5 %\"}}",
-                            file.file, entry.line, entry.key));
-        }
+        if (entry.section != table->section()) continue;
+        table->refuse(entry.key, "a row is needed, such as {value = \"8.8 MPa\", deviation = \"5 %\"}");
     }
     return targets;
 }

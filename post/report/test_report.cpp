@@ -90,7 +90,6 @@ TestReport read_test_report(const RunReader& run) {
     const auto& times = report.data.history[HistoryColumn::time];
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.by_sign_at_peak = count_other_labels(log, header.crack_event, times[report.curve.peak]).front();
-    report.at_end = balance_cracks(cracks, times.back());
     report.broken = count_modes(log, {CrackEvent::broken, CrackModeRule::sign}, times.back());
     report.branches = count_branches(log);
     report.sensitivity = read_sensitivity(run.file());

@@ -34,7 +34,6 @@ struct TestReport : MeasuredRun {
     std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunHeader::fabric`
     std::vector<Caveat> caveats;           ///< caveats of the strength
     CrackBalance at_peak;                  ///< by the event of the run
-    CrackBalance at_end;
     FailureBranches branches;
     ModeCounts broken;                        ///< by the end, by the sign of the opening then
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity

@@ -19,6 +19,26 @@ using test::SyntheticRock;
 const char* const cohesion = "contact.cohesion";
 const char* const friction = "contact.friction_angle";
 
+SyntheticRock rock_with(double scatter) {
+    SyntheticRock rock = SyntheticRock::usual();
+    rock.scatter = scatter;
+    return rock;
+}
+
+Decision decide_on(const SyntheticRock& rock, const Problem& problem) {
+    Laboratory laboratory(rock);
+    return decide(problem, laboratory.find());
+}
+
+/// Multiplies a target and its deviation.
+void scale(Problem& problem, const std::string& name, double factor) {
+    for (Target& t : problem.targets) {
+        if (t.name() != name) continue;
+        t.value *= factor;
+        t.deviation *= factor;
+    }
+}
+
 std::map<std::string, double> nothing_planted(const SyntheticRock& rock) {
     std::map<std::string, double> logs;
     for (const auto& [key, value] : rock.reference) logs[key] = 0;
@@ -39,8 +59,7 @@ TEST(Calibration, IntervalsHoldThePlantedValues) {
             planted[key] = (key.ends_with("angle") ? 0.15 : 0.35) * (2 * normal.uniform() - 1);
         }
         const Problem problem = rock.problem(planted, &normal);
-        Laboratory laboratory(rock);
-        const Decision decision = decide(problem, laboratory.find());
+        const Decision decision = decide_on(rock, problem);
         ASSERT_TRUE(decision.fit.has_value());
         const Optimum& optimum = decision.fit->optimum;
         for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
@@ -61,8 +80,7 @@ TEST(Calibration, IntervalsHoldThePlantedValues) {
 }
 
 TEST(Calibration, ARockThatIsInReachIsCalibrated) {
-    SyntheticRock rock = SyntheticRock::usual();
-    rock.scatter = 0.3;
+    SyntheticRock rock = rock_with(0.3);
     auto planted = nothing_planted(rock);
     planted[cohesion] = 0.3;
     planted[friction] = -0.1;
@@ -96,8 +114,7 @@ TEST(Calibration, TheConfirmationHasAsManySpecimensAsTheScatterAsksFor) {
         problem.study.points = 99;
         problem.study.zooms = 0;
         problem.study.confirmation_rectangles = most;
-        Laboratory laboratory(rock);
-        const Decision decision = decide(problem, laboratory.find());
+        const Decision decision = decide_on(rock, problem);
         return decision.outcomes.at(2).tests;
     };
     EXPECT_EQ(specimens(0.1, 6), 3U);
@@ -109,16 +126,12 @@ TEST(Calibration, TheConfirmationHasAsManySpecimensAsTheScatterAsksFor) {
 
 // A target that no design point has is missed by three discs: twenty are asked for. Tests whose targets are within need no more.
 TEST(Calibration, WhereFewSpecimensDoNotShowATargetWithinTheMostAreMade) {
-    SyntheticRock rock = SyntheticRock::usual();
-    rock.scatter = 0.01;
+    SyntheticRock rock = rock_with(0.01);
     rock.responses["brazilian tensile_strength_MPa"].exponents.clear();
     Problem problem = rock.problem(nothing_planted(rock));
-    for (Target& t : problem.targets) {
-        if (t.name() == "brazilian") t.value *= 2;
-    }
-    Laboratory laboratory(rock);
+    scale(problem, "brazilian", 2);
     std::map<std::string, std::size_t> tests;
-    for (const Outcome& outcome : decide(problem, laboratory.find()).outcomes) tests[outcome.target.name()] = outcome.tests;
+    for (const Outcome& outcome : decide_on(rock, problem).outcomes) tests[outcome.target.name()] = outcome.tests;
     EXPECT_EQ(tests["brazilian"], 20U);
     EXPECT_EQ(tests["direct_tension"], 3U);
     EXPECT_EQ(tests["first_peak_20MPa"], 3U);
@@ -127,12 +140,8 @@ TEST(Calibration, WhereFewSpecimensDoNotShowATargetWithinTheMostAreMade) {
 TEST(Calibration, ATargetBeyondAllParametersIsNotReached) {
     SyntheticRock rock = SyntheticRock::usual();
     Problem problem = rock.problem(nothing_planted(rock));
-    for (Target& t : problem.targets) {
-        if (t.name() == "brazilian") t.value *= 4;
-        if (t.name() == "brazilian") t.deviation *= 4;
-    }
-    Laboratory laboratory(rock);
-    const Decision decision = decide(problem, laboratory.find());
+    scale(problem, "brazilian", 4);
+    const Decision decision = decide_on(rock, problem);
     EXPECT_EQ(decision.ending, Ending::not_reached) << decision.reason;
     EXPECT_NE(decision.reason.find("Brazilian strength"), std::string::npos);
     EXPECT_NE(decision.next.find("Brazilian strength alone would need contact."), std::string::npos) << decision.next;
@@ -140,21 +149,14 @@ TEST(Calibration, ATargetBeyondAllParametersIsNotReached) {
 
 // Two strengths that follow one parameter in the same way and that are requested in another proportion.
 TEST(Calibration, TargetsThatExcludeEachOtherAreContradictory) {
-    SyntheticRock rock = SyntheticRock::usual();
+    SyntheticRock rock = rock_with(0.5);
     for (const char* name : {"triaxial4MPa first_peak_MPa", "triaxial8MPa first_peak_MPa", "triaxial20MPa first_peak_MPa",
                              "uniaxial first_peak_MPa"}) {
         rock.responses[name].exponents = {{cohesion, 0.8}};
     }
-    rock.scatter = 0.5;
     Problem problem = rock.problem(nothing_planted(rock));
-    for (Target& t : problem.targets) {
-        if (t.name() == "first_peak_20MPa") {
-            t.value *= 1.4;
-            t.deviation *= 1.4;
-        }
-    }
-    Laboratory laboratory(rock);
-    const Decision decision = decide(problem, laboratory.find());
+    scale(problem, "first_peak_20MPa", 1.4);
+    const Decision decision = decide_on(rock, problem);
     EXPECT_EQ(decision.ending, Ending::contradictory) << decision.reason;
     EXPECT_NE(decision.reason.find("first peak at 20 MPa"), std::string::npos);
     // Nothing tells the friction angle here.
@@ -162,12 +164,10 @@ TEST(Calibration, TargetsThatExcludeEachOtherAreContradictory) {
 }
 
 TEST(Calibration, TestsThatScatterTooMuchAreUndecided) {
-    SyntheticRock rock = SyntheticRock::usual();
-    rock.scatter = 3;
+    SyntheticRock rock = rock_with(3);
     Problem problem = rock.problem(nothing_planted(rock));
     problem.study.confirmation_rectangles = 6;
-    Laboratory laboratory(rock);
-    const Decision decision = decide(problem, laboratory.find());
+    const Decision decision = decide_on(rock, problem);
     EXPECT_EQ(decision.ending, Ending::undecided) << decision.reason;
     EXPECT_NE(decision.next.find("confirmation_discs=N"), std::string::npos) << decision.next;
 }
@@ -175,8 +175,7 @@ TEST(Calibration, TestsThatScatterTooMuchAreUndecided) {
 // Rectangles of designs have a UCS 8 % below those of confirmations. The first confirmation, 8 % off, joins the points; the
 // second is within 5 %, without another design.
 TEST(Calibration, AMissOfNewSpecimensCorrectsTheSurfaces) {
-    SyntheticRock rock = SyntheticRock::usual();
-    rock.scatter = 0.3;
+    SyntheticRock rock = rock_with(0.3);
     const Problem problem = rock.problem(nothing_planted(rock));
     Laboratory laboratory(rock);
     const FindRun unbiased = laboratory.find();
@@ -198,12 +197,10 @@ TEST(Calibration, AMissOfNewSpecimensCorrectsTheSurfaces) {
 
 // No response follows the residual friction angle: it is named, stays at the first guess, and prevents nothing.
 TEST(Calibration, WhatTheDataDoNotTellIsKept) {
-    SyntheticRock rock = SyntheticRock::usual();
-    rock.scatter = 0.3;
+    SyntheticRock rock = rock_with(0.3);
     rock.responses["triaxial8MPa residual_MPa"].exponents = {{friction, 1.2}};
-    Laboratory laboratory(rock);
     const Problem problem = rock.problem(nothing_planted(rock));
-    const Decision decision = decide(problem, laboratory.find());
+    const Decision decision = decide_on(rock, problem);
     EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
     ASSERT_EQ(decision.fit->optimum.unidentified.size(), 1U);
     for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
@@ -218,8 +215,7 @@ TEST(Calibration, WhatTheDataDoNotTellIsKept) {
 
 // Above a friction angle tests have no first peak: the optimum keeps away from there, and what is requested there is not reached.
 TEST(Calibration, TheShareOfTestsWithAFirstPeakIsKept) {
-    SyntheticRock rock = SyntheticRock::usual();
-    rock.scatter = 0.3;
+    SyntheticRock rock = rock_with(0.3);
     rock.has_peak = [](const RequestedRun& run) {
         for (const auto& [key, value] : run.point) {
             if (key == friction) return value < 0.75;
@@ -228,9 +224,8 @@ TEST(Calibration, TheShareOfTestsWithAFirstPeakIsKept) {
     };
     auto planted = nothing_planted(rock);
     planted[friction] = 0.2;
-    Laboratory laboratory(rock);
     const Problem problem = rock.problem(planted);
-    const Decision decision = decide(problem, laboratory.find());
+    const Decision decision = decide_on(rock, problem);
     EXPECT_NE(decision.ending, Ending::calibrated);
     for (const auto& [key, value] : decision.point) {
         if (key == friction) {
@@ -240,12 +235,10 @@ TEST(Calibration, TheShareOfTestsWithAFirstPeakIsKept) {
 }
 
 TEST(Calibration, ABoxMovesToAnOptimumOutsideOfIt) {
-    SyntheticRock rock = SyntheticRock::usual();
-    rock.scatter = 0.3;
+    SyntheticRock rock = rock_with(0.3);
     auto planted = nothing_planted(rock);
     planted[cohesion] = 0.9;  // beyond ln 1.8 = 0.588
-    Laboratory laboratory(rock);
-    const Decision decision = decide(rock.problem(planted), laboratory.find());
+    const Decision decision = decide_on(rock, rock.problem(planted));
     EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
     bool moved = false;
     for (const Step& step : decision.steps) {
@@ -258,8 +251,7 @@ TEST(Calibration, GrainsThatCannotMakeTheModulusEndIt) {
     SyntheticRock rock = SyntheticRock::usual();
     Problem problem = rock.problem(nothing_planted(rock));
     problem.targets[0].value = 80e9;
-    Laboratory laboratory(rock);
-    const Decision decision = decide(problem, laboratory.find());
+    const Decision decision = decide_on(rock, problem);
     EXPECT_EQ(decision.ending, Ending::not_reached);
     EXPECT_NE(decision.reason.find("E 80 GPa"), std::string::npos) << decision.reason;
     EXPECT_FALSE(decision.fit.has_value());

@@ -18,6 +18,7 @@
 #include "share/rock/material.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/synthetic_rock.hpp"
+#include "tests/support/synthetic_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack::calibrate {
@@ -26,22 +27,29 @@ namespace {
 using test::expect_one_line;
 using test::SyntheticRock;
 
-std::string text_of(const std::string& file) {
-    std::ifstream stream(file);
-    std::ostringstream out;
-    out << stream.rdbuf();
-    return out.str();
-}
+std::string granite() { return test::read_text(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml"); }
 
-std::string granite() { return text_of(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml"); }
+/// The box of a parameter. \throws std::out_of_range
+Parameter box_of(const Problem& problem, const std::string& key) {
+    for (const Parameter& p : problem.parameters) {
+        if (p.key == key) return p;
+    }
+    throw std::out_of_range(key);
+}
 
 class CalibrateFolder : public ::testing::Test {
 protected:
     void SetUp() override { write_material(""); }
-    void write_material(const std::string& more) { std::ofstream(folder_.file("material.toml")) << granite() << "\n" << more; }
+    void write_material(const std::string& more) { write_rock(granite() + "\n" + more); }
+    void write_rock(const std::string& text) { write_rock(text); }
+    /// The row of a run on the material of the file.
+    [[nodiscard]] RunRow row_for(const calibrate::Test& test, const std::vector<std::string>& settings = {},
+                                 const Point& point = {}) const {
+        return row_of(material(), read_problem(material(), settings).study, {test, 7, point, {}, "d1p01", ""});
+    }
     [[nodiscard]] Material material() const { return read_material(folder_.file("material.toml")); }
     [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(folder_.file(name)); }
-    [[nodiscard]] std::string text(const std::string& name) const { return text_of(folder_.file(name)); }
+    [[nodiscard]] std::string text(const std::string& name) const { return test::read_text(folder_.file(name)); }
     [[nodiscard]] std::string folder() const { return std::filesystem::path(folder_.file("x")).parent_path().string(); }
     [[nodiscard]] FolderDecision ask() const {
         std::ostringstream notes;
@@ -198,7 +206,7 @@ TEST_F(CalibrateFolder, WithoutAnEndInReachTheNearestPointIsAMaterial) {
 TEST_F(CalibrateFolder, ToughnessIsComparedOnHalfDiscs) {
     std::string stone = granite();
     stone.insert(stone.find("friction_angle = \"53 deg\""), "mode_i_toughness = \"1.3 MPa.m^0.5\"\n");
-    std::ofstream(folder_.file("material.toml")) << stone;
+    write_rock(stone);
     EXPECT_EQ(to_the_end(rock(), 1).decision.ending, Ending::calibrated);
     const std::string report = text("report.md");
     EXPECT_NE(report.find("| K_IC, MPa√m | predicted | 1.3 | 1.2 (1.2 to 1.2) | 3 of 3 | -7.69 % | ± 10 % | within |"),
@@ -215,9 +223,7 @@ TEST_F(CalibrateFolder, HalfDiscsHaveTheGrainsOfDiscs) {
     ASSERT_EQ(tests.size(), 2U);
     // The last: discs keep their specimens with it.
     EXPECT_EQ(tests[1].label(), "bend");
-    const auto row = [&](const std::vector<std::string>& settings) {
-        return row_of(material(), read_problem(material(), settings).study, {tests[1], 7, {}, {}, "d1p01", ""});
-    };
+    const auto row = [&](const std::vector<std::string>& settings) { return row_for(tests[1], settings); };
     EXPECT_EQ(row({"diameter=60mm"}).mesh, "half-disc --diameter 60mm --slit 15mm --grains 226 --seed 7");
     EXPECT_EQ(row({"diameter=60mm"}).specimen, "half-disc60g226-s7");
     EXPECT_EQ(row({"diameter=60mm"}).solve, "bend --span 36mm --plane stress");
@@ -253,10 +259,11 @@ direct_tension = {use = "predict"}
     EXPECT_NEAR(problem.parameters[2].least, 41.3, 0.1);
     EXPECT_NEAR(problem.parameters[2].most, 82.6, 0.1);
     // Tests end behind the first peak, unless a target asks for what comes after: that of a prediction in the end only.
-    const std::string requested = row_of(material(), problem.study, {tests_of(problem.targets)[0], 1, {}, {}, "x", ""}).solve;
-    EXPECT_EQ(requested, "triaxial --confining-pressure 8MPa --max-strain 0.015 --peak-drop none --rate-tolerance 0.006");
-    const std::string behind = row_of(material(), problem.study, {tests_of(problem.targets)[1], 1, {}, {}, "x", ""}).solve;
-    EXPECT_EQ(behind, "triaxial --confining-pressure 4MPa --max-strain 0.015 --peak-drop 0.1 --rate-tolerance 0.006");
+    const std::vector<calibrate::Test> tests = tests_of(problem.targets);
+    EXPECT_EQ(row_for(tests[0]).solve,
+              "triaxial --confining-pressure 8MPa --max-strain 0.015 --peak-drop none --rate-tolerance 0.006");
+    EXPECT_EQ(row_for(tests[1]).solve,
+              "triaxial --confining-pressure 4MPa --max-strain 0.015 --peak-drop 0.1 --rate-tolerance 0.006");
     const auto refused = [&](const std::string& more, const std::vector<std::string>& parts) {
         write_material(more);
         expect_one_line<InputError>([&] { read_problem(material()); }, parts);
@@ -267,21 +274,21 @@ direct_tension = {use = "predict"}
     refused("[targets]\nbrazilian = {use = \"predict\"}\n", {"none to be fitted"});
     refused("[targets]\nbrazilian = {value = \"8 MPa\", use = \"maybe\"}\n", {"neither fit nor predict"});
     refused("[targets]\nbrazilian = \"8 MPa\"\n", {"targets.brazilian: a row is needed"});
-    refused("[parameters]\n\"contact.cohesions\" = {}\n", {"parameters.\"contact.cohesions\"", "unknown key"});
+    refused("[parameters]\n\"contact.cohesions\" = {}\n", {"parameters.contact.cohesions", "unknown key"});
     refused("[parameters]\n\"contact.shear_stiffness\" = {low = \"1e13\"}\n", {"no default bounds", "give low and high"});
     refused("[parameters]\n\"contact.cohesion\" = {low = \"80 MPa\", high = \"20 MPa\"}\n", {"low must be below high"});
-    refused("[parameters]\n\"contact.cohesion\" = {middle = \"80 MPa\"}\n", {"unknown key", "low, high, scale, first"});
+    refused("[parameters]\n\"contact.cohesion\" = {middle = \"80 MPa\"}\n", {"unknown key", "first, high, low, scale"});
 }
 
 TEST_F(CalibrateFolder, TheLawHasItsParametersAndSpecimensTheMinerals) {
     std::string text = granite();
     text.replace(text.find("[platen]"), 8, "law = \"cohesive-frictional\"\n[phases]\nfrom = \"granite\"\n[platen]");
-    std::ofstream(folder_.file("material.toml")) << text;
+    write_rock(text);
     const Problem problem = read_problem(material());
     ASSERT_EQ(problem.parameters.size(), 4U);
     EXPECT_EQ(problem.parameters[3].key, "contact.residual_friction_angle");
-    const RunRow row =
-        row_of(material(), problem.study, {{"brazilian", 0, 0.3}, 7, {{"contact.cohesion", 4e7}}, {}, "d1p01", ""});
+    const RequestedRun run{{"brazilian", 0, 0.3}, 7, {{"contact.cohesion", 4e7}}, {}, "d1p01", ""};
+    const RunRow row = row_of(material(), problem.study, run);
     EXPECT_EQ(row.mesh,
               "disc --diameter 80mm --grains 452 --phases k_feldspar=0.33,mica=0.06,plagioclase=0.29,quartz=0.32 --seed 7");
     EXPECT_EQ(row.specimen, "disc80g452k_33mi6pl29qu32-s7");
@@ -290,11 +297,9 @@ TEST_F(CalibrateFolder, TheLawHasItsParametersAndSpecimensTheMinerals) {
     // A name changes with what the rock is made of, not with what the laboratory has.
     Material other = material();
     other.laboratory["tensile_strength"] = 1;
-    EXPECT_EQ(row_of(other, problem.study, {{"brazilian", 0, 0.3}, 7, {{"contact.cohesion", 4e7}}, {}, "d1p01", ""}).file,
-              row.file);
+    EXPECT_EQ(row_of(other, problem.study, run).file, row.file);
     other.fabric.contrast = 0.5;
-    EXPECT_NE(row_of(other, problem.study, {{"brazilian", 0, 0.3}, 7, {{"contact.cohesion", 4e7}}, {}, "d1p01", ""}).file,
-              row.file);
+    EXPECT_NE(row_of(other, problem.study, run).file, row.file);
     // The contrast of the modal table may vary within what is published: its coefficient of variation is 0.214.
     std::ofstream(folder_.file("material.toml"), std::ios::app) << "\n[parameters]\n\"phases.contrast\" = {}\n";
     const Parameter contrast = read_problem(material()).parameters.at(0);
@@ -306,9 +311,7 @@ TEST_F(CalibrateFolder, SpecimensHaveTheFabricOfTheMaterial) {
     const std::string fabric =
         "[fabric]\ntessellation = \"trigon\"\ngrain_size = \"6 mm\"\nsize_variation = 0.3\nelements_per_crystal = 12\n"
         "elongation = 1.5\nelongation_angle = \"30 deg\"\n";
-    const auto row = [&] {
-        return row_of(material(), read_problem(material()).study, {{"uniaxial", 0, 0.3}, 7, {}, {}, "d1p01", ""});
-    };
+    const auto row = [&] { return row_for({"uniaxial", 0, 0.3}); };
     const std::string size = "rectangle --width 68mm --height 136mm ";  // in proportion to the crystals
     const std::string grains =
         " --tessellation trigon --spread 0.3 --elements-per-crystal 12 --elongation 1.5 --elongation-angle 30deg --seed 7";
@@ -328,14 +331,11 @@ TEST_F(CalibrateFolder, AChangeOfTheFabricMakesItsRunsAgainAndNoOther) {
     const auto files = [&](const std::string& size, const std::string& elements, const std::string& more) {
         write_material("[fabric]\ntessellation = \"trigon\"\ngrain_size = \"" + size + "\"\nelements_per_crystal = " + elements +
                        "\n" + more);
-        const Material rock = material();
         const Point point{{"contact.cohesion", 4e7}, {"ratios.process_zone", 0.7}};
         // By numbers of grains too: a process zone is as long as the grain size of the fabric says.
         std::vector<std::string> all;
         for (const std::vector<std::string>& settings : {std::vector<std::string>{}, {"grains=300", "disc_grains=200"}}) {
-            for (const char* test : {"uniaxial", "brazilian", "bend"}) {
-                all.push_back(row_of(rock, read_problem(rock, settings).study, {{test}, 7, point, {}, "d1p01", ""}).file);
-            }
+            for (const char* test : {"uniaxial", "brazilian", "bend"}) all.push_back(row_for({test}, settings, point).file);
         }
         return all;
     };
@@ -357,96 +357,76 @@ TEST_F(CalibrateFolder, CrystalsThatBreakBeginNear) {
     std::string stone = granite();
     stone.insert(stone.find("cohesion = \"74.57 MPa\""), "law = \"cohesive-frictional\"\n");
     const auto parameters = [&](const std::string& more) {
-        std::ofstream(folder_.file("material.toml")) << stone << "\n[fabric]\ntessellation = \"trigon\"\ngrain_size = \"4 mm\"\n"
-                                                     << more;
-        return read_problem(material()).parameters;
+        write_rock(stone + "\n[fabric]\ntessellation = \"trigon\"\ngrain_size = \"4 mm\"\n" + more);
+        return read_problem(material());
     };
-    const auto expect_box = [](const Parameter& p, const std::string& key, double low, double first, double high) {
-        EXPECT_EQ(p.key, key);
+    const auto expect_box = [](const Problem& problem, const std::string& key, double low, double first, double high) {
+        const Parameter p = box_of(problem, key);
         EXPECT_NEAR(p.low, low, 1e-6 * low) << key;
         EXPECT_NEAR(p.first, first, 1e-6 * first) << key;
         EXPECT_NEAR(p.high, high, 1e-6 * high) << key;
     };
     const double degree = std::numbers::pi / 180;
-    const std::vector<Parameter> usual = parameters("");
-    ASSERT_EQ(usual.size(), 4U);
+    const Problem usual = parameters("");
+    ASSERT_EQ(usual.parameters.size(), 4U);
     // Of a Brazilian strength of 8.8 MPa, a UCS of 122 MPa and φ of 53°: cc/tc is 5 (122/8.8/16.1)^2.5 = 3.4403.
-    expect_box(usual[0], "contact.tensile_strength", 9.856e6 / 1.35, 9.856e6, 9.856e6 * 1.35);
-    expect_box(usual[1], "contact.cohesion", 33.907745e6 / 2, 33.907745e6, 33.907745e6 * 2);
-    expect_box(usual[2], "contact.friction_angle", 0.65 * 53 * degree, 0.85 * 53 * degree, 1.05 * 53 * degree);
-    expect_box(usual[3], "contact.residual_friction_angle", 0.4 * 53 * degree, 0.57 * 53 * degree, 0.75 * 53 * degree);
+    expect_box(usual, "contact.tensile_strength", 9.856e6 / 1.35, 9.856e6, 9.856e6 * 1.35);
+    expect_box(usual, "contact.cohesion", 33.907745e6 / 2, 33.907745e6, 33.907745e6 * 2);
+    expect_box(usual, "contact.friction_angle", 0.65 * 53 * degree, 0.85 * 53 * degree, 1.05 * 53 * degree);
+    expect_box(usual, "contact.residual_friction_angle", 0.4 * 53 * degree, 0.57 * 53 * degree, 0.75 * 53 * degree);
     // A cohesion that is given as a ratio stays one. It begins with what the rock wants.
     stone.insert(stone.find("cohesion = \"74.57 MPa\""), "# ");
-    const std::vector<Parameter> by_ratio = parameters("[ratios]\ncohesion = 6\n");
-    ASSERT_EQ(by_ratio.size(), 4U);
-    expect_box(by_ratio[1], "ratios.cohesion", 3.440315012 / 2, 3.440315012, 3.440315012 * 2);
+    const Problem by_ratio = parameters("[ratios]\ncohesion = 6\n");
+    ASSERT_EQ(by_ratio.parameters.size(), 4U);
+    expect_box(by_ratio, "ratios.cohesion", 3.440315012 / 2, 3.440315012, 3.440315012 * 2);
 
     const std::string named =
         "[parameters]\n\"ratios.process_zone\" = {}\n\"pairs.within.tensile_strength\" = {}\n"
         "\"pairs.within.fracture_energy\" = {}\n\"contact.cohesion\" = {}\n";
     stone.erase(stone.find("# cohesion = \"74.57 MPa\""), 2);
-    const std::vector<Parameter> ratios = parameters(named);
-    expect_box(ratios.at(0), "ratios.process_zone", 0.3, 0.7, 3);
-    expect_box(ratios.at(1), "pairs.within.tensile_strength", 1, 1.25, 1.5);
-    expect_box(ratios.at(2), "pairs.within.fracture_energy", 1, 8, 30);
-    EXPECT_TRUE(ratios[0].logarithmic);
-    EXPECT_FALSE(ratios[1].logarithmic);
-    EXPECT_TRUE(ratios[2].logarithmic);
+    const Problem ratios = parameters(named);
+    expect_box(ratios, "ratios.process_zone", 0.3, 0.7, 3);
+    expect_box(ratios, "pairs.within.tensile_strength", 1, 1.25, 1.5);
+    expect_box(ratios, "pairs.within.fracture_energy", 1, 8, 30);
+    EXPECT_TRUE(box_of(ratios, "ratios.process_zone").logarithmic);
+    EXPECT_FALSE(box_of(ratios, "pairs.within.tensile_strength").logarithmic);
     // The material's own are the first guess; outside of the box there is one about them.
-    const std::vector<Parameter> own = parameters("[ratios]\nprocess_zone = 0.1\n[pairs.within]\nfracture_energy = 20\n" + named);
-    expect_box(own.at(0), "ratios.process_zone", 0.05, 0.1, 0.2);
-    expect_box(own.at(2), "pairs.within.fracture_energy", 1, 20, 30);
+    const Problem own = parameters("[ratios]\nprocess_zone = 0.1\n[pairs.within]\nfracture_energy = 20\n" + named);
+    expect_box(own, "ratios.process_zone", 0.05, 0.1, 0.2);
+    expect_box(own, "pairs.within.fracture_energy", 1, 20, 30);
 }
 
 TEST_F(CalibrateFolder, RatiosAreParametersAndChangeRuns) {
     std::string stone = granite();
     stone.insert(stone.find("cohesion = \"74.57 MPa\""), "# ");
-    const std::string law = "law = \"cohesive-frictional\"\n";
-    const auto with = [&](const std::string& more) {
-        std::ofstream(folder_.file("material.toml"))
-            << std::string(stone).insert(stone.find("tensile_strength = \"24.15"), law)
-            << "\n[fabric]\ngrain_size = \"4 mm\"\n[ratios]\ncohesion = 2\nprocess_zone = 0.5\n"
-            << more;
+    stone.insert(stone.find("tensile_strength = \"24.15"), "law = \"cohesive-frictional\"\n");
+    const auto with = [&](const std::string& more, const std::string& size = "4 mm") {
+        write_rock(stone + "\n[fabric]\ngrain_size = \"" + size + "\"\n[ratios]\ncohesion = 2\nprocess_zone = 0.5\n" + more);
     };
-    const auto file = [&] {
-        return row_of(material(), read_problem(material(), {"grains=300"}).study, {{"uniaxial"}, 7, {}, {}, "d1p01", ""}).file;
-    };
+    const auto file = [&] { return row_for({"uniaxial"}, {"grains=300"}).file; };
     with("");
     const std::string before = file();
     with("open_shear_strength = 4\n");
     EXPECT_NE(file(), before);
-    with("");
-    Material larger = material();
-    larger.grains.grain_size = 5e-3;  // the process zone is over it
-    EXPECT_NE(row_of(larger, read_problem(material(), {"grains=300"}).study, {{"uniaxial"}, 7, {}, {}, "d1p01", ""}).file,
-              before);
-
+    with("", "5 mm");  // the process zone is over the grain size
+    EXPECT_NE(file(), before);
     // By default a box lies about the first guess, which is by the ratio where there is one: 2 tc; the default is 0.15 to 0.6 UCS
     // about 0.3.
-    const auto find = [](const std::vector<Parameter>& all, const std::string& key) {
-        for (const Parameter& p : all) {
-            if (p.key == key) return p;
-        }
-        ADD_FAILURE() << key;
-        return Parameter{};
-    };
-    const Parameter strength = find(read_problem(material()).parameters, "contact.cohesion");
+    with("");
+    const Parameter strength = box_of(read_problem(material()), "contact.cohesion");
     EXPECT_NEAR(strength.first, 48.3e6, 1);
     EXPECT_NEAR(strength.low, 24.15e6, 1);
     EXPECT_NEAR(strength.high, 96.6e6, 1);
 
     with(
-        "[parameters]\n\"ratios.process_zone\" = {}\n\"pairs.within.tensile_strength\" = {low = 0.8, high = 1.6}\n"
+        "[parameters]\n\"pairs.within.tensile_strength\" = {low = 0.8, high = 1.6}\n"
         "\"contact.cohesion\" = {low = \"50 %\", high = \"150 %\", first = \"40 MPa\"}\n");
-    const std::vector<Parameter> parameters = read_problem(material()).parameters;
-    EXPECT_EQ(find(parameters, "ratios.process_zone").low, 0.3);
-    EXPECT_EQ(find(parameters, "ratios.process_zone").first, 0.5);
-    EXPECT_EQ(find(parameters, "ratios.process_zone").high, 3);
-    EXPECT_EQ(find(parameters, "pairs.within.tensile_strength").high, 1.6);
-    EXPECT_DOUBLE_EQ(find(parameters, "contact.cohesion").low, 20e6);
-    EXPECT_DOUBLE_EQ(find(parameters, "contact.cohesion").high, 60e6);
+    const Problem problem = read_problem(material());
+    EXPECT_EQ(box_of(problem, "pairs.within.tensile_strength").high, 1.6);
+    EXPECT_DOUBLE_EQ(box_of(problem, "contact.cohesion").low, 20e6);
+    EXPECT_DOUBLE_EQ(box_of(problem, "contact.cohesion").high, 60e6);
     const Point point{{"ratios.process_zone", 0.7}, {"pairs.within.tensile_strength", 1.25}};
-    EXPECT_EQ(row_of(material(), read_problem(material()).study, {{"uniaxial"}, 7, point, {}, "d1p01", ""}).material,
+    EXPECT_EQ(row_for({"uniaxial"}, {}, point).material,
               "--set ratios.process_zone=0.7 --set pairs.within.tensile_strength=1.25");
     with("[parameters]\n\"ratios.open_shear_strength\" = {}\n");
     expect_one_line<InputError>([&] { read_problem(material()); }, {"ratios.open_shear_strength", "give low and high"});
@@ -501,11 +481,11 @@ TEST_F(CalibrateFolder, ContactsThatAreFoundNeedNotBeGiven) {
     std::string text = granite();
     const std::size_t contact = text.find("[contact]");
     text.erase(contact, text.find("[platen]") - contact);
-    std::ofstream(folder_.file("material.toml")) << text;
+    write_rock(text);
     EXPECT_EQ(ask().decision.ending, Ending::requested);
-    std::ofstream(folder_.file("material.toml")) << text << "\n[parameters]\n\"contact.cohesion\" = {}\n";
+    write_rock(text + "\n[parameters]\n\"contact.cohesion\" = {}\n");
     expect_one_line<InputError>([&] { (void)ask(); }, {"contact.tensile_strength is neither given nor a row of [parameters]"});
-    std::ofstream(folder_.file("material.toml")) << text.replace(text.find("density ="), 9, "#");
+    write_rock(text.replace(text.find("density ="), 9, "#"));
     expect_one_line<InputError>([&] { (void)ask(); }, {"material.toml: missing: rock.density;", "all of [rock]"});
 }
 

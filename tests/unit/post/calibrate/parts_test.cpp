@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "post/calibrate/optimum.hpp"
-#include "post/statistics/logistic.hpp"
 #include "tests/support/normal.hpp"
 
 namespace graincrack {
@@ -13,7 +12,9 @@ namespace {
 using calibrate::Box;
 using calibrate::DesignPoint;
 using calibrate::find_optimum;
+using calibrate::fit_logistic;
 using calibrate::LocalSurface;
+using calibrate::Logistic;
 using calibrate::Optimum;
 using calibrate::Residual;
 using calibrate::sobol_points;

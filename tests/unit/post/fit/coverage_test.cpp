@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <string>
@@ -42,6 +44,14 @@ private:
     std::map<std::string, int> held_;
 };
 
+/// Draws the sets. \param add one set
+void expect_coverage(std::uint32_t stream, const std::function<void(Normal&, Coverage&)>& add) {
+    Normal normal(stream);
+    Coverage coverage;
+    for (int i = 0; i < sets; ++i) add(normal, coverage);
+    coverage.expect_95_percent();
+}
+
 // Augig granite: what the laboratory gives, as planted values.
 constexpr double true_cohesion = 21e6;
 constexpr double friction_angle = 53 / degrees;
@@ -54,23 +64,10 @@ double mohr_coulomb(double c, double phi, double confining) {
 }
 double hoek_brown(double ci, double m, double confining) { return confining + ci * std::sqrt(m * confining / ci + 1); }
 
-TEST(Coverage, MeanOfASample) {
-    Normal normal(20140401);
-    Coverage coverage;
-    for (int i = 0; i < sets; ++i) {
-        std::vector<double> values(5);
-        for (double& value : values) value = 120 + 4 * normal();
-        coverage.add("mean", sample(values).mean, 120);
-    }
-    coverage.expect_95_percent();
-}
-
 TEST(Coverage, EnvelopesOverAllRuns) {
-    Normal normal(20140402);
     const std::vector<double> confining{0, 0, 0, 4e6, 4e6, 4e6, 8e6, 8e6, 8e6};
     constexpr double bend = -0.4e-6;  // 1/Pa
-    Coverage coverage;
-    for (int i = 0; i < sets; ++i) {
+    expect_coverage(20140402, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> line;
         std::vector<double> curve;
         std::vector<double> parabola;
@@ -88,16 +85,13 @@ TEST(Coverage, EnvelopesOverAllRuns) {
         ASSERT_TRUE(fit.has_value());
         coverage.add("sigma_ci", fit->sigma_ci, sigma_ci);
         coverage.add("mi", fit->mi, mi);
-    }
-    coverage.expect_95_percent();
+    });
 }
 
 TEST(Coverage, HoekBrownWithTension) {
-    Normal normal(20140403);
     const std::vector<double> confining{0, 0, 0, 4e6, 4e6, 4e6, 8e6, 8e6, 8e6};
     const double tension = sigma_ci / 2 * (std::sqrt(mi * mi + 4) - mi);
-    Coverage coverage;
-    for (int i = 0; i < sets; ++i) {
+    expect_coverage(20140403, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> strength;
         for (const double s : confining) strength.push_back(hoek_brown(sigma_ci, mi, s) * (1 + 0.03 * normal()));
         std::vector<double> tensile;
@@ -106,14 +100,11 @@ TEST(Coverage, HoekBrownWithTension) {
         ASSERT_TRUE(fit.has_value());
         coverage.add("sigma_ci", fit->sigma_ci, sigma_ci);
         coverage.add("mi", fit->mi, mi);
-    }
-    coverage.expect_95_percent();
+    });
 }
 
 TEST(Coverage, EnvelopesOverSeeds) {
-    Normal normal(20140404);
-    Coverage coverage;
-    for (int i = 0; i < sets; ++i) {
+    expect_coverage(20140404, [&](Normal& normal, Coverage& coverage) {
         EnvelopeTests lines;
         EnvelopeTests curves;
         for (std::int64_t seed = 1; seed <= 5; ++seed) {  // each seed is a rock of its own
@@ -133,14 +124,11 @@ TEST(Coverage, EnvelopesOverSeeds) {
         ASSERT_TRUE(curve->sigma_ci && curve->mi);
         coverage.add("sigma_ci", curve->sigma_ci->mean, sigma_ci);
         coverage.add("mi", curve->mi->mean, mi);
-    }
-    coverage.expect_95_percent();
+    });
 }
 
 TEST(Coverage, PowerLawsOfSize) {
-    Normal normal(20140439);
-    Coverage coverage;
-    for (int i = 0; i < sets; ++i) {
+    expect_coverage(20140439, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> edge;
         std::vector<double> relative;
         std::vector<double> absolute;
@@ -154,27 +142,7 @@ TEST(Coverage, PowerLawsOfSize) {
         }
         coverage.add("exponent by logarithms", fit_power_law_log(edge, relative)->exponent, 0.39);
         coverage.add("exponent by values", fit_power_law(edge, absolute).value().exponent, 0.39);
-    }
-    coverage.expect_95_percent();
-}
-
-TEST(Coverage, Lines) {
-    Normal normal(20140440);
-    Coverage coverage;
-    for (int i = 0; i < sets; ++i) {
-        std::vector<double> x;
-        std::vector<double> y;
-        for (const double level : {10.0, 20.0, 40.0}) {
-            for (int seed = 0; seed < 3; ++seed) {
-                x.push_back(level);
-                y.push_back(3 + 0.4 * level + 2 * normal());
-            }
-        }
-        const auto line = fit_line(x, y);
-        coverage.add("intercept", estimate(line->intercept, line->intercept_variance, line->freedom), 3);
-        coverage.add("slope", estimate(line->slope, line->slope_variance, line->freedom), 0.4);
-    }
-    coverage.expect_95_percent();
+    });
 }
 
 TEST(Coverage, ResponseSurfaces) {
@@ -187,9 +155,7 @@ TEST(Coverage, ResponseSurfaces) {
         return sum;
     };
     const std::vector<double> place{0.44, -0.53};
-    Normal normal(20140435);
-    Coverage coverage;
-    for (int s = 0; s < sets; ++s) {
+    expect_coverage(20140435, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> response;
         for (const auto& x : runs) response.push_back(truth(x) + 2 * normal());
         const ResponseSurface model = ccd::fit_quadratic(runs, response);
@@ -200,8 +166,7 @@ TEST(Coverage, ResponseSurfaces) {
         }
         coverage.add("mean", model.confidence(place), truth(place));
         coverage.add("single run", model.prediction(place), truth(place) + 2 * normal());
-    }
-    coverage.expect_95_percent();
+    });
 }
 
 TEST(Coverage, JointRegionOfFactors) {
@@ -209,9 +174,7 @@ TEST(Coverage, JointRegionOfFactors) {
     const std::vector<double> place{0.4, -0.5};
     const auto first = [](const std::vector<double>& x) { return 11 + 7 * x[0] - 5 * x[1] - 7 * x[0] * x[1]; };
     const auto second = [](const std::vector<double>& x) { return 67 - 5 * x[0] + 16 * x[1] - 8 * x[1] * x[1]; };
-    Normal normal(20140435);
-    Coverage coverage;
-    for (int s = 0; s < sets; ++s) {
+    expect_coverage(20140435, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> a;
         std::vector<double> b;
         for (const auto& x : runs) {
@@ -221,25 +184,21 @@ TEST(Coverage, JointRegionOfFactors) {
         }
         const std::vector<ResponseSurface> models{ccd::fit_quadratic(runs, a), ccd::fit_quadratic(runs, b)};
         coverage.add("region", ccd::ConfidenceRegion(models, {first(place), second(place)}).holds(place));
-    }
-    coverage.expect_95_percent();
+    });
 }
 
 TEST(Coverage, GutenbergRichter) {
-    Normal random(20140441);
     constexpr double planted = 1.2;
-    Coverage coverage;
     double mean = 0;
-    for (int s = 0; s < sets; ++s) {
+    expect_coverage(20140441, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> magnitudes;
-        for (int i = 0; i < 300; ++i) magnitudes.push_back(-5 - std::log10(random.uniform()) / planted);
+        for (int i = 0; i < 300; ++i) magnitudes.push_back(-5 - std::log10(normal.uniform()) / planted);
         const auto fit = fit_gutenberg_richter(magnitudes, -5);
         ASSERT_TRUE(fit.has_value());
         mean += fit->b / sets;
         coverage.add("b", std::abs(fit->b - planted) <= 1.959964 * fit->error);  // the normal's 97.5 % point
-    }
+    });
     EXPECT_NEAR(mean, planted, 0.02);  // standard error 0.0015, bias b/n = 0.004
-    coverage.expect_95_percent();
 }
 
 }  // namespace

@@ -30,6 +30,12 @@ RunData run_of(double edge, double strength, const std::string& test = "brazilia
     return run;
 }
 
+std::string table_of(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs, std::ostream& notes) {
+    std::ostringstream out;
+    write_size_effect_table(out, runs, TableFormat::tsv, strain_limit_runs, notes);
+    return out.str();
+}
+
 TEST(SizeEffect, ExactPowerLawIsRecoveredByBothFits) {
     std::vector<double> strength;
     for (double edge : edges) strength.push_back(5e6 * std::pow(edge * 1e3, 0.39));
@@ -55,11 +61,9 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
         runs.push_back(run_of(edge, 5e6 * std::pow(edge * 1e3, 0.39)));
         runs.push_back(run_of(edge, 120e6, "uniaxial"));
     }
-    std::ostringstream out;
     std::ostringstream notes;
-    write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes);
+    const std::string table = table_of(runs, StrainLimitRuns::refuse, notes);
     EXPECT_EQ(notes.str(), "");
-    const std::string table = out.str();
     EXPECT_EQ(test::parse_tsv(table).size(), 5U);
     EXPECT_EQ(test::field(table, "test"), "brazilian");
     EXPECT_EQ(test::field(table, "exponent"), "0.39");
@@ -81,11 +85,10 @@ TEST(SizeEffect, AnotherRockIsNotComparedWithThePapers) {
     std::vector<RunData> runs;
     for (const double edge : edges) runs.push_back(run_of(edge, 5e6 * std::pow(edge * 1e3, 0.3)));
     for (RunData& run : runs) run.header.material = "Carrara marble";
-    std::ostringstream out;
     std::ostringstream notes;
-    write_size_effect_table(out, runs, TableFormat::tsv, StrainLimitRuns::refuse, notes);
-    EXPECT_EQ(test::field(out.str(), "exponent"), "0.3");
-    EXPECT_EQ(test::field(out.str(), "paper_exponent"), "");
+    const std::string table = table_of(runs, StrainLimitRuns::refuse, notes);
+    EXPECT_EQ(test::field(table, "exponent"), "0.3");
+    EXPECT_EQ(test::field(table, "paper_exponent"), "");
     const std::string words = draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)).words();
     EXPECT_NE(words.find("theory, n = 0.5"), std::string::npos);
     EXPECT_EQ(words.find("0.39"), std::string::npos);
@@ -93,26 +96,18 @@ TEST(SizeEffect, AnotherRockIsNotComparedWithThePapers) {
 }
 
 TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
-    std::ostringstream out;
     std::ostringstream notes;
     // Seeds of one size differ by half a percent in their mean edge: no line goes through them.
     const std::vector<RunData> one{run_of(1.99e-3, 8e6), run_of(2e-3, 9e6)};
-    test::expect_one_line<InputError>(
-        [&] { write_size_effect_table(out, one, TableFormat::tsv, StrainLimitRuns::refuse, notes); }, {"one mean edge (2 mm)"});
+    test::expect_one_line<InputError>([&] { table_of(one, StrainLimitRuns::refuse, notes); }, {"one mean edge (2 mm)"});
     std::vector<RunData> at_strain_limit{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
     at_strain_limit[1].header.stop_reason = "strain limit";
-    at_strain_limit[1].history = [] {
-        test::Recipe recipe;
-        recipe.test = "brazilian";
-        recipe.drop = 0;
-        return test::synthetic_history(recipe);
-    }();
-    test::expect_one_line<InputError>(
-        [&] { write_size_effect_table(out, at_strain_limit, TableFormat::tsv, StrainLimitRuns::refuse, notes); },
-        {"strain limit"});
-    EXPECT_EQ(out.str(), "");
-    write_size_effect_table(out, at_strain_limit, TableFormat::tsv, StrainLimitRuns::accept, notes);
-    EXPECT_EQ(test::field(out.str(), "runs_at_strain_limit"), "1");
+    test::Recipe without_fall;
+    without_fall.test = "brazilian";
+    without_fall.drop = 0;
+    at_strain_limit[1].history = test::synthetic_history(without_fall);
+    test::expect_one_line<InputError>([&] { table_of(at_strain_limit, StrainLimitRuns::refuse, notes); }, {"strain limit"});
+    EXPECT_EQ(test::field(table_of(at_strain_limit, StrainLimitRuns::accept, notes), "runs_at_strain_limit"), "1");
     EXPECT_NE(notes.str().find("size-effect: 1 of 2 runs were stopped at the strain limit"), std::string::npos) << notes.str();
 }
 

@@ -54,6 +54,13 @@ Recipe disc() {
     return recipe;
 }
 
+RunData run_of(const Recipe& recipe) {
+    RunData run{"run.h5", test::synthetic_header(recipe), test::synthetic_history(recipe), {}, 1};
+    run.specimen.width = recipe.specimen.width;
+    run.specimen.height = recipe.specimen.height;
+    return run;
+}
+
 TEST(CrackNetwork, NodesAtOnePlaceShareACorner) {
     const Specimen s = test::grid_specimen(4, 4, 0.04, 0.04);
     const std::vector<std::size_t> corners = corners_of_nodes(s);
@@ -109,10 +116,7 @@ TEST(Brazilian, LoadAtTheSpanIsThatOfItsTime) {
 
 TEST(Brazilian, WhatOpensSplitsWhateverTractionItBeganWith) {
     const Recipe recipe = disc();
-    RunData run;
-    run.header = test::synthetic_header(recipe);
-    run.history = test::synthetic_history(recipe);
-    run.specimen.width = run.specimen.height = 0.08;
+    const RunData run = run_of(recipe);
     const LoadCurve curve = load_curve(run);
     std::vector<Crack> cracks = split(recipe.specimen, 8);
     for (Crack& crack : cracks) crack.mode_angle = 1.2;  // more shear than tension: open cracks of shear by their traction
@@ -125,10 +129,7 @@ TEST(Brazilian, NoWarningWhenTheSplitIsThePeakAndBeginsInside) {
     const Recipe recipe = disc();
     std::vector<Crack> cracks = split(recipe.specimen, 8);
     for (Crack& crack : cracks) crack.time = 0.6 + crack.time;  // the span at 1 s
-    RunData run;
-    run.header = test::synthetic_header(recipe);
-    run.history = test::synthetic_history(recipe);
-    run.specimen.width = run.specimen.height = 0.08;
+    const RunData run = run_of(recipe);
     const LoadCurve curve = load_curve(run);
     const BrazilianSplit inside = measure_split(run, curve, recipe.specimen, cracks);
     EXPECT_EQ(inside.warning(), "");
@@ -217,9 +218,7 @@ TEST(Brazilian, FlatPolesAreACaveat) {
     Recipe recipe = disc();
     recipe.specimen.shape = "disc";
     recipe.specimen.height = recipe.specimen.width * std::cos(10 * std::numbers::pi / 180);
-    RunData run{"run.h5", test::synthetic_header(recipe), test::synthetic_history(recipe), {}, 1};
-    run.specimen.width = recipe.specimen.width;
-    run.specimen.height = recipe.specimen.height;
+    const RunData run = run_of(recipe);
     const BrazilianSplit split = measure_split(run, load_curve(run), recipe.specimen, {});
     ASSERT_FALSE(split.caveats.empty());
     EXPECT_EQ(split.caveats.front().kind, "flat poles");

@@ -95,30 +95,27 @@ TEST(Moduli, BrittlenessIsTheFallOverTheChord) {
     EXPECT_EQ(field(table_of(at_strain_limit), "post_peak_slope_over_young_modulus"), "");
 }
 
-TEST(Moduli, PlaneStressIsNot) {
-    Recipe recipe;
-    recipe.plane = PlaneCondition::stress;
-    const std::string table = table_of(recipe);
-    EXPECT_EQ(field(table, "young_modulus_GPa"), field(table, "plane_young_modulus_GPa"));
-    EXPECT_EQ(field(table, "poisson_ratio"), field(table, "plane_poisson_ratio"));
-}
-
-TEST(Moduli, TriaxialLeavesTheIsotropicStageOut) {
-    Recipe recipe;
-    recipe.test = "triaxial";
-    recipe.confining_pressure = 20e6;  // its isotropic stage has another slope: 20 MPa over 1e-4
-    const std::string table = table_of(recipe);
-    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
-    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
-}
-
-TEST(Moduli, TensionHasPositiveModuli) {
-    Recipe recipe;
-    recipe.test = "tension";
-    recipe.peak = 6e6;
-    const std::string table = table_of(recipe);
-    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
-    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
+TEST(Moduli, OtherTestsAndPlanes) {
+    Recipe stress;
+    stress.plane = PlaneCondition::stress;
+    Recipe triaxial;
+    triaxial.test = "triaxial";
+    triaxial.confining_pressure = 20e6;  // its isotropic stage has another slope: 20 MPa over 1e-4
+    Recipe tension;
+    tension.test = "tension";
+    tension.peak = 6e6;
+    for (const Recipe& recipe : {stress, triaxial, tension}) {
+        const std::string table = table_of(recipe);
+        EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5) << recipe.test;
+        EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6) << recipe.test;
+    }
+    const std::string unconverted = table_of(stress);
+    EXPECT_EQ(field(unconverted, "young_modulus_GPa"), field(unconverted, "plane_young_modulus_GPa"));
+    EXPECT_EQ(field(unconverted, "poisson_ratio"), field(unconverted, "plane_poisson_ratio"));
+    tension.test = "brazilian";  // has none but a prediction
+    const std::string brazilian = table_of(tension);
+    EXPECT_EQ(field(brazilian, "young_modulus_GPa") + field(brazilian, "platen_young_modulus_GPa"), "");
+    EXPECT_NE(field(brazilian, "predicted_young_modulus_GPa"), "");
 }
 
 TEST(Moduli, VoigtAndReussAreMeansByAreaOfThePhases) {
@@ -141,16 +138,6 @@ TEST(Moduli, VoigtAndReussAreMeansByAreaOfThePhases) {
     const std::string table = table_of({});  // one phase
     EXPECT_DOUBLE_EQ(value(table, "voigt_young_modulus_GPa"), 25.8);
     EXPECT_DOUBLE_EQ(value(table, "reuss_young_modulus_GPa"), 25.8);
-}
-
-TEST(Moduli, BrazilianHasNoneButAPrediction) {
-    Recipe recipe;
-    recipe.test = "brazilian";
-    recipe.peak = 8.8e6;
-    const std::string table = table_of(recipe);
-    EXPECT_EQ(field(table, "young_modulus_GPa"), "");
-    EXPECT_EQ(field(table, "platen_young_modulus_GPa"), "");
-    EXPECT_NE(field(table, "predicted_young_modulus_GPa"), "");
 }
 
 TEST(Moduli, PredictionUsesTheContactLengthOfTheSpecimen) {

@@ -27,33 +27,21 @@ LoadCurve opening_curve(double extra) {
     return curve;
 }
 
-TEST(Thresholds, DamageIsWhereTheVolumeTurns) {
-    constexpr double extra = 1e-6;
-    const LoadCurve curve = opening_curve(extra);
-    // ε1 − k ε_lat: slope (1 − 0.3 k)/25e3 a MPa = 2 k extra (σ − 50); k = 1 or 2.
-    const Thresholds plane = measure_thresholds(curve, VolumeKind::plane);
-    EXPECT_NEAR(*plane.damage * 1e-6, 50 + 0.7 / 25e3 / (2 * extra), 0.11);  // a row is 0.1 MPa
-    const Thresholds pseudo = measure_thresholds(curve, VolumeKind::pseudo_3d);
-    EXPECT_NEAR(*pseudo.damage * 1e-6, 50 + 0.4 / 25e3 / (4 * extra), 0.11);
-}
+constexpr double extra = 1e-6;
 
-TEST(Thresholds, InitiationByCrackStrainIsTheOffsetFromTheElasticLine) {
-    constexpr double extra = 1e-6;
+TEST(Thresholds, AreThoseOfTheirDefinitionsInBothVolumes) {
     const LoadCurve curve = opening_curve(extra);
-    // crack strain −k extra (σ − 50)² = −1e-5
-    EXPECT_NEAR(*measure_thresholds(curve, VolumeKind::plane).initiation_by_crack_strain * 1e-6,
-                50 + std::sqrt(crack_strain_offset / extra), 0.11);
-    EXPECT_NEAR(*measure_thresholds(curve, VolumeKind::pseudo_3d).initiation_by_crack_strain * 1e-6,
-                50 + std::sqrt(crack_strain_offset / (2 * extra)), 0.11);
-}
-
-TEST(Thresholds, InitiationByLateralResponseIsWhereTheLateralStrainRunsParallelToItsChord) {
-    constexpr double extra = 1e-6;
-    const LoadCurve curve = opening_curve(extra);
-    const Thresholds found = measure_thresholds(curve, VolumeKind::plane);
-    // Chord to the damage stress d has the slope 0.3/E + extra (d − 50)²/d; parallel where 2 extra (σ − 50) is the excess.
-    const double d = *found.damage * 1e-6;
-    EXPECT_NEAR(*found.initiation_by_lateral_response * 1e-6, 50 + (d - 50) * (d - 50) / (2 * d), 0.11);
+    for (const double k : {1.0, 2.0}) {  // of the lateral strain in the volume
+        const Thresholds found = measure_thresholds(curve, k == 1 ? VolumeKind::plane : VolumeKind::pseudo_3d);
+        // ε1 − k ε_lat turns: slope (1 − 0.3 k)/25e3 a MPa = 2 k extra (σ − 50); a row is 0.1 MPa
+        const double damage = 50 + (1 - 0.3 * k) / 25e3 / (2 * k * extra);
+        EXPECT_NEAR(*found.damage * 1e-6, damage, 0.11);
+        // crack strain −k extra (σ − 50)² = −1e-5
+        EXPECT_NEAR(*found.initiation_by_crack_strain * 1e-6, 50 + std::sqrt(crack_strain_offset / (k * extra)), 0.11);
+        // Chord to the damage stress d has the slope 0.3/E + extra (d − 50)²/d; parallel where 2 extra (σ − 50) is the excess.
+        const double d = *found.damage * 1e-6;
+        EXPECT_NEAR(*found.initiation_by_lateral_response * 1e-6, 50 + (d - 50) * (d - 50) / (2 * d), 0.11);
+    }
 }
 
 TEST(Thresholds, ElasticUpToThePeakHasNone) {
@@ -65,7 +53,6 @@ TEST(Thresholds, ElasticUpToThePeakHasNone) {
 
 // A curve whose three volumes and count set in at stresses that differ: the default is that of the pseudo-3D volume.
 TEST(Thresholds, TheDefaultIsThatOfStrainGaugesOnACylinder) {
-    constexpr double extra = 1e-6;
     const LoadCurve curve = opening_curve(extra);
     RunData run;
     run.history = test::synthetic_history({});
@@ -90,7 +77,6 @@ TEST(Thresholds, TheDefaultIsThatOfStrainGaugesOnACylinder) {
 }
 
 TEST(Thresholds, CrackStrainIsWhatTheElasticLineDoesNotTell) {
-    constexpr double extra = 1e-6;
     const LoadCurve curve = opening_curve(extra);
     const std::vector<double> volume = volumetric_strain(curve, VolumeKind::pseudo_3d);
     EXPECT_NEAR(volume[400], 40e6 / 25e9 * 0.4, 1e-12);
