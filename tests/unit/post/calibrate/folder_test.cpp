@@ -41,7 +41,7 @@ class CalibrateFolder : public ::testing::Test {
 protected:
     void SetUp() override { write_material(""); }
     void write_material(const std::string& more) { write_rock(granite() + "\n" + more); }
-    void write_rock(const std::string& text) { write_rock(text); }
+    void write_rock(const std::string& text) { std::ofstream(folder_.file("material.toml")) << text; }
     /// The row of a run on the material of the file.
     [[nodiscard]] RunRow row_for(const calibrate::Test& test, const std::vector<std::string>& settings = {},
                                  const Point& point = {}) const {
