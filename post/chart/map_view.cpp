@@ -292,13 +292,13 @@ bool has_pre_existing_cracks(const Specimen& specimen) {
     return std::any_of(specimen.contact_kind.begin(), specimen.contact_kind.end(), starts_broken);
 }
 
-bool draw_crack_state(MapView& map, const Specimen& specimen, const std::optional<PlatensAtStrain>& platens,
+void draw_crack_state(MapView& map, const Specimen& specimen, const std::optional<PlatensAtStrain>& platens,
                       const std::vector<Crack>& present) {
     map.draw_grains();
     if (platens) map.draw_platens(platens->faces, -platens->axial_strain * specimen.height / 2);
     const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
     const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
-    const bool cracked_before = map.draw_pre_existing_cracks(width);
+    map.draw_pre_existing_cracks(width);
     for (const CrackMode mode : {CrackMode::shear, CrackMode::tensile}) {
         for (const Crack& crack : present) {
             if (crack.mode != mode) continue;
@@ -306,7 +306,6 @@ bool draw_crack_state(MapView& map, const Specimen& specimen, const std::optiona
             draw_crack(map, specimen, crack, is_within ? within_crystals * width : width);
         }
     }
-    return cracked_before;
 }
 
 std::string cracked_contacts(const std::vector<Crack>& cracks, CrackMode mode) {

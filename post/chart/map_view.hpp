@@ -111,8 +111,7 @@ bool has_platens_to_draw(const RunData& run);
 bool has_pre_existing_cracks(const Specimen& specimen);
 
 /// Draws grains, platens, cracks from before the test, and those of the test: tensile above shear, thin within crystals.
-/// \return whether there are cracks from before the test
-bool draw_crack_state(MapView& map, const Specimen& specimen, const std::optional<PlatensAtStrain>& platens,
+void draw_crack_state(MapView& map, const Specimen& specimen, const std::optional<PlatensAtStrain>& platens,
                       const std::vector<Crack>& present);
 
 /// The number of contacts with cracks of a mode, as a legend has it.

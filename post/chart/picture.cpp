@@ -172,25 +172,18 @@ void insert_resolution(std::vector<unsigned char>& png, double pixels_per_inch) 
     png.insert(png.begin() + end_of_header, chunk.begin(), chunk.end());
 }
 
-Surface painted_image(const Drawing& drawing, ImageSize size, double scale) {
-    Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
+std::vector<unsigned char> to_png(const Drawing& drawing, ImageSize size, double scale) {
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
     paint(drawing, surface.get(), scale);
-    return surface;
-}
-
-std::vector<unsigned char> to_png(const Surface& surface) {
     std::vector<unsigned char> bytes;
     require(cairo_surface_write_to_png_stream(surface.get(), &append<std::vector<unsigned char>>, &bytes));
     return bytes;
 }
 
-/// Units of an image to a pixel of the drawing that fills its width.
-double scale_to(const Drawing& drawing, ImageSize size) { return static_cast<double>(size.width) / drawing.width(); }
-
 }  // namespace
 
 std::vector<unsigned char> png_image(const Drawing& drawing, ImageSize size) {
-    return to_png(painted_image(drawing, size, scale_to(drawing, size)));
+    return to_png(drawing, size, static_cast<double>(size.width) / drawing.width());
 }
 
 std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size) {
@@ -203,7 +196,7 @@ std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& 
             fmt::format("picture: {:.0f} x {:.0f} pixels are too many, at most {} along a side; a smaller --dpi fits", width,
                         height, max_pixels));
     }
-    std::vector<unsigned char> bytes = to_png(painted_image(drawing, {static_cast<int>(width), static_cast<int>(height)}, scale));
+    std::vector<unsigned char> bytes = to_png(drawing, {static_cast<int>(width), static_cast<int>(height)}, scale);
     if (size.width) insert_resolution(bytes, resolution);
     return bytes;
 }

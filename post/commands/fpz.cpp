@@ -16,13 +16,6 @@ namespace graincrack {
 
 namespace {
 
-/// A fracture energy of a contact and what follows from it and the contact's tensile strength.
-struct ContactEnergy {
-    double fracture_energy;   ///< J/m²
-    double ultimate_opening;  ///< m
-    double zone_length;       ///< m
-};
-
 /// Mean edges that the paper can be read to mean, m: 4 mm by its text, 5.13 mm by its 1,122 grains in 80 mm × 160 mm.
 constexpr std::array<double, 2> mean_edges_of_paper{4.0e-3, 5.13e-3};
 
@@ -33,13 +26,6 @@ public:
     void row(const std::string& quantity, const std::string& plane, double value, const std::string& unit,
              const std::string& equation) {
         table_.row({quantity, plane.empty() ? Cell() : Cell(plane), value, unit, equation});
-    }
-    /// A fracture energy with what follows from it and the contact's tensile strength.
-    void energy(const std::string& name, const std::string& plane, const ContactEnergy& of, const std::string& equation) {
-        row(name + "_fracture_energy", plane, of.fracture_energy, "J/m2", equation);
-        row(name + "_ultimate_opening", plane, of.ultimate_opening * 1e3, "mm", "14");
-        row(name + "_contact_zone_length", plane, of.zone_length * 1e3, "mm",
-            "16 with the contact's strength: (9 pi/32) E~ Gf/tc^2");
     }
 
 private:
@@ -74,16 +60,13 @@ void write_plane(FpzWriter& table, const KnownRock& known, PlaneCondition condit
         table.row("critical_sliding", plane, fpz::critical_displacement(*known.contact_cohesion, ks) * 1e3, "mm", "11");
     }
     const auto energy = [&](const std::string& name, double value, const std::string& equation) {
-        if (!known.contact_tensile_strength) {
-            table.row(name + "_fracture_energy", plane, value, "J/m2", equation);
-            return;
-        }
+        table.row(name + "_fracture_energy", plane, value, "J/m2", equation);
+        if (!known.contact_tensile_strength) return;
         const double tc = *known.contact_tensile_strength;
-        table.energy(name, plane,
-                     {.fracture_energy = value,
-                      .ultimate_opening = fpz::ultimate_displacement(value, tc, fpz::critical_displacement(tc, kt)),
-                      .zone_length = fpz::contact_zone_length(rock, condition, value, tc)},
-                     equation);
+        const double opening = fpz::ultimate_displacement(value, tc, fpz::critical_displacement(tc, kt));
+        table.row(name + "_ultimate_opening", plane, opening * 1e3, "mm", "14");
+        table.row(name + "_contact_zone_length", plane, fpz::contact_zone_length(rock, condition, value, tc) * 1e3, "mm",
+                  "16 with the contact's strength: (9 pi/32) E~ Gf/tc^2");
     };
     energy("mixed_mode", fpz::mixed_mode_fracture_energy(rock, condition), "32");
     energy("mode_i", fpz::mode_i_fracture_energy(rock, condition), "32 with K_IC alone");

@@ -120,18 +120,6 @@ Command film_command() {
 
 namespace {
 
-struct ExportOptions {
-    std::string mesh;
-    std::optional<MeshFormat> format;
-};
-
-void add_export_options(OptionSet set, ExportOptions& options) {
-    add_output(set, options.mesh, "mesh: .msh (Gmsh), .vtu (VTK) or .inp (Abaqus); - is stdout");
-    add_choice<std::optional<MeshFormat>>(
-        set, "--format", options.format, {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}, {"abaqus", MeshFormat::abaqus}},
-        "MSH 2.2 of Gmsh, an XML file of VTK, or an input file of Abaqus; default: by the ending of --output");
-}
-
 std::string text_of(const SharedMesh& mesh, MeshFormat format, const std::string& specimen) {
     switch (format) {
         case MeshFormat::gmsh: return gmsh_text(mesh);
@@ -141,24 +129,33 @@ std::string text_of(const SharedMesh& mesh, MeshFormat format, const std::string
     return "";
 }
 
-void export_mesh(const ExportOptions& options, const Call& call) {
-    if (options.format) require_mesh_format(options.mesh, *options.format);
-    const MeshFormat format = options.format ? *options.format : mesh_format_of(options.mesh);
-    const H5Input file(call.file());
-    const SharedMesh mesh = share_nodes(read_specimen(file));
-    write_whole_file(options.mesh, text_of(mesh, format, file.name()));
-    const std::vector<std::string> lost = losses(mesh, format);
-    if (lost.empty()) return;
-    fmt::print(call.diagnostics(), "graincrack-post: export: {} {}\n", options.mesh == "-" ? "stdout" : printable(options.mesh),
-               fmt::join(lost, ", "));
-}
-
 }  // namespace
 
 Command export_command() {
-    return make_command<ExportOptions>("export", "the mesh of a specimen for other programs: Gmsh, VTK, Abaqus",
-                                       {"disc.h5 -o disc.msh", "uniaxial.h5 -o uniaxial.inp"},
-                                       FileArguments{"file", "specimen or run"}, add_export_options, export_mesh);
+    struct Options {
+        std::string mesh;
+        std::optional<MeshFormat> format;
+    };
+    return make_command<Options>(
+        "export", "the mesh of a specimen for other programs: Gmsh, VTK, Abaqus",
+        {"disc.h5 -o disc.msh", "uniaxial.h5 -o uniaxial.inp"}, FileArguments{"file", "specimen or run"},
+        [](OptionSet set, Options& options) {
+            add_output(set, options.mesh, "mesh: .msh (Gmsh), .vtu (VTK) or .inp (Abaqus); - is stdout");
+            add_choice<std::optional<MeshFormat>>(
+                set, "--format", options.format,
+                {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}, {"abaqus", MeshFormat::abaqus}},
+                "MSH 2.2 of Gmsh, an XML file of VTK, or an input file of Abaqus; default: by the ending of --output");
+        },
+        [](const Options& options, const Call& call) {
+            const MeshFormat format = mesh_format_of(options.mesh, options.format);
+            const H5Input file(call.file());
+            const SharedMesh mesh = share_nodes(read_specimen(file));
+            write_whole_file(options.mesh, text_of(mesh, format, file.name()));
+            const std::vector<std::string> lost = losses(mesh, format);
+            if (lost.empty()) return;
+            fmt::print(call.diagnostics(), "graincrack-post: export: {} {}\n",
+                       options.mesh == "-" ? "stdout" : printable(options.mesh), fmt::join(lost, ", "));
+        });
 }
 
 }  // namespace graincrack

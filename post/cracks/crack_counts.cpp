@@ -68,25 +68,20 @@ CrackCounts count_cracks_by_row(const RunData& run, const LoadCurve& curve, cons
 }
 
 void write_crack_counts(std::ostream& out, const CrackCounts& counts, TableFormat format) {
-    std::vector<std::string> columns{"time_s", "axial_strain", "stress_MPa", "is_peak", "tensile_cracks", "shear_cracks"};
-    for (const std::string& name : counts.classes) {
-        columns.push_back("tensile_cracks_" + name);
-        columns.push_back("shear_cracks_" + name);
+    using namespace unit;
+    using M = CrackCounts::Moment;
+    Columns<M> columns{{"time", second, [](const M& m) { return m.time; }},
+                       {"axial_strain", none, [](const M& m) { return m.axial_strain; }},
+                       {"stress", megapascal, [](const M& m) { return m.stress; }},
+                       {"is_peak", none, [](const M& m) { return m.is_peak ? 1 : 0; }},
+                       {"tensile_cracks", none, [](const M& m) { return count_cell(m.all.tensile); }},
+                       {"shear_cracks", none, [](const M& m) { return count_cell(m.all.shear); }}};
+    for (std::size_t i = 0; i < counts.classes.size(); ++i) {
+        const std::string& name = counts.classes[i];
+        columns.push_back({"tensile_cracks_" + name, none, [i](const M& m) { return count_cell(m.by_class[i].tensile); }});
+        columns.push_back({"shear_cracks_" + name, none, [i](const M& m) { return count_cell(m.by_class[i].shear); }});
     }
-    TableWriter table(out, columns, format);
-    for (const CrackCounts::Moment& m : counts.moments) {
-        std::vector<Cell> row{m.time,
-                              m.axial_strain,
-                              m.stress * 1e-6,
-                              std::int64_t{m.is_peak ? 1 : 0},
-                              count_cell(m.all.tensile),
-                              count_cell(m.all.shear)};
-        for (const ModeCounts& each : m.by_class) {
-            row.push_back(count_cell(each.tensile));
-            row.push_back(count_cell(each.shear));
-        }
-        table.row(row);
-    }
+    write_table(out, columns, counts.moments, format);
 }
 
 namespace {

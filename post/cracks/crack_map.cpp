@@ -33,9 +33,8 @@ namespace {
 
 /// A number with its unit as field data.
 void add_field(vtkDataObject* data, const char* name, double value, const char* unit) {
-    const auto array = make_array<vtkDoubleArray>(name, 1, 1, [&](std::size_t, double* v) { *v = value; });
-    set_unit(array, unit);
-    data->GetFieldData()->AddArray(array);
+    data->GetFieldData()->AddArray(
+        with_unit(make_array<vtkDoubleArray>(name, 1, 1, [&](std::size_t, double* v) { *v = value; }), unit));
 }
 
 void add_moment(vtkDataObject* data, const FrameMoment& moment) {
@@ -66,17 +65,14 @@ void add_stress(vtkCellData* cells, const std::vector<std::array<double, 4>>& st
         std::transform(all.begin(), all.end(), v, [](double value) { return static_cast<float>(value); });
     });
     constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-    set_unit(tensor, "Pa");
     for (std::size_t k = 0; k < names.size(); ++k) tensor->SetComponentName(static_cast<vtkIdType>(k), names[k]);
-    cells->AddArray(tensor);
+    cells->AddArray(with_unit(tensor, "Pa"));
     const auto principal = [&](const char* name, double sign) {
-        cells->AddArray(with_unit(make_array<vtkFloatArray>(name, 1, n,
-                                                            [&](std::size_t i, float* v) {
-                                                                const auto& [xx, yy, xy, zz] = stress[i];
-                                                                *v = static_cast<float>((xx + yy) / 2 +
-                                                                                        sign * std::hypot((xx - yy) / 2, xy));
-                                                            }),
-                                  "Pa"));
+        const auto array = make_array<vtkFloatArray>(name, 1, n, [&](std::size_t i, float* v) {
+            const auto& [xx, yy, xy, zz] = stress[i];
+            *v = static_cast<float>((xx + yy) / 2 + sign * std::hypot((xx - yy) / 2, xy));
+        });
+        cells->AddArray(with_unit(array, "Pa"));
     };
     principal("principal_stress_1", 1);
     principal("principal_stress_2", -1);
@@ -104,8 +100,7 @@ public:
     void real(const char* name, const char* unit, const Value& value) {
         const auto array =
             make_array<vtkDoubleArray>(name, 1, cracks_.size(), [&](std::size_t i, double* v) { *v = value(cracks_[i]); });
-        set_unit(array, unit);
-        cells_->AddArray(array);
+        cells_->AddArray(with_unit(array, unit));
     }
     template <class Value>
     void byte(const char* name, const Value& value) {

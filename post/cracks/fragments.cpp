@@ -20,13 +20,13 @@ double total_area(const Fragments& fragments) {
                            [](double sum, const Fragment& f) { return sum + f.area; });
 }
 
-}  // namespace
-
+/// True if a contact still connects its grains: a point of it is not separated.
 bool holds(const std::array<std::uint8_t, 2>& points) {
     constexpr auto separated = static_cast<std::uint8_t>(PointState::separated);
     return points[0] != separated || points[1] != separated;
 }
 
+/// Each crystal and each fragment that has a grain of it, ascending. \param fragment of each grain
 std::vector<std::array<std::size_t, 2>> parts_of_crystals(const Specimen& specimen, const std::vector<std::size_t>& fragment) {
     std::vector<std::array<std::size_t, 2>> parts;
     parts.reserve(specimen.n_grains());
@@ -36,6 +36,7 @@ std::vector<std::array<std::size_t, 2>> parts_of_crystals(const Specimen& specim
     return parts;
 }
 
+/// Centre of area of each grain, times its area, m³.
 std::vector<std::array<double, 2>> first_moments(const Specimen& s) {
     std::vector<std::array<double, 2>> moments(s.n_grains(), {0, 0});
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
@@ -47,6 +48,8 @@ std::vector<std::array<double, 2>> first_moments(const Specimen& s) {
     }
     return moments;
 }
+
+}  // namespace
 
 double Fragment::diameter() const { return 2 * std::sqrt(area / std::numbers::pi); }
 

@@ -29,15 +29,6 @@ struct Fragments {
     [[nodiscard]] std::size_t single_grains() const;
 };
 
-/// True if a contact still connects its grains: a point of it is not separated.
-bool holds(const std::array<std::uint8_t, 2>& points);
-
-/// Centre of area of each grain, times its area, m³.
-std::vector<std::array<double, 2>> first_moments(const Specimen& specimen);
-
-/// Each crystal and each fragment that has a grain of it, ascending. \param fragment of each grain
-std::vector<std::array<std::size_t, 2>> parts_of_crystals(const Specimen& specimen, const std::vector<std::size_t>& fragment);
-
 /// Two grains are connected if a contact between them has a point that is not separated. \param state of the frame, [c]
 Fragments find_fragments(const Specimen& specimen, const std::vector<std::array<std::uint8_t, 2>>& state);
 

@@ -29,11 +29,10 @@ vtkSmartPointer<Array> make_array(const char* name, int components, std::size_t 
     return array;
 }
 
-/// The unit as ParaView shows it.
-inline void set_unit(vtkDataArray* array, const char* unit) { array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit); }
+/// The array with its unit, as ParaView shows it.
 template <class Array>
 vtkSmartPointer<Array> with_unit(vtkSmartPointer<Array> array, const char* unit) {
-    set_unit(array, unit);
+    array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit);
     return array;
 }
 

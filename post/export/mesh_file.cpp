@@ -35,12 +35,6 @@ struct FormatEnding {
 constexpr std::array<FormatEnding, 3> endings{
     {{".msh", MeshFormat::gmsh}, {".vtu", MeshFormat::vtu}, {".inp", MeshFormat::abaqus}}};
 
-const FormatEnding* ending_of(const std::string& output) {
-    const auto fits = [&](const FormatEnding& each) { return output.ends_with(each.ending); };
-    const auto found = std::find_if(endings.begin(), endings.end(), fits);
-    return found == endings.end() ? nullptr : &*found;
-}
-
 /// Appends numbers, each in the fewest digits that read back exactly, with something between them.
 template <class... Numbers>
 void append(std::string& text, char between, Numbers... numbers) {
@@ -105,20 +99,21 @@ void append_sets(std::string& text, const SharedMesh& mesh) {
 
 }  // namespace
 
-MeshFormat mesh_format_of(const std::string& output) {
+MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFormat>& chosen) {
+    const auto fits = [&](const FormatEnding& each) { return output.ends_with(each.ending); };
+    const auto* const known = std::find_if(endings.begin(), endings.end(), fits);
+    const bool is_known = !is_stream(output) && known != endings.end();
+    if (chosen && is_known && known->format != *chosen) {
+        throw UsageError(
+            fmt::format("--output {}: ends in {}, and --format is another; leave one of them out", output, known->ending));
+    }
+    if (chosen) return *chosen;
+    if (is_known) return known->format;
     if (is_stream(output)) {
         throw UsageError(fmt::format("--output {}: the format is missing; give --format gmsh, vtu or abaqus", output));
     }
-    if (const FormatEnding* const known = ending_of(output)) return known->format;
     throw UsageError(
         fmt::format("--output {}: its name must end in .msh, .vtu or .inp, or --format gmsh, vtu or abaqus be given", output));
-}
-
-void require_mesh_format(const std::string& output, MeshFormat format) {
-    const FormatEnding* const known = is_stream(output) ? nullptr : ending_of(output);
-    if (known == nullptr || known->format == format) return;
-    throw UsageError(
-        fmt::format("--output {}: ends in {}, and --format is another; leave one of them out", output, known->ending));
 }
 
 std::string gmsh_text(const SharedMesh& mesh) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,10 +44,9 @@ SharedMesh share_nodes(const Specimen& specimen);
 
 enum class MeshFormat { gmsh, vtu, abaqus };
 
-/// The format that the name of a file asks for: .msh, .vtu or .inp. \throws UsageError for another ending, or a stream
-MeshFormat mesh_format_of(const std::string& output);
-/// Checks that a format that was chosen is not that of another ending. \throws UsageError
-void require_mesh_format(const std::string& output, MeshFormat format);
+/// The format that was chosen, else the one that the name of a file asks for: .msh, .vtu or .inp.
+/// \throws UsageError for another ending or a stream without a choice, and for the ending of another format
+MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFormat>& chosen = {});
 
 /// MSH 2.2 ASCII. Triangles are numbered as elements are, from 1: their tags are phase + 1 and grain + 1. Lines follow, with tags
 /// beyond those of the phases and the grains. Coordinates in m, in the fewest digits that read back exactly.

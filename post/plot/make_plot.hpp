@@ -49,17 +49,4 @@ Command make_plot(std::string name, std::string help, std::vector<std::string> e
                                  });
 }
 
-/// The level axis of a picture of the course of a test. Time spreads what happens at a peak: the platens slow down
-/// there, and the strain hardly changes while a specimen breaks.
-enum class Abscissa { time, strain };
-void add_abscissa(OptionSet set, Abscissa& abscissa);
-
-/// An axis with the values of a run's history on it.
-struct Course {
-    Axis axis;
-    std::vector<double> values;
-};
-/// Time in ms, or axial strain in %, positive in the sense of the test; time for a run that was not loaded along its axis.
-Course course_of(const RunData& run, Abscissa abscissa);
-
 }  // namespace graincrack

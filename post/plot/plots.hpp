@@ -115,6 +115,10 @@ Command rosette_plot();
 
 // --- counts ---
 
+/// The level axis of a picture of the course of a test. Time spreads what happens at a peak: the platens slow down
+/// there, and the strain hardly changes while a specimen breaks.
+enum class Abscissa { time, strain };
+
 /// Counts over a test, stress behind them on a scale of its own. With one pair: tensile red, shear black; with several: a colour
 /// a pair, shear dashed; pairs without cracks of a mode have no curve, and beyond six those with the fewest share one.
 /// \param counts at every row of the run's history \param definition of its cracks in words
@@ -193,7 +197,7 @@ Command surface_plot();
 
 /// Which curves of the laws are drawn.
 struct LawPlotOptions {
-    std::vector<std::string> laws;  ///< names; empty: all
+    std::vector<std::string> laws;                        ///< names; empty: all
     double normal_stress = 20e6;                          ///< compression under which a contact is sheared, Pa
     std::string own = std::string(name_of(default_law));  ///< of the material, whose curve is black
 };

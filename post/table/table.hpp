@@ -38,8 +38,6 @@ public:
 private:
     std::variant<std::monostate, double, std::int64_t, std::string> value_;
 };
-/// A cell from a value that may be missing.
-inline Cell cell(const std::optional<double>& value) { return value; }
 /// A count as an integer cell, or as a number if it is a half.
 Cell count_cell(double count);
 

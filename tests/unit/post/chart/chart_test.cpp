@@ -4,11 +4,18 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "post/chart/axis.hpp"
+#include "post/chart/drawing.hpp"
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
+#include "post/chart/picture_style.hpp"
+#include "post/command_line.hpp"
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 #include "tests/support/drawing_shapes.hpp"
+#include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
 namespace {
@@ -176,21 +183,6 @@ TEST(Chart, LogarithmicScaleSpacesDecadesEvenly) {
     EXPECT_NEAR(lines[0].points[1].x, (lines[0].points[0].x + lines[0].points[2].x) / 2, 1e-9);
 }
 
-TEST(Chart, ALongLegendEntryIsBrokenWithinThePage) {
-    Chart chart = unit_chart();
-    std::string words;
-    for (int i = 0; i < 20; ++i) words += "several words ";
-    chart.legend(Stroke{pen, 2}, words);
-    chart.legend(Stroke{pen, 2}, "after");
-    const Drawing page = chart.finish();
-    double lowest = 0;
-    for (const Text& text : texts_of(page)) {
-        EXPECT_LE(text.at.x + text_width(text.label, text.size, text.bold), page.width());
-        if (text.label.find("several") != std::string::npos) lowest = std::max(lowest, text.at.y);
-    }
-    EXPECT_GT(texts_of(page).back().at.y, lowest);
-}
-
 TEST(Chart, ALongNameInTheLegendLosesItsMiddle) {
     Chart chart = unit_chart();
     std::string name = "φ-first";
@@ -209,16 +201,6 @@ TEST(Chart, ALongNameInTheLegendLosesItsMiddle) {
     EXPECT_EQ(found, 1);
 }
 
-TEST(Chart, LegendWrapsAndThePageGrows) {
-    Chart few = unit_chart();
-    few.legend(Stroke{pen, 2}, "one");
-    Chart many = unit_chart();
-    for (int i = 0; i < 12; ++i) many.legend(Stroke{pen, 2}, "an entry of some length");
-    const Drawing page = many.finish();
-    EXPECT_GT(page.height(), few.finish().height() + 100);
-    for (const Text& text : texts_of(page)) EXPECT_LT(text.at.y, page.height());
-}
-
 TEST(Chart, RangesLeaveNaNOut) {
     const auto [low, high] = padded_range(std::vector<double>{1, std::nan(""), 3}, 0.1);
     EXPECT_DOUBLE_EQ(low, 0.8);
@@ -227,6 +209,116 @@ TEST(Chart, RangesLeaveNaNOut) {
     const auto [one_low, one_high] = padded_range(std::vector<double>{5}, 0.1);
     EXPECT_LT(one_low, 5);
     EXPECT_GT(one_high, 5);
+}
+
+TEST(Drawing, MarksOfOneKindThatFollowEachOtherAreOneShape) {
+    Drawing drawing(100, 50);
+    for (double x : {0.0, 20.0, 40.0}) drawing.polygon({{x, 0}, {x + 10, 0}, {x, 10}}, palette::grain);
+    drawing.rectangle({0, 0}, {1, 1}, palette::grain);  // other sides
+    drawing.line({0, 0}, {5, 5}, 2, palette::tensile);
+    drawing.line({5, 5}, {9, 5}, 2, palette::tensile);
+    drawing.line({5, 5}, {9, 5}, 3, palette::tensile);
+    EXPECT_EQ(drawing.shapes().size(), 4U);
+    EXPECT_EQ(drawing.n_marks(), 7U);
+    Drawing page(200, 100);
+    page.add(drawing, {100, 50});
+    EXPECT_EQ(std::get<Polygons>(page.shapes()[0])[2][1].x, 150);
+    EXPECT_EQ(std::get<Strokes>(page.shapes()[2]).ends.back().y, 55);
+}
+
+TEST(Drawing, TicksAreRoundAndInside) {
+    EXPECT_EQ(round_ticks(0, 10, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
+    const std::vector<double> ticks = round_ticks(-0.21, 0.62, 8);
+    ASSERT_FALSE(ticks.empty());
+    EXPECT_GE(ticks.front(), -0.21);
+    EXPECT_LE(ticks.back(), 0.62);
+    EXPECT_TRUE(round_ticks(1, 1, 5).empty());
+}
+
+TEST(PictureStyle, LimitsAreTwoNumbersInTheUnitOfTheAxis) {
+    const AxisLimits limits = parse_limits("-0.2, 0.4", "--x-limits");
+    EXPECT_DOUBLE_EQ(limits.low, -0.2);
+    EXPECT_DOUBLE_EQ(limits.high, 0.4);
+    for (const char* wrong : {"0.4", "0,", "a,b", "0,inf", "0,4mm"}) {
+        test::expect_one_line<UsageError>([&] { (void)parse_limits(wrong, "--x-limits"); }, {"--x-limits", wrong, "0,0.4 fits"});
+    }
+    test::expect_one_line<UsageError>([&] { (void)parse_limits("0.4,0.4", "--y-limits"); }, {"--y-limits 0.4,0.4", "below"});
+    const Axis strain{"strain, % (lateral left, axial right)", -1, 1};
+    EXPECT_EQ(strain.unit(), "%");
+    EXPECT_DOUBLE_EQ(strain.limited(limits).high, 0.4);
+    test::expect_one_line<UsageError>(
+        [&] {
+            (void)Axis({"n", 1, 9, true}).limited(parse_limits("0,4", "--y-limits"));
+        },
+        {"logarithmic", "above 0"});
+}
+
+TEST(PictureStyle, LimitsThatShowNothingAreRefused) {
+    const auto draw = [](const std::string& limits) {
+        PictureStyle style;
+        style.x_limits = parse_limits(limits, "--x-limits");
+        Chart chart(style, {}, {"x, mm", 0, 1}, {"y", 0, 1});
+        chart.line(std::vector<double>{0, 1}, std::vector<double>{0, 1}, Stroke{});
+        (void)chart.finish();
+    };
+    EXPECT_NO_THROW(draw("0.5,3"));
+    test::expect_one_line<UsageError>([&] { draw("5,6"); }, {"--x-limits 5,6", "nothing lies there", "0,1"});
+}
+
+TEST(PictureStyle, ALabelNamesAFileOfThePicture) {
+    PictureStyle style;
+    style.labels = {parse_run_label("uniaxial=dry, fast"), parse_run_label("runs/wet.h5=wet = slow")};
+    EXPECT_EQ(style.label_of("runs/uniaxial.h5"), "dry, fast");
+    EXPECT_EQ(style.label_of("runs/wet.h5"), "wet = slow");
+    EXPECT_EQ(style.label_of("other.h5"), "");
+    test::expect_one_line<UsageError>(
+        [&] {
+            style.require_labels_of({"uniaxial.h5", "dry.h5"});
+        },
+        {"--label runs/wet.h5", "uniaxial.h5, dry.h5"});
+    for (const char* wrong : {"uniaxial.h5", "=dry", "uniaxial.h5="}) {
+        test::expect_one_line<UsageError>([&] { (void)parse_run_label(wrong); }, {"--label", wrong});
+    }
+}
+
+TEST(PictureStyle, LettersGrowLessThanThePicture) {
+    const auto points = [](double width) { return letters::text * width / 0.0254 * 72 / page_width_on_paper(width); };
+    EXPECT_GE(points(0.06), 6);
+    EXPECT_GE(points(0.084), 6);
+    EXPECT_LT(points(0.084), 7);
+    EXPECT_GT(points(0.174), 7.5);
+    EXPECT_LT(points(0.174), 9);
+}
+
+TEST(PictureStyle, EveryPictureTakesTheOptions) {
+    const test::TemporaryFolder folder;
+    const std::string run = folder.file("run.h5");
+    test::write_run(run, {});
+    const auto svg_of = [&](std::vector<std::string> words) {
+        const std::string picture = folder.file("picture.svg");
+        words.insert(words.begin(), {"graincrack-post", "plot"});
+        words.insert(words.end(), {"-o", picture});
+        std::vector<const char*> arguments;
+        for (const std::string& word : words) arguments.push_back(word.c_str());
+        std::ostringstream out;
+        run_command_line(static_cast<int>(arguments.size()), arguments.data(), out);
+        return test::read_text(picture);
+    };
+    for (const char* plot :
+         {"specimen", "curve", "strength", "cracks", "fragments", "rosette", "counts", "energy", "thresholds"}) {
+        EXPECT_NE(svg_of({plot, run, "--title", "My own words"}).find("My own words"), std::string::npos) << plot;
+    }
+    EXPECT_NE(svg_of({"cracks", run, "--frame", "first,last", "--title", "My own words"}).find("My own words"),
+              std::string::npos);
+    EXPECT_NE(svg_of({"law", run, "--title", "My own words"}).find("My own words"), std::string::npos);
+    EXPECT_NE(svg_of({"curve", run, "--label", "run.h5=dry"}).find("dry\n"), std::string::npos);
+    EXPECT_NE(svg_of({"curve", run, "--x-limits", "-0.1,0.2", "--y-limits", "0,500"}).find("\n500\n"), std::string::npos);
+    test::expect_one_line<UsageError>([&] { (void)svg_of({"curve", run, "--label", "wet.h5=wet"}); }, {"wet.h5", "run.h5"});
+    test::expect_one_line<UsageError>(
+        [&] {
+            (void)svg_of({"energy", run, "--x", "strain", "--x-limits", "90,91"});
+        },
+        {"--x-limits 90,91"});
 }
 
 }  // namespace

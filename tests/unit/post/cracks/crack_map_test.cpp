@@ -252,7 +252,7 @@ TEST_F(CrackMap, CrackLogAndRosetteAreTables) {
     EXPECT_EQ(test::field(summary, "peak_kind", 1), "drop");
     EXPECT_EQ(test::field(summary, "fragments", 1), "1");
     const Rosette rosette = crack_rosette(cracks, recipe_.specimen);
-    const auto share = [](const std::optional<double>& value) { return cell(value).text(); };
+    const auto share = [](const std::optional<double>& value) { return Cell(value).text(); };
     EXPECT_EQ(test::field(summary, "tensile_share_within_30_deg", 1), share(share_along_load(rosette.tensile)));
     EXPECT_EQ(test::field(summary, "facet_share_within_30_deg", 0), share(share_along_load(rosette.facet)));
     const double length = std::stod(test::field(summary, "tensile_length_m", 1));

@@ -10,9 +10,11 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "share/base/error.hpp"
@@ -96,27 +98,13 @@ TEST(MeshFile, CoordinatesReadBackExactly) {
     }
 }
 
-TEST(MeshFile, ElementsKeepTheirOrderCornersGrainsAndPhases) {
+TEST(MeshFile, LinesOfASetHaveAtMost16Numbers) {
     Specimen s = test::crossed_blocks(4, 4, 0.1, 0.1, [](int i, int j) { return j / 2 * 2 + i / 2; });
     s.phase_names = {"quartz", "mica"};
     s.grain_phase = {0, 1, 1, 0};
-    const SharedMesh mesh = share_nodes(s);
-    const auto gmsh = rows_behind(gmsh_text(mesh), "$Elements");
-    ASSERT_EQ(gmsh.size(), 1 + mesh.triangles.size() + mesh.sides.size());
-    EXPECT_EQ(gmsh[0], std::vector<std::string>{std::to_string(gmsh.size() - 1)});
-    const auto abaqus = rows_behind(abaqus_text(mesh, ""), "*Element, type=CPE3");
-    ASSERT_EQ(abaqus.size(), mesh.triangles.size());
-    const auto text = [](auto number) { return std::to_string(number); };
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto& [i, j, k] = mesh.triangles[t];
-        const std::size_t grain = static_cast<std::size_t>(mesh.triangle_grain[t]);
-        EXPECT_EQ(gmsh[t + 1], (std::vector<std::string>{text(t + 1), "2", "2", text(s.grain_phase[grain] + 1), text(grain + 1),
-                                                         text(i + 1), text(j + 1), text(k + 1)}));
-        EXPECT_EQ(abaqus[t], (std::vector<std::string>{text(t + 1), text(i + 1), text(j + 1), text(k + 1)}));
-    }
-    // Lines of a set have at most 16 numbers.
-    EXPECT_EQ(rows_behind(abaqus_text(mesh, ""), "*Elset, elset=face2").size(), 1U);
-    const auto mica = rows_behind(abaqus_text(mesh, ""), "*Elset, elset=PHASE_mica");
+    const std::string text = abaqus_text(share_nodes(s), "");
+    EXPECT_EQ(rows_behind(text, "*Elset, elset=face2").size(), 1U);
+    const auto mica = rows_behind(text, "*Elset, elset=PHASE_mica");
     ASSERT_EQ(mica.size(), 2U);
     EXPECT_EQ(mica[0].front(), "17");
     EXPECT_EQ(mica[1].back(), "48");
@@ -165,10 +153,10 @@ TEST(MeshFile, FormatIsThatOfTheEnding) {
     EXPECT_EQ(mesh_format_of("a.inp"), MeshFormat::abaqus);
     test::expect_one_line<UsageError>([] { (void)mesh_format_of("a.stl"); }, {"--output a.stl", ".msh, .vtu or .inp"});
     test::expect_one_line<UsageError>([] { (void)mesh_format_of("-"); }, {"--output -", "--format gmsh, vtu or abaqus"});
-    test::expect_one_line<UsageError>([] { require_mesh_format("a.vtu", MeshFormat::gmsh); }, {"--output a.vtu", "--format"});
-    EXPECT_NO_THROW(require_mesh_format("a.vtu", MeshFormat::vtu));
-    EXPECT_NO_THROW(require_mesh_format("a.txt", MeshFormat::vtu));
-    EXPECT_NO_THROW(require_mesh_format("-", MeshFormat::abaqus));
+    test::expect_one_line<UsageError>([] { (void)mesh_format_of("a.vtu", MeshFormat::gmsh); }, {"--output a.vtu", "--format"});
+    EXPECT_EQ(mesh_format_of("a.vtu", MeshFormat::vtu), MeshFormat::vtu);
+    EXPECT_EQ(mesh_format_of("a.txt", MeshFormat::vtu), MeshFormat::vtu);
+    EXPECT_EQ(mesh_format_of("-", MeshFormat::abaqus), MeshFormat::abaqus);
 }
 
 TEST(MeshVtk, TrianglesReadBackWithGrainsAndPhases) {
@@ -209,6 +197,119 @@ TEST(MeshVtk, TrianglesReadBackWithGrainsAndPhases) {
     ASSERT_NE(names, nullptr);
     ASSERT_EQ(names->GetNumberOfValues(), 2);
     EXPECT_EQ(names->GetValue(1), "mica");
+}
+
+/// Two triangles side by side, split by a diagonal: six nodes at four places.
+Specimen square() { return test::one_diagonal_grid(1, 1, 0.2, 0.1); }
+
+TEST(SharedMesh, HasEachPointOnceInTheOrderOfItsLowestNode) {
+    const Specimen s = square();
+    ASSERT_EQ(s.n_nodes(), 6U);
+    const SharedMesh mesh = share_nodes(s);
+    ASSERT_EQ(mesh.points.size(), 4U);
+    // The nodes of the first grain are its own; of the second, one is.
+    for (std::size_t node = 0; node < 3; ++node) EXPECT_EQ(mesh.points[node], s.node_position[node]);
+    EXPECT_EQ(mesh.points[3], s.node_position[5]);
+    ASSERT_EQ(mesh.triangles.size(), 2U);
+    EXPECT_EQ(mesh.triangles[0], (std::array<std::int32_t, 3>{0, 1, 2}));
+    EXPECT_EQ(mesh.triangles[1], (std::array<std::int32_t, 3>{0, 2, 3}));
+}
+
+TEST(SharedMesh, APointLiesWhereItsLowestNodeDoes) {
+    Specimen s = square();
+    const auto lowest = s.node_position[0];
+    s.node_position[3][0] += 1e-12;  // of the other grain, within what a contact may be off
+    EXPECT_EQ(share_nodes(s).points[0], lowest);
+    EXPECT_EQ(share_nodes(s).points.size(), 4U);
+}
+
+TEST(SharedMesh, PointsAroundAVertexAreOne) {
+    const Specimen s = test::jittered_grid(5, 7, 0.1, 0.14, 0.2);
+    const SharedMesh mesh = share_nodes(s);
+    EXPECT_EQ(mesh.points.size(), 6U * 8U);
+    std::set<std::array<double, 2>> places(mesh.points.begin(), mesh.points.end());
+    EXPECT_EQ(places.size(), mesh.points.size());
+    for (std::size_t e = 0; e < s.n_elements(); ++e) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_EQ(mesh.points[static_cast<std::size_t>(mesh.triangles[e][k])],
+                      s.node_position[static_cast<std::size_t>(s.element_nodes[e][k])]);
+        }
+    }
+    std::int32_t next = 0;  // every point appears before those of a higher number
+    for (const auto& corners : mesh.triangles) {
+        for (const std::int32_t point : corners) {
+            EXPECT_LE(point, next);
+            next = std::max(next, point + 1);
+        }
+    }
+}
+
+TEST(SharedMesh, SidesOfACutThatIsNoContactStayApart) {
+    Specimen s = test::one_diagonal_grid(2, 1, 0.2, 0.1);
+    test::cut_contacts(s, [](double x, double) { return std::abs(x) < 1e-9; });
+    EXPECT_EQ(share_nodes(s).points.size(), 6U + 2U);  // the middle twice, at both ends
+}
+
+TEST(SharedMesh, BoundaryKeepsItsOrderAndDirection) {
+    Specimen s = test::one_diagonal_grid(3, 2, 0.3, 0.2);
+    test::name_boundary(s, "seat", [](double x, double y) { return x > 0 && y < -0.09; });
+    const SharedMesh mesh = share_nodes(s);
+    EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"bottom", "right", "top", "left", "seat"}));
+    ASSERT_EQ(mesh.sides.size(), s.n_boundary_edges());
+    for (std::size_t b = 0; b < mesh.sides.size(); ++b) {
+        EXPECT_EQ(mesh.side_names[mesh.sides[b].name], s.part_names[s.boundary_part[b]]);
+        EXPECT_EQ(mesh.points[static_cast<std::size_t>(mesh.sides[b].from)],
+                  s.node_position[static_cast<std::size_t>(s.boundary_edges[b][0])]);
+        EXPECT_EQ(mesh.points[static_cast<std::size_t>(mesh.sides[b].to)],
+                  s.node_position[static_cast<std::size_t>(s.boundary_edges[b][1])]);
+    }
+}
+
+TEST(SharedMesh, CracksAndFlawsAreSidesWithNames) {
+    Specimen s = test::jittered_grid(3, 3, 0.3, 0.3, 0);
+    ASSERT_GE(s.n_contacts(), 6U);
+    s.flaw_names = {"vein", "joint"};
+    s.contact_flaw.assign(s.n_contacts(), 0);
+    s.contact_flaw[1] = 2;
+    s.contact_flaw[2] = 1;
+    s.contact_flaw[4] = 2;
+    s.contact_kind[3] = s.contact_kind[4] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
+    const SharedMesh mesh = share_nodes(s);
+    EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"bottom", "right", "top", "left", "crack", "flaw-vein", "flaw-joint",
+                                                         "flaw-joint-broken"}));
+    ASSERT_EQ(mesh.sides.size(), s.n_boundary_edges() + 4);
+    const std::array<const char*, 4> names{"flaw-joint", "flaw-vein", "crack", "flaw-joint-broken"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const NamedSide& side = mesh.sides[s.n_boundary_edges() + i];
+        EXPECT_EQ(mesh.side_names[side.name], names[i]);
+        const auto& nodes = s.contact_nodes[i + 1];
+        EXPECT_EQ(mesh.points[static_cast<std::size_t>(side.from)], s.node_position[static_cast<std::size_t>(nodes[0])]);
+        EXPECT_EQ(mesh.points[static_cast<std::size_t>(side.to)], s.node_position[static_cast<std::size_t>(nodes[1])]);
+    }
+}
+
+TEST(SharedMesh, OpenBoundariesHaveANameOfTheirOwn) {
+    Specimen s = test::one_diagonal_grid(2, 2, 0.2, 0.2);
+    s.contact_kind[0] = static_cast<std::uint8_t>(ContactKind::open_boundary);
+    const SharedMesh mesh = share_nodes(s);
+    EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"bottom", "right", "top", "left", "open-boundary"}));
+    EXPECT_EQ(mesh.sides.size(), s.n_boundary_edges() + 1);
+}
+
+TEST(SharedMesh, APartThatIsCalledCrackAndCracksHaveOneName) {
+    Specimen s = test::one_diagonal_grid(2, 2, 0.2, 0.2);
+    test::name_boundary(s, "crack", [](double, double y) { return y < -0.09; });
+    test::break_contacts(s, [](double, double y) { return std::abs(y) < 1e-9; });
+    const SharedMesh mesh = share_nodes(s);
+    EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"right", "top", "left", "crack"}));
+    EXPECT_EQ(std::count_if(mesh.sides.begin(), mesh.sides.end(), [](const NamedSide& side) { return side.name == 3; }), 4);
+}
+
+TEST(SharedMesh, SaysWhetherContactsHaveStrengthFactors) {
+    Specimen s = square();
+    EXPECT_FALSE(share_nodes(s).has_strength_factors);
+    s.contact_strength_factor.assign(s.n_contacts(), 1.1);
+    EXPECT_TRUE(share_nodes(s).has_strength_factors);
 }
 
 }  // namespace

@@ -109,13 +109,6 @@ TEST_F(ThresholdsPlot, AllDefinitionsHaveMarksAndThoseThatCoincideShareOne) {
     EXPECT_TRUE(says(same, "of the peak; the same by 1\u00a0% of the points damaged by 10\u00a0%\n")) << same.words();
 }
 
-TEST_F(ThresholdsPlot, SaysWhatIsNotReached) {
-    const Drawing page = draw_thresholds(run());  // elastic up to the peak
-    EXPECT_TRUE(says(page, "crack initiation CI: not reached before the peak\n"));
-    EXPECT_TRUE(says(page, "crack damage CD: not reached before the peak\n"));
-    EXPECT_EQ(lines_of(page, palette::shear, 3).size(), 1U);  // in the legend
-}
-
 TEST_F(Plot, EnergyIsOverTimeOrStrainAndLeavesOutWhatIsNothing) {
     RunData data = run();
     for (double& value : data.history[HistoryColumn::energy_external]) value = 1000;
@@ -129,18 +122,6 @@ TEST_F(Plot, EnergyIsOverTimeOrStrainAndLeavesOutWhatIsNothing) {
     EXPECT_TRUE(says(page, "kinetic")) << page.words();
     EXPECT_TRUE(lines_of(page, palette::series(6), 2.5).empty());
     EXPECT_TRUE(says(draw_energy(data, Abscissa::strain), "axial strain, %\n"));
-}
-
-TEST_F(Plot, TheFallBehindThePeakIsWideOverTime) {
-    const RunData data = run();
-    const auto spread = [&](Abscissa abscissa) {
-        const Course course = course_of(data, abscissa);
-        const std::size_t peak = load_curve(data).peak;
-        return (course.values.back() - course.values[peak]) / course.axis.high;
-    };
-    EXPECT_NEAR(spread(Abscissa::time), 0.25 / 1.25 / 1.03, 0.01);  // of 1.25 s the last 0.25
-    EXPECT_EQ(course_of(data, Abscissa::time).axis.label, "time, ms");
-    EXPECT_EQ(course_of(data, Abscissa::strain).axis.label, "axial strain, %");
 }
 
 TEST_F(Plot, CountsNamePairsOfMineralsAndLeaveOutThoseWithoutCracks) {

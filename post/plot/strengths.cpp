@@ -1,3 +1,4 @@
+// Strengths of several tests: by test, as an envelope, and against the size of grains.
 #include "post/plot/plots.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Maps of a specimen: its grains, its cracks, its fragments.
 #include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
@@ -84,13 +85,21 @@ struct Scene {
     }
 };
 
-/// \return whether there are cracks from before the test
-bool draw_state(MapView& map, const Scene& scene, const Standing& now, const std::vector<Crack>& present) {
+/// Cracks by mode and from before the test, and phases. \param tensile what stands behind the words for tensile cracks
+std::vector<LegendEntry> crack_legend(const Specimen& specimen, const std::string& tensile, const std::string& shear) {
+    std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks" + tensile},
+                                    {Stroke{palette::shear, 6}, "shear cracks" + shear}};
+    if (has_pre_existing_cracks(specimen)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
+    for (LegendEntry& phase : phase_legend(specimen)) legend.push_back(std::move(phase));
+    return legend;
+}
+
+void draw_state(MapView& map, const Scene& scene, const Standing& now, const std::vector<Crack>& present) {
     std::optional<PlatensAtStrain> platens;
     if (has_platens_to_draw(scene.data)) {
         platens = {read_platen_faces(scene.run.file(), scene.specimen), scene.options.magnification * now.axial_strain};
     }
-    return draw_crack_state(map, scene.specimen, platens, present);
+    draw_crack_state(map, scene.specimen, platens, present);
 }
 
 /// The part of a frame that a map shows; the frame itself is released.
@@ -115,12 +124,10 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
                     fmt::format("law {}, fracture energy {}", header.contact_law, header.fracture_energy_choice),
                     standing_label(now, stress_name(scene.data), scene.options.magnification)}};
     MapView map(specimen, std::move(shot.places), text, {scene.style, scene.options.largest_height});
-    std::vector<LegendEntry> legend{
-        {Stroke{palette::tensile, 6}, "tensile cracks: " + cracked_contacts(present, CrackMode::tensile)},
-        {Stroke{palette::shear, 6}, "shear cracks: " + cracked_contacts(present, CrackMode::shear)}};
-    if (draw_state(map, scene, now, present)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
-    for (LegendEntry& phase : phase_legend(specimen)) legend.push_back(std::move(phase));
-    map.draw_legend(legend, scene.notes());
+    draw_state(map, scene, now, present);
+    map.draw_legend(crack_legend(specimen, ": " + cracked_contacts(present, CrackMode::tensile),
+                                 ": " + cracked_contacts(present, CrackMode::shear)),
+                    scene.notes());
     return std::move(map).drawing();
 }
 
@@ -202,11 +209,8 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
         page.set_height(page.height() + maps.drawing.height());
         scale = maps.scale;
     }
-    std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks"},
-                                    {Stroke{palette::shear, 6}, "shear cracks (counts are contacts)"}};
-    if (has_pre_existing_cracks(scene.specimen)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
-    for (LegendEntry& phase : phase_legend(scene.specimen)) legend.push_back(std::move(phase));
-    const LegendEnd end = draw_legend(page, legend, column, page.height() + 6);
+    const LegendEnd end =
+        draw_legend(page, crack_legend(scene.specimen, "", " (counts are contacts)"), column, page.height() + 6);
     const double bottom = draw_scale_bar(page, scale, column, end);
     page.set_height(draw_heading(page, {"", scene.notes()}, column, bottom) + 14);
     return page;
