@@ -101,8 +101,8 @@ void StageController::visit_state(Self& self, Visit&& visit) {
 void StageController::take_over(const StageControllerState& state) {
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
         const std::string name = name_of_amplitude(program_.boundary_conditions[condition], action);
-        if (const double* const value = find_value(state.boundary_conditions, name))
-            amplitudes_[amplitude].function.value = *value;
+        const double* const value = find_value(state.boundary_conditions, name);
+        if (value != nullptr) amplitudes_[amplitude].function.value = *value;
     });
     platens_.take_over(program_.platens ? state.platen_speed : 0, state.mean_compression);
 }

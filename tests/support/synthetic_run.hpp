@@ -287,15 +287,6 @@ inline std::string field(const std::string& tsv, const std::string& column, std:
     return "(no such column)";
 }
 
-/// Makes joints of the contacts that lie inside of a region. \param inside of a point
-template <class Inside>
-void break_contacts(Specimen& s, const Inside& inside) {
-    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
-        const auto at = [&](std::size_t end) { return s.node_position[static_cast<std::size_t>(s.contact_nodes[c][end])]; };
-        if (inside(at(0)) && inside(at(1))) s.contact_kind[c] = 1;
-    }
-}
-
 inline std::string read_text(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

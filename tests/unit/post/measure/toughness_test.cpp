@@ -8,6 +8,7 @@
 
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/specimens.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -22,7 +23,7 @@ Recipe notched_tension(double left, double right) {
     recipe.test = "tension";
     recipe.peak = 6e6;
     test::break_contacts(recipe.specimen,
-                         [&](const auto& p) { return std::abs(p[1]) < 1e-9 && p[0] > left - 1e-9 && p[0] < right + 1e-9; });
+                         [&](double x, double y) { return std::abs(y) < 1e-9 && x > left - 1e-9 && x < right + 1e-9; });
     return recipe;
 }
 
@@ -75,7 +76,7 @@ Recipe bent(const std::string& shape, double notch) {
     recipe.specimen = test::grid_specimen(18, 10, 0.09, 0.02);
     recipe.peak = 2e3 / 0.09;  // load over length
     recipe.specimen.shape = shape;
-    test::break_contacts(recipe.specimen, [&](const auto& p) { return std::abs(p[0]) < 1e-9 && p[1] < notch - 0.01 + 1e-9; });
+    test::break_contacts(recipe.specimen, [&](double x, double y) { return std::abs(x) < 1e-9 && y < notch - 0.01 + 1e-9; });
     return recipe;
 }
 

@@ -5,6 +5,7 @@
 
 #include "post/measure/toughness.hpp"
 #include "post/report/test_report.hpp"
+#include "tests/support/specimens.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -116,7 +117,7 @@ TEST_F(Comparison, ToughnessIsThatOfHalfDiscsWithASlit) {
     };
     const calibrate::Target target = calibrate::target_of("toughness", "test");
     EXPECT_FALSE(value_of(report(), target));  // without a slit
-    test::break_contacts(recipe.specimen, [](const auto& p) { return std::abs(p[0]) < 1e-9 && p[1] < 1e-9; });
+    test::break_contacts(recipe.specimen, [](double x, double y) { return std::abs(x) < 1e-9 && y < 1e-9; });
     const double expected = half_disc_intensity(0.5e6 * 0.08, 0.02, 0.048, 0.04);
     tests_.push_back(report());
     EXPECT_NEAR(value_of(tests_.back(), target).value(), expected, 1e-5 * expected);
