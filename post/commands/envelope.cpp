@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "post/fit/fit_options.hpp"
+#include "post/fit/envelope.hpp"
 #include "post/options/command.hpp"
 #include "post/table/column.hpp"
 

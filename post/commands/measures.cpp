@@ -3,7 +3,7 @@
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/export.hpp"
-#include "post/fit/fit_options.hpp"
+#include "post/fit/envelope.hpp"
 #include "post/fit/size_effect.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/rate_limit.hpp"

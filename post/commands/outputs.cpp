@@ -4,7 +4,7 @@
 #include "post/cracks/export.hpp"
 #include "post/export/mesh_file.hpp"
 #include "post/film/film.hpp"
-#include "post/fit/fit_options.hpp"
+#include "post/fit/envelope.hpp"
 #include "post/options/command.hpp"
 #include "post/plot/plots.hpp"
 #include "post/report/report.hpp"

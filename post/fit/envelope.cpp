@@ -16,6 +16,7 @@
 #include "post/statistics/nonlinear_fit.hpp"
 #include "post/statistics/response_surface.hpp"
 #include "share/base/error.hpp"
+#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -313,6 +314,23 @@ std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests) {
         result.mi = sample(mi);
     }
     return result;
+}
+
+void add_strain_limit_runs(OptionSet set, StrainLimitRuns& strain_limit_runs) {
+    add_choice<StrainLimitRuns>(
+        set, "--capped", strain_limit_runs, {{"refuse", StrainLimitRuns::refuse}, {"accept", StrainLimitRuns::accept}},
+        "runs stopped at the strain limit: refuse them, or accept their largest stress as a strength and say so");
+}
+
+void add_envelope_options(OptionSet set, EnvelopeOptions& options) {
+    add_strain_limit_runs(set, options.strain_limit_runs);
+    add_choice<StrengthKind>(
+        set, "--strength", options.strength,
+        {{name_of(StrengthKind::first_peak), StrengthKind::first_peak},
+         {name_of(StrengthKind::largest), StrengthKind::largest},
+         {name_of(StrengthKind::residual), StrengthKind::residual}},
+        "which stress of a compression test is taken as its strength: the first peak, as laboratories report it, "
+        "the largest or the residual one; runs without it are left out");
 }
 
 }  // namespace graincrack

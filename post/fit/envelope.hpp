@@ -10,6 +10,7 @@
 
 #include "post/fit/mohr_coulomb.hpp"
 #include "post/measure/strength.hpp"
+#include "post/options/command.hpp"
 #include "post/run/load_curve.hpp"
 #include "post/statistics/statistics.hpp"
 
@@ -114,5 +115,10 @@ struct SeedEnvelopes {
     std::optional<Sample> mi;
 };
 std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests);
+
+/// Options --capped and --strength: which runs an envelope has, and which stress of them.
+void add_envelope_options(OptionSet set, EnvelopeOptions& options);
+/// --capped refuse|accept
+void add_strain_limit_runs(OptionSet set, StrainLimitRuns& strain_limit_runs);
 
 }  // namespace graincrack

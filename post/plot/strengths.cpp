@@ -11,7 +11,7 @@
 
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/fit/fit_options.hpp"
+#include "post/fit/envelope.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"

@@ -41,7 +41,7 @@ bool is_within_crystal(const Specimen& specimen, std::size_t contact) {
 
 std::string grains_label(const Specimen& specimen) {
     if (specimen.grain_crystal.empty()) return fmt::format("{} grains", specimen.n_grains());
-    return fmt::format("{} crystals of {} grains", n_crystals(specimen), specimen.n_grains());
+    return fmt::format("{} crystals of {} elements", n_crystals(specimen), specimen.n_grains());
 }
 
 namespace {

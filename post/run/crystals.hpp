@@ -22,7 +22,7 @@ std::vector<std::array<std::size_t, 2>> grains_of_contacts(const Specimen& speci
 /// True if a contact is within a crystal.
 bool is_within_crystal(const Specimen& specimen, std::size_t contact);
 
-/// "452 grains" or, of polygons that break, "300 crystals of 2168 grains".
+/// "452 grains" or, of polygons that break, "300 crystals of 2168 elements".
 std::string grains_label(const Specimen& specimen);
 
 /// The value of an option by which the specimen of a file was made, as it was given; nothing if the file does not say.

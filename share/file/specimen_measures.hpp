@@ -2,13 +2,20 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
 
 #include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
 
 namespace graincrack {
+
+/// Time that a bar wave takes over the height of the specimen, h/√(E/ρ), s.
+inline double bar_transit_time(const Specimen& specimen, const Rock& rock) {
+    return specimen.height / std::sqrt(rock.young_modulus / rock.density);
+}
 
 /// Extent along x of a part of the boundary, m; 0 if there is none.
 double width_of_part(const Specimen& specimen, BoundaryPart part);

@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "share/file/specimen_measures.hpp"
-#include "solver/model/transit_time.hpp"
 
 namespace graincrack {
 namespace {

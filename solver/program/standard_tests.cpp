@@ -12,7 +12,6 @@
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
 #include "share/file/specimen_measures.hpp"
-#include "solver/model/transit_time.hpp"
 
 namespace graincrack {
 namespace {

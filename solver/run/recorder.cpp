@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "share/base/error.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "solver/model/damping_load.hpp"
-#include "solver/model/transit_time.hpp"
 #include "solver/run/near_failure.hpp"
 
 namespace graincrack {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "share/file/run_file.hpp"
-#include "solver/loading/feedback.hpp"
+#include "solver/loading/rate_control.hpp"
 #include "solver/model/state.hpp"
 #include "solver/restart/saved_state.hpp"
 #include "solver/run/crack_log.hpp"

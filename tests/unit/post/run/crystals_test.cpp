@@ -15,7 +15,7 @@ TEST(Crystals, AGrainIsOneWhereThereAreNone) {
     s.grain_crystal = {0, 0, 1, 1};
     EXPECT_EQ(n_crystals(s), 2U);
     EXPECT_EQ(crystal_of(s, 3), 1U);
-    EXPECT_EQ(grains_label(s), "2 crystals of 4 grains");
+    EXPECT_EQ(grains_label(s), "2 crystals of 4 elements");
     EXPECT_FALSE(is_within_crystal(s, 0));
     s.contact_kind[0] = static_cast<std::uint8_t>(ContactKind::within_crystal);
     EXPECT_TRUE(is_within_crystal(s, 0));
