@@ -7,7 +7,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     mesher::ImportRequest request;
     request.file = fuzz::written(fuzz::text_of(bytes, size), ".mesh");
     if (size % 2 == 1) request.crystals = mesher::CrystalChoice::breaking;
-    return fuzz::one_input([&] {
-        static_cast<void>(mesher::describe(mesher::import_specimen(request, {}, 1)));
-    });
+    return fuzz::one_input([&] { static_cast<void>(mesher::describe(mesher::import_specimen(request, {}, 1))); });
 }
