@@ -95,7 +95,7 @@ Command film_command() {
     static constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
     return make_command<FilmOptions>(
         "film", "a film of a test: crack map beside the stress-strain curve, as MP4, WebM or PNG",
-        {"uniaxial.h5 -o uniaxial.mp4 --duration 2s --size 640x480", "brazilian.h5 -o frames --by time --frames-per-second 2"},
+        {"uniaxial.h5 -o pictures --duration 2s --size 640x480", "brazilian.h5 -o frames --by time --frames-per-second 2"},
         one_run,
         [](OptionSet set, FilmOptions& options) {
             add_output(set, options.output,
