@@ -60,19 +60,19 @@ std::vector<Triangle> constrained_triangles(std::span<const Point> points, std::
         vertices[i]->info() = static_cast<int>(i);
         hint = vertices[i]->face();
     }
-    constexpr const char* crossing =
+    constexpr const char* crossing_edges =
         "edges of the region cross or touch each other; move holes and flaws apart, or give smaller grains";
     try {
         for (const auto& edges : {loops, inner}) {
             for (const Edge& e : edges) {
                 const auto from = vertices[static_cast<std::size_t>(e[0])];
                 const auto to = vertices[static_cast<std::size_t>(e[1])];
-                if (from == to) throw UsageError(crossing);  // two points at one place
+                if (from == to) throw UsageError(crossing_edges);  // two points at one place
                 triangulation.insert_constraint(from, to);
             }
         }
     } catch (const Constrained::Intersection_of_constraints_exception&) {
-        throw UsageError(crossing);
+        throw UsageError(crossing_edges);
     }
     mark_places(triangulation, loops);
     std::vector<Triangle> triangles;

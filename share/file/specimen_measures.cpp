@@ -41,8 +41,8 @@ std::optional<std::array<double, 2>> notch_ends(const Specimen& specimen) {
 
 std::optional<EdgeNotch> edge_notch(const Specimen& specimen) {
     using Position = std::array<double, 2>;
-    constexpr double conformity = 1e-9;  // as that of contacts
-    const double slack = conformity * (specimen.width + specimen.height);
+    constexpr double same_position = 1e-9;  // over the size, as of contacts
+    const double slack = same_position * (specimen.width + specimen.height);
     const auto meet = [slack](const Position& p, const Position& q) { return std::hypot(p[0] - q[0], p[1] - q[1]) <= slack; };
     std::vector<std::array<Position, 2>> rest;
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {

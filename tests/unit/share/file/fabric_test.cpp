@@ -17,7 +17,7 @@ namespace {
 using test::expect_one_line;
 using test::TemporaryFolder;
 
-const std::string rock = R"(name = "granite"
+const std::string granite_text = R"(name = "granite"
 [rock]
 young_modulus = "60 GPa"
 poisson_ratio = 0.25
@@ -60,11 +60,11 @@ const ContactParameters& between(const Fabric& fabric, std::size_t a, std::size_
 }
 void expect_refused(const std::string& text, const std::vector<std::string>& words) {
     SCOPED_TRACE(text);
-    expect_one_line<InputError>([&] { material_of(rock + text); }, words);
+    expect_one_line<InputError>([&] { material_of(granite_text + text); }, words);
 }
 
 TEST(Fabric, GrainsHaveTheirShareOfTheContrast) {
-    const Fabric fabric = fabric_from(rock + phases);
+    const Fabric fabric = fabric_from(granite_text + phases);
     ASSERT_EQ(fabric.phases.size(), 3U);
     EXPECT_NEAR(fabric.phases[0].young_modulus, 60e9 * (1 + 0.5 * 0.4), 1);
     EXPECT_NEAR(fabric.phases[1].young_modulus, 60e9 * (1 - 0.5 * 0.6), 1);
@@ -76,9 +76,9 @@ TEST(Fabric, GrainsHaveTheirShareOfTheContrast) {
 }
 
 TEST(Fabric, ContactsAreTheRocksUnlessSaid) {
-    const Material granite = material_of(rock + phases);
+    const Material granite = material_of(granite_text + phases);
     const ContactParameters of_rock = contact_parameters(granite, PlaneCondition::strain, std::nullopt);
-    for (const ContactParameters& contact : fabric_from(rock + phases).contacts) {
+    for (const ContactParameters& contact : fabric_from(granite_text + phases).contacts) {
         for (const ContactParameter& row : all_contact_parameters()) {
             EXPECT_EQ(contact.*row.value, of_rock.*row.value) << row.key();
         }
@@ -97,7 +97,7 @@ cohesion = "10 MPa"
 [pairs.heterophase]
 tensile_strength = 0.5
 )";
-    const Fabric mean = fabric_from(rock + phases + own);
+    const Fabric mean = fabric_from(granite_text + phases + own);
     EXPECT_NEAR(between(mean, 0, 0).tensile_strength, 30e6, 1);        // quartz-quartz: no factor
     EXPECT_NEAR(between(mean, 0, 1).tensile_strength, 0.5 * 19e6, 1);  // quartz-mica: mean of 30 and 8
     EXPECT_NEAR(between(mean, 0, 2).tensile_strength, 0.5 * 25e6, 1);  // quartz-feldspar: mean of 30 and the rock's 20
@@ -107,14 +107,14 @@ tensile_strength = 0.5
     // What derives from a strength follows it.
     EXPECT_NEAR(between(mean, 0, 1).critical_opening * between(mean, 0, 1).normal_stiffness,
                 2.718281828459045 * between(mean, 0, 1).tensile_strength, 1);
-    const Fabric least = fabric_from(rock + phases + own + "[pairs]\nrule = \"minimum\"\n");
+    const Fabric least = fabric_from(granite_text + phases + own + "[pairs]\nrule = \"minimum\"\n");
     EXPECT_NEAR(between(least, 0, 1).tensile_strength, 0.5 * 8e6, 1);
     EXPECT_NEAR(between(least, 0, 2).tensile_strength, 0.5 * 20e6, 1);
 }
 
 TEST(Fabric, StiffnessOfTheSidesIsTheHarmonicMeanAndEnergiesStay) {
-    const Fabric of_rock = fabric_from(rock + phases);
-    const Fabric of_sides = fabric_from(rock + phases + "[pairs]\nstiffness = \"sides\"\n");
+    const Fabric of_rock = fabric_from(granite_text + phases);
+    const Fabric of_sides = fabric_from(granite_text + phases + "[pairs]\nstiffness = \"sides\"\n");
     for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = a; b < 3; ++b) {
             const double first = of_rock.phases[a].young_modulus;
@@ -144,8 +144,8 @@ fracture_energy = "40 J/m2"
 modulus = 5
 correlation = "10 mm"
 )";
-    const Material first = material_of(rock + phases + own);
-    const Material second = material_of(rock + fabric_text(first.fabric));
+    const Material first = material_of(granite_text + phases + own);
+    const Material second = material_of(granite_text + fabric_text(first.fabric));
     EXPECT_EQ(fabric_text(second.fabric), fabric_text(first.fabric));
     EXPECT_EQ(*second.fabric.strength_modulus, 5);
     EXPECT_NEAR(second.fabric.strength_correlation, 0.01, 1e-15);
@@ -162,7 +162,8 @@ correlation = "10 mm"
 }
 
 TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
-    const Material material = material_of(rock + "[flaws.joint]\nnormal_stiffness = \"50 GPa/m\"\ncohesion = \"1 MPa\"\n");
+    const Material material =
+        material_of(granite_text + "[flaws.joint]\nnormal_stiffness = \"50 GPa/m\"\ncohesion = \"1 MPa\"\n");
     const ContactParameters joint = flaw_contact(material, PlaneCondition::strain, std::nullopt, "joint");
     const ContactParameters base = contact_parameters(material, PlaneCondition::strain, std::nullopt);
     EXPECT_NEAR(joint.normal_stiffness, 50e9, 1);
@@ -170,7 +171,7 @@ TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
     EXPECT_EQ(joint.shear_stiffness, base.shear_stiffness);
     EXPECT_EQ(joint.friction_angle, base.friction_angle);
     EXPECT_NEAR(joint.critical_opening / base.critical_opening, base.normal_stiffness / 50e9, 1e-9) << "derived anew";
-    EXPECT_EQ(fabric_text(material_of(rock + fabric_text(material.fabric)).fabric), fabric_text(material.fabric));
+    EXPECT_EQ(fabric_text(material_of(granite_text + fabric_text(material.fabric)).fabric), fabric_text(material.fabric));
     expect_one_line<InputError>([&] { flaw_contact(material, PlaneCondition::strain, std::nullopt, "fault"); },
                                 {"class fault", "granite.toml", "[flaws.fault]"});
     expect_refused("[flaws.Joint]\ncohesion = \"1 MPa\"\n", {"flaws.Joint", "small letters"});
@@ -181,7 +182,7 @@ TEST(Fabric, ContactsWithinCrystalsAreThoseOfTheirPhaseUnlessTheyHaveATable) {
     constexpr double length_per_area = 700;  // 1/m
     const std::vector<std::string> sorted{"feldspar", "mica", "quartz"};
     const Material material =
-        material_of(rock + phases + "[pairs.homophase]\ncohesion = 2\n[flaws.within_mica]\ncohesion = \"1 MPa\"\n");
+        material_of(granite_text + phases + "[pairs.homophase]\ncohesion = 2\n[flaws.within_mica]\ncohesion = \"1 MPa\"\n");
     const auto within = [&](const std::string& phase) {
         return contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class(phase), length_per_area);
     };
@@ -195,14 +196,14 @@ TEST(Fabric, ContactsWithinCrystalsAreThoseOfTheirPhaseUnlessTheyHaveATable) {
         EXPECT_EQ(within("quartz").*row.value, quartz.*row.value) << row.key();
     }
     EXPECT_NEAR(within("mica").cohesion, 1e6, 1e-3);
-    const Material plain = material_of(rock);
+    const Material plain = material_of(granite_text);
     EXPECT_EQ(contact_within_crystals(plain, PlaneCondition::strain, std::nullopt, "within_rock", length_per_area).cohesion,
               contact_parameters(plain, PlaneCondition::strain, std::nullopt).cohesion);
 }
 
 TEST(Fabric, ContactsWithinCrystalsAreAsStiffAsTheMineralUnlessTheirTableSaysOtherwise) {
     constexpr double length_per_area = 700;  // 1/m
-    const Material material = material_of(rock + phases + "[flaws.within_mica]\nnormal_stiffness = \"50 GPa/m\"\n");
+    const Material material = material_of(granite_text + phases + "[flaws.within_mica]\nnormal_stiffness = \"50 GPa/m\"\n");
     const auto within = [&](const std::string& phase, double length) {
         return contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class(phase), length);
     };
@@ -238,8 +239,8 @@ fracture_energy = 8
 normal_stiffness = 3
 )";
     const auto within = [&](const std::string& text, const std::string& phase) {
-        return contact_within_crystals(material_of(rock + text), PlaneCondition::strain, std::nullopt, within_class(phase),
-                                       length_per_area);
+        return contact_within_crystals(material_of(granite_text + text), PlaneCondition::strain, std::nullopt,
+                                       within_class(phase), length_per_area);
     };
     const ContactParameters before = within(phases + own, "quartz");
     const ContactParameters quartz = within(phases + own + factors, "quartz");
@@ -256,8 +257,8 @@ normal_stiffness = 3
     const ContactParameters stronger = within(phases + own + "[pairs.within]\ntensile_strength = 1.25\n", "quartz");
     EXPECT_NEAR(stronger.open_shear_strength / before.open_shear_strength, 1.25, 1e-12);
     // Contacts between crystals have none of them.
-    const Fabric with = fabric_from(rock + phases + own + factors);
-    const Fabric without = fabric_from(rock + phases + own);
+    const Fabric with = fabric_from(granite_text + phases + own + factors);
+    const Fabric without = fabric_from(granite_text + phases + own);
     for (std::size_t k = 0; k < with.contacts.size(); ++k) {
         for (const ContactParameter& row : all_contact_parameters()) {
             EXPECT_EQ(with.contacts[k].*row.value, without.contacts[k].*row.value) << row.key();
@@ -277,7 +278,7 @@ normal_stiffness = 3
 
 // Factors act on what [ratios] give, of contacts between phases and within crystals.
 TEST(Fabric, FactorsActOnRatios) {
-    std::string text = rock + phases + "[fabric]\ngrain_size = \"3 mm\"\n[ratios]\ncohesion = 6\nprocess_zone = 0.5\n" +
+    std::string text = granite_text + phases + "[fabric]\ngrain_size = \"3 mm\"\n[ratios]\ncohesion = 6\nprocess_zone = 0.5\n" +
                        "[pairs.homophase]\ncohesion = 2\n[pairs.within]\nfracture_energy = 8\n";
     text.replace(text.find("cohesion = \"60 MPa\"\n"), 20, "");
     const Material material = material_of(text);
@@ -312,7 +313,7 @@ TEST(Fabric, LengthWithinCrystalsIsByTheAreaOfTheirPhase) {
 }
 
 TEST(Fabric, ThePhasesOfGraniteAreAFileOfTheirOwn) {
-    const Material granite = material_of(rock + "[phases]\nfrom = \"granite\"\n");
+    const Material granite = material_of(granite_text + "[phases]\nfrom = \"granite\"\n");
     ASSERT_EQ(granite.fabric.phases.size(), 4U);
     double mean = 0;
     double square = 0;
@@ -341,14 +342,14 @@ TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
     expect_refused(phases + "[pairs.\"quartz-mica\"]\ncohesoin = 1\n", {"pairs.quartz-mica.cohesoin", "did you mean cohesion"});
     expect_refused("[strength]\ncorrelation = \"10 mm\"\n", {"correlation and no modulus"});
     expect_refused("[phases]\nfrom = \"basalt\"\n", {"phases.from", "phases/basalt.toml"});
-    const Material granite = material_of(rock + phases);
+    const Material granite = material_of(granite_text + phases);
     expect_one_line<InputError>([&] { fabric_of(granite, PlaneCondition::strain, std::nullopt, {"rock"}); },
                                 {"phases rock", "feldspar, mica, quartz", "graincrack-mesh"});
 }
 
 TEST(Fabric, AMaterialNamesItsLaw) {
-    EXPECT_EQ(material_of(rock + "law = \"cohesive-frictional\"\n").law, "cohesive-frictional");
-    EXPECT_EQ(material_of(rock).law, "");
+    EXPECT_EQ(material_of(granite_text + "law = \"cohesive-frictional\"\n").law, "cohesive-frictional");
+    EXPECT_EQ(material_of(granite_text).law, "");
 }
 
 }  // namespace
