@@ -150,13 +150,14 @@ Option add_integer(OptionSet set, const std::string& option, Target& target, con
     };
     return add_value(set, option, read, help, "N", default_text);
 }
-#define GRAINCRACK_INTEGER(T)                                                                 \
-    template Option add_integer(OptionSet, const std::string&, T&, const std::string&, T, T); \
-    template Option add_integer(OptionSet, const std::string&, std::optional<T>&, const std::string&, T, T);
-GRAINCRACK_INTEGER(int)
-GRAINCRACK_INTEGER(std::int64_t)
-GRAINCRACK_INTEGER(std::uint64_t)
-#undef GRAINCRACK_INTEGER
+template Option add_integer(OptionSet, const std::string&, int&, const std::string&, int, int);
+template Option add_integer(OptionSet, const std::string&, std::optional<int>&, const std::string&, int, int);
+template Option add_integer(OptionSet, const std::string&, std::int64_t&, const std::string&, std::int64_t, std::int64_t);
+template Option add_integer(OptionSet, const std::string&, std::optional<std::int64_t>&, const std::string&, std::int64_t,
+                            std::int64_t);
+template Option add_integer(OptionSet, const std::string&, std::uint64_t&, const std::string&, std::uint64_t, std::uint64_t);
+template Option add_integer(OptionSet, const std::string&, std::optional<std::uint64_t>&, const std::string&, std::uint64_t,
+                            std::uint64_t);
 
 Option add_keyword(OptionSet set, const std::string& option, const std::vector<std::string>& words,
                    const std::function<void(std::size_t)>& choose, const std::string& help, const std::string& default_word) {
