@@ -46,9 +46,7 @@ std::vector<double> find_work(const Assemblage& a) {
         for (const std::int32_t node : a.contacts[c].nodes) of_node[node] += of_contact_node;
     });
     std::vector<double> work;
-    for (const auto& chunk : a.node_chunks) {
-        work.push_back(sum_over(chunk.nodes, [&](std::int32_t i) { return of_node[i]; }));
-    }
+    for (const auto& chunk : a.node_chunks) work.push_back(sum_over(chunk.nodes, [&](std::int32_t i) { return of_node[i]; }));
     return work;
 }
 
