@@ -1,6 +1,7 @@
 #include "post/calibrate/decide.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +73,7 @@ class Calibration {
 public:
     Calibration(const Problem& problem, const FindRun& find) : problem_(problem), find_(find) {}
     void run();
+    [[nodiscard]] const std::string& first_point() const { return first_point_; }
     Decision decision;
 
 private:
@@ -94,6 +96,7 @@ private:
     void find_elasticity();
     void add_value(std::size_t r, const std::vector<const Measures*>& runs);
     void make_design(const Box& box);
+    [[nodiscard]] std::string text_of_first_point() const;
     void fit(const Box& box);
     [[nodiscard]] bool meets_targets() const;
     void find_design_point();
@@ -115,7 +118,8 @@ private:
     double grain_ratio_ = 0;
     std::size_t designs_ = 0;
     std::size_t confirmations_ = 0;
-    Box all_;  ///< holds the boxes of all designs
+    std::string first_point_;  ///< its strengths while the other points of the first design are missing
+    Box all_;                  ///< holds the boxes of all designs
     Fit fit_;
     std::vector<std::vector<std::optional<bool>>> peaks_;  ///< of each response, whether a test has it; empty: there is none
     std::vector<std::pair<Test, std::vector<const Measures*>>> confirmed_runs_;  ///< of the last confirmation
@@ -209,14 +213,15 @@ void Calibration::add_value(std::size_t r, const std::vector<const Measures*>& r
     peaks_[r].push_back(!values.empty());
 }
 
-/// Adds the points of one more design: a specimen of each test at each design point, three discs.
+/// Adds the points of one more design: a specimen of each test at each design point, three discs. The first point is made before
+/// the others, so that a rock that is far from its laboratory values shows early.
 void Calibration::make_design(const Box& box) {
     const auto p = static_cast<std::size_t>(box.size());
     const std::size_t n = study().points > 0 ? study().points : 4 * (p + 2);
     const std::vector<DesignPoint> points = sobol_points(box, designs_ * n, n);
     ++designs_;
-    for (std::size_t t = 0; t < tests_.size(); ++t) {
-        for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t t = 0; t < tests_.size(); ++t) {
             RequestedRun run;
             run.test = tests_[t];
             run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + static_cast<std::int64_t>(designs_) * seeds::design +
@@ -229,9 +234,27 @@ void Calibration::make_design(const Box& box) {
                 if (run.test.has(fit_.responses[r].target)) add_value(r, runs);
             }
         }
+        if (i > 0 || designs_ > 1) continue;
+        require_all();
+        first_point_ = text_of_first_point();
     }
     fit_.points.insert(fit_.points.end(), points.begin(), points.end());
     require_all();
+    first_point_.clear();
+}
+
+/// The fitted targets at the first point: "; the middle of the ranges has UCS 134 MPa (target 285 MPa), no first peak at 8 MPa".
+std::string Calibration::text_of_first_point() const {
+    std::vector<std::string> values;
+    for (const Response& response : fit_.responses) {
+        const Target& t = response.target;
+        if (t.use != Use::fit || t.is_elastic()) continue;
+        const double found = std::exp(response.values.front());
+        values.push_back(std::isnan(found)
+                             ? "no " + t.symbol()
+                             : fmt::format("{} {} (target {})", t.symbol(), t.text(rounded(found, 3)), t.text(t.value)));
+    }
+    return fmt::format("; the middle of the ranges has {}", fmt::join(values, ", "));
 }
 
 /// Surfaces through the points inside a box, and the design point where they meet the targets best.
@@ -631,7 +654,7 @@ Decision decide(const Problem& problem, const FindRun& find) {
     try {
         calibration.run();
     } catch (const RunsMissing&) {
-        decision.reason = decision.requested.front().reason;
+        decision.reason = decision.requested.front().reason + calibration.first_point();
     } catch (const Ended& end) {
         decision.ending = end.ending;
         decision.reason = end.reason;

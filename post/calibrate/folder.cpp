@@ -72,7 +72,7 @@ std::string requested_table(const Material& rock, const Study& study, const std:
     return text;
 }
 
-/// Time of runs, by the mean of finished ones of the same test; of a test without any, none is counted.
+/// Time of runs, by the mean of finished ones of the same test; 0 if there are none of one of the tests.
 double time_of(const std::vector<RequestedRun>& requested, const FinishedRuns& finished) {
     double sum = 0;
     for (const RequestedRun& run : requested) {
@@ -81,7 +81,8 @@ double time_of(const std::vector<RequestedRun>& requested, const FinishedRuns& f
             const auto time = measures.find("wall_time_s");
             if (name.starts_with(run.test.label() + "_") && time != measures.end()) times.push_back(time->second);
         }
-        if (!times.empty()) sum += sample(times).mean.value;
+        if (times.empty()) return 0;
+        sum += sample(times).mean.value;
     }
     return sum;
 }

@@ -4,7 +4,7 @@
 //     strength.tsv     `strength` of the finished runs; absent: none are finished       given
 //     moduli.tsv       `moduli` of those of rectangles under compression                given
 //     toughness.tsv    `toughness` of those of half-discs                               given
-//     requested.tsv       the next runs with their reasons                                 written while runs are missing
+//     wanted.tsv       the next runs with their reasons                                 written while runs are missing
 //     calibrated.toml  the material with the values found, and [fitted]                 written if calibrated
 //     nearest.toml     the same for the nearest point                                   written if it ends otherwise
 //     report.md        targets, results, values with intervals, every step              written in the end
@@ -36,7 +36,7 @@ Problem read_problem(const Material& rock, const std::vector<std::string>& setti
 struct FolderDecision {
     Decision decision;
     double requested_time =
-        0;  ///< s of one processor for what is requested, by finished runs of the same tests; 0 if there are none
+        0;  ///< s of one processor for what is requested, by finished runs of the same tests; 0 if there are none of one of them
     std::vector<Sensitivity> sensitivities = {};  ///< in the end
 };
 

@@ -78,7 +78,14 @@ Drawing draw_heat_map(const std::string& title, const std::vector<std::string>& 
 struct CalibrateOptions {
     std::string material;
     std::vector<std::string> settings;
+    std::size_t jobs = 1;
 };
+
+/// "50 s", "24 min", "1.9 h".
+std::string duration_text(double seconds) {
+    if (seconds < 99.5) return fmt::format("{:.0f} s", seconds);
+    return seconds < 5970 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
 
 /// Response by response, a row each. \pre each response has all parameters
 void write_heat_map(const std::string& file, const std::vector<calibrate::Sensitivity>& all) {
@@ -110,8 +117,10 @@ void write_decision(const CalibrateOptions& options, const Call& call) {
     if (decision.ending == Ending::requested) {
         fmt::print(call.out, "{}/wanted.tsv\n", folder);
         const std::size_t n = decision.requested.size();
-        const std::string time =
-            requested_time > 0 ? fmt::format(" (about {:.2g} min of one processor)", requested_time / 60) : "";
+        const double by_the_clock = requested_time / static_cast<double>(std::min<std::size_t>(options.jobs, n));
+        const std::string time = requested_time > 0 ? fmt::format(" (about {} of processor time, {} by the clock)",
+                                                                  duration_text(requested_time), duration_text(by_the_clock))
+                                                    : "";
         fmt::print(call.diagnostics(), "graincrack-post: calibrate: {} {} wanted{}: {}\n", n, n == 1 ? "run is" : "runs are",
                    time, decision.reason);
         return;
@@ -138,6 +147,7 @@ Command calibrate_command() {
                      "share/materials or a TOML file; default: FOLDER/material.toml")
                 .type_name("FILE");
             add_texts(set, "--set", options.settings, "KEY=VALUE", "new value of a key of [study]; may be given again");
+            add_integer<std::size_t>(set, "--jobs", options.jobs, "runs side by side, by which the time is estimated", 1, 10000);
         },
         &write_decision);
 }

@@ -36,6 +36,7 @@ POST = $(BIN)/graincrack-post
 OUT ?= $(STUDIES)/results
 # A relative path is relative to where make was called first.
 export CALLED_FROM ?= $(PWD)
+include $(STUDIES)/lib/to-resume.mk
 override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(CALLED_FROM)/)$(OUT))
 HERE := $(OUT)/$(STUDY)
 

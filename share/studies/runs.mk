@@ -151,7 +151,7 @@ $(RUNS)/%.h5: $$(call changed_run,$$@) | $(SPECIMENS)/$$(specimen_$$@).h5
 	@echo "[$(call position,$@)/$(words $(runs))] $*$$($(time_left))"
 	@mkdir -p $(@D)$(if $(call changed_run,$@), && rm -f $@ $@.checkpoint $@.options)
 	@$(if $(material_$@),$(POST) material with $(MATERIAL_FILE) $(material_$@) >$@.toml)
-	@$(LAUNCH) $(if $(filter-out 1,$(RANKS)),$(MPIRUN) -n $(RANKS) )$(BIN)/graincrack-solve $(firstword $(solve_$@)) $| $(wordlist 2,99,$(solve_$@)) $(other_options) -o $@ $(IF_IT_FAILS)
+	@$(if $(filter 0,$(MAKELEVEL)),$(STUDIES)/lib/resumable )$(LAUNCH) $(if $(filter-out 1,$(RANKS)),$(MPIRUN) -n $(RANKS) )$(BIN)/graincrack-solve $(firstword $(solve_$@)) $| $(wordlist 2,99,$(solve_$@)) $(other_options) -o $@ $(IF_IT_FAILS)
 	@echo '$(call run_options,$@)' >$@.options$(if $(material_$@), && rm $@.toml)
 other_options = --material $(if $(material_$@),$@.toml,$(MATERIAL_FILE)) --threads $(THREADS) $(MESSAGES) $(OPTIONS) \
                 $(if $(findstring --frames,$(solve_$@) $(OPTIONS)),,--frames $(FRAMES)) \
@@ -159,7 +159,7 @@ other_options = --material $(if $(material_$@),$@.toml,$(MATERIAL_FILE)) --threa
 # Position of a run in `runs`, from 1.
 position = $(words $(subst |, ,$(firstword $(subst |$(1)|, ,|first|$(subst $(space),|,$(runs))|))))
 # When this make began, and the runs that it has to make; set when it is first asked for.
-started := $(shell date +%s)
+started := $(shell date +%s.%N)
 remade = $(foreach r,$(runs),$(if $(call changed_run,$(r)),$(r)))
 missing_runs = $(eval missing_runs := $(sort $(filter-out $(wildcard $(RUNS)/*.h5),$(runs)) $(remade)))$(missing_runs)
-time_left = $(STUDIES)/lib/time-left $(started) $(words $(missing_runs)) $(RUNS)
+time_left = $(STUDIES)/lib/time-left $(started) $(words $(missing_runs)) $(RUNS) $$PPID

@@ -191,6 +191,24 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     EXPECT_EQ(text("report.md"), report);
 }
 
+// Two rectangles and three discs, whose strengths are told before the others are made.
+TEST_F(CalibrateFolder, ADesignBeginsWithOnePointOfEachTest) {
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        EXPECT_EQ(ask().decision.ending, Ending::requested);
+        run_wanted(rock(), 100);
+    }
+    FolderDecision out = ask();
+    EXPECT_EQ(out.decision.requested.size(), 5U);
+    EXPECT_EQ(out.requested_time, 0);  // discs and rectangles under pressure: none is finished
+    run_wanted(rock(), 100);
+    out = ask();
+    EXPECT_EQ(out.decision.requested.size(), 19U * 5);
+    EXPECT_EQ(out.requested_time, 570);  // s: 95 runs of 6 s
+    EXPECT_EQ(out.decision.reason,
+              "design 1, point 2 of 20; the middle of the ranges has Brazilian strength 9.39 MPa (target 8.8 MPa), "
+              "UCS 133 MPa (target 122 MPa), first peak at 8 MPa 199 MPa (target 193.5 MPa)");
+}
+
 TEST_F(CalibrateFolder, WithoutAnEndInReachTheNearestPointIsAMaterial) {
     SyntheticRock weak = rock();
     weak.responses["brazilian tensile_strength_MPa"].exponents.clear();
