@@ -56,15 +56,21 @@ void print_program(const SolveOptions& options, const Specimen& specimen) {
         program_text(program));
 }
 
-/// The strength a test is made for, from its largest axial stress (brazilian: load over D t); of bending the largest load.
-std::string strength_of(const RunHeader& h, double width) {
+/// The strength a test is made for (brazilian: from load over D t), or the largest stress of one that did not fail; of bending
+/// the largest load.
+std::string strength_of(const SimulationSummary& s, double width) {
+    const RunHeader& h = s.header;
     if (h.peak_axial_stress <= 0) return "";
+    const std::string failed = s.strength ? "" : "did not fail: ";
     if (h.loading() == Loading::bending) {
-        return fmt::format("largest load {:.4g} kN/m at a span of {:.4g} mm (plane {}); ", h.peak_axial_stress * width * 1e-3,
-                           h.span * 1e3, name_of(h.plane));
+        return fmt::format("{}largest load {:.4g} kN/m at a span of {:.4g} mm (plane {}); ", failed,
+                           h.peak_axial_stress * width * 1e-3, h.span * 1e3, name_of(h.plane));
     }
     const double factor = h.loading() == Loading::splitting ? 2 / std::numbers::pi : 1;
-    return fmt::format("strength {:.2f} MPa (plane {}); ", factor * h.peak_axial_stress * 1e-6, name_of(h.plane));
+    const bool is_first_peak = s.strength && h.loading() == Loading::compression;
+    return fmt::format("{}{} {:.2f} MPa ({}plane {}); ", failed, s.strength ? "strength" : "largest stress",
+                       factor * s.strength.value_or(h.peak_axial_stress) * 1e-6, is_first_peak ? "first peak, " : "",
+                       name_of(h.plane));
 }
 
 /// Error of the energy balance over the largest stored energy up to which a run is beyond doubt.
@@ -72,7 +78,7 @@ constexpr double trusted_residual = 0.005;
 
 void print_summary(const SimulationSummary& s, double width) {
     const RunHeader& h = s.header;
-    const std::string strength = strength_of(h, width);
+    const std::string strength = strength_of(s, width);
     const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
     fmt::print(stderr, "{}: ended by {} after {} steps of {:.3g} s{}; {}contacts that failed: {} open, {} closed\n", h.test,
                h.stop_reason, h.steps, h.time_step, scaling, strength, s.tensile_cracks, s.shear_cracks);

@@ -38,11 +38,18 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
     for (const Parameter& p : problem.parameters) parameters.push_back(p.key);
     Cells fitted;
     Cells predicted;
-    for (const Target& t : problem.targets) (t.use == Use::fit ? fitted : predicted).push_back(t.symbol());
+    Cells others;
+    for (const Target& t : problem.targets) {
+        (t.use == Use::fit ? fitted : std::isfinite(t.value) ? predicted : others).push_back(t.symbol());
+    }
     std::string text =
         fmt::format("- {}\n- {}\n- {}\n", count_of(parameters.size(), "free parameter", "free parameters", parameters),
                     count_of(fitted.size(), "fitted target", "fitted targets", fitted),
                     count_of(predicted.size(), "predicted target", "predicted targets", predicted));
+    if (!others.empty()) {
+        text += fmt::format(
+            "- {}\n", count_of(others.size(), "property without a measured value", "properties without measured values", others));
+    }
     if (at) {
         const ContactParameters contact = contact_parameters(*at, PlaneCondition::strain, std::nullopt);
         const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * contact.fracture_energy);
@@ -96,12 +103,15 @@ std::string outcomes_text(const Decision& decision) {
         const bool known = std::isfinite(t.value);
         const double scale = t.property.absolute ? 1 : 100 / t.value;
         const char* unit = t.property.absolute ? "" : " %";
-        text += markdown_row(
-            {t.symbol() + (t.property.unit.empty() ? "" : ", " + t.property.unit), t.use == Use::fit ? "fitted" : "predicted",
-             known ? fmt::format("{:.5g}", t.value / t.property.si) : "",
-             o.ours ? with_interval(o.ours->mean, t.property.si) : "", fmt::format("{} of {}", o.ours ? o.ours->n : 0, o.tests),
-             known && o.ours ? fmt::format("{:+.3g}{}", (o.ours->mean.value - t.value) * scale, unit) : "",
-             known ? fmt::format("± {:.3g}{}", t.deviation * scale, unit) : "", o.verdict});
+        text += markdown_row({t.symbol() + (t.property.unit.empty() ? "" : ", " + t.property.unit),
+                              t.use == Use::fit ? "fitted"
+                              : known           ? "predicted"
+                                                : "not measured",
+                              known ? fmt::format("{:.5g}", t.value / t.property.si) : "",
+                              o.ours ? with_interval(o.ours->mean, t.property.si) : "",
+                              fmt::format("{} of {}", o.ours ? o.ours->n : 0, o.tests),
+                              known && o.ours ? fmt::format("{:+.3g}{}", (o.ours->mean.value - t.value) * scale, unit) : "",
+                              known ? fmt::format("± {:.3g}{}", t.deviation * scale, unit) : "", o.verdict});
     }
     return text;
 }

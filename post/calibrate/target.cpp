@@ -154,6 +154,16 @@ double disagreement(const Material& rock) {
     return angle && cohesion && ucs ? 2 * *cohesion * std::sqrt(mohr_coulomb_slope(*angle)) / *ucs - 1 : 0;
 }
 
+std::optional<double> laboratory_entry(const Material& material, const Target& target) {
+    if (target.property.pressure != PressureOf::name) return material.laboratory_value(target.property.key);
+    if (material.laboratory_value("confining_pressure") == target.confining_pressure) {
+        if (const auto measured = material.laboratory_value("confined_strength")) return measured;
+    }
+    const auto ucs = material.laboratory_value("compressive_strength");
+    const auto slope = laboratory_slope(material);
+    return ucs && slope ? std::optional(*ucs + *slope * target.confining_pressure) : std::nullopt;
+}
+
 std::vector<Target> given_targets(const TomlFile& file) {
     std::vector<Target> targets;
     auto table = TomlTable(file).table("targets");

@@ -42,6 +42,9 @@ Target target_of(const std::string& name, const std::string& where);
 /// The rows of [targets]; none without that table. \throws InputError naming file and key of what is wrong
 std::vector<Target> given_targets(const TomlFile& file);
 
+/// The value of a target in [laboratory], SI; of a confined strength the one measured at that pressure, else UCS + b σ3.
+std::optional<double> laboratory_entry(const Material& material, const Target& target);
+
 /// The rows of [targets]; without that table the laboratory's values: E, ν, Brazilian and uniaxial strength, and the first peak
 /// at a confining pressure on the line σ1 = UCS + b σ3, with b of the friction angle, or of cohesion and UCS; predicted are the
 /// first peak at further pressures, direct tension, crack thresholds and, if it was measured, K_IC. \throws InputError naming

@@ -20,8 +20,9 @@ public:
         columns_.push_back(script_name(column, unit));
         cells_.push_back(value.times(unit.factor));
     }
-    /// NAME_UNIT, NAME_low_UNIT, NAME_high_UNIT
-    void add_interval(const std::string& name, const ColumnUnit& unit, const std::optional<Estimate>& e) {
+    /// NAME_UNIT, NAME_low_UNIT, NAME_high_UNIT; empty without an interval
+    void add_interval(const std::string& name, const ColumnUnit& unit, const std::optional<Estimate>& any) {
+        const std::optional<Estimate> e = determined(any);
         add(name, unit, e ? Cell(e->value) : Cell());
         add(name + "_low", unit, e ? Cell(e->low) : Cell());
         add(name + "_high", unit, e ? Cell(e->high) : Cell());
@@ -110,24 +111,27 @@ void write_to_terminal(std::ostream& out, const Envelope& envelope, const Envelo
     const std::size_t runs = tests.compression.size();
     const auto add = [&](const std::string& label, const ColumnUnit& unit, const std::string& symbol,
                          const std::optional<Estimate>& e) {
-        const Cell none = e ? Cell(fmt::format("not determined by {} tests", runs)) : Cell();
-        table.row(cells_of(terminal_columns(), {label, e ? Cell(e->value).times(unit.factor) : Cell(),
-                                                e && e->low ? interval_cell(e->low, e->high, unit) : none, symbol}));
+        const bool is_known = determined(e).has_value();
+        table.row(cells_of(terminal_columns(), {label, is_known ? Cell(e->value).times(unit.factor) : Cell(" "),
+                                                is_known ? interval_cell(e->low, e->high, unit) : Cell(not_determined(runs)),
+                                                is_known ? symbol : " "}));
     };
     const auto add_value = [&](const std::string& label, const std::optional<double>& stress) {
         const Cell value = Cell(stress).times(unit::megapascal.factor);
         if (!value.empty()) table.row(cells_of(terminal_columns(), {label, value, " ", "MPa"}));
     };
     const auto& hoek_brown = envelope.hoek_brown;
-    table.group(fmt::format("{} of {} compression runs, plane {}; strength: {}", runs, tests.compression_runs(), plane.text(),
-                            name_of(tests.kind)));
+    table.group(fmt::format("{} of {} compression runs, plane {}; strength: {}", runs, tests.compression_runs, plane.text(),
+                            label_of(tests.kind)));
     add("cohesion C", unit::megapascal, "MPa", envelope.cohesion);
     add("friction angle φ", unit::degree, "°", envelope.friction_angle);
     add("Hoek–Brown σci", unit::megapascal, "MPa", hoek_brown ? std::optional(hoek_brown->sigma_ci) : std::nullopt);
     add("Hoek–Brown mi", unit::none, " ", hoek_brown ? std::optional(hoek_brown->mi) : std::nullopt);
     table.group("tensile strength");
-    add_value("where the line has σ1 = 0", envelope.tensile_strength());
-    add_value("where the Hoek–Brown curve has σ1 = 0", hoek_brown ? std::optional(hoek_brown->tensile_strength()) : std::nullopt);
+    if (envelope.is_determined()) add_value("where the line has σ1 = 0", envelope.tensile_strength());
+    if (hoek_brown && determined(hoek_brown->mi)) {
+        add_value("where the Hoek–Brown curve has σ1 = 0", hoek_brown->tensile_strength());
+    }
     add_value("Brazilian tests", mean(tests.brazilian));
     add_value("direct tension", mean(tests.direct_tension));
     table.write(out);
@@ -154,9 +158,9 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     add_seeds(row, fit_seed_envelopes(tests));
     add_other_stresses(row, tests);
     row.add("strength", name_of(tests.kind));
-    row.add("compression_runs", static_cast<std::int64_t>(tests.compression_runs()));
+    row.add("compression_runs", static_cast<std::int64_t>(tests.compression_runs));
     row.add("plane", plane_of_compression(runs));
-    print_left_out(diagnostics, tests);
+    print_left_out(diagnostics, "envelope", tests.left_out);
     if (tests.at_strain_limit > 0) {
         fmt::print(diagnostics,
                    "graincrack-post: envelope: {} of {} runs were stopped at the strain limit; their largest stress is taken as "

@@ -31,7 +31,7 @@ void add_strength_options(OptionSet set, StrengthOptions& options) {
     add_choice<StrengthKind>(
         set, "--strength", options.kind,
         {{name_of(StrengthKind::first_peak), StrengthKind::first_peak}, {name_of(StrengthKind::largest), StrengthKind::largest}},
-        "strength of a confined test in the table for the terminal and in --summary: the first peak, as "
+        "strength of a compression test in the table for the terminal and in --summary: the first peak, as "
         "laboratories report it, or the largest stress; other tables have both");
     add_flag(set, "--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS")
         .excludes(add_flag(set, "--extrapolate", options.extrapolate,
@@ -121,18 +121,17 @@ Command properties_command() {
 Command size_effect_command() {
     struct Options {
         TableFormat format = TableFormat::tsv;
-        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+        EnvelopeOptions strength;
     };
     return make_command<Options>(
         "size-effect", "power law of strength against mean edge, one fit for each test and confining pressure",
-        {"brazilian-coarse.h5 brazilian.h5", "brazilian-coarse.h5 brazilian.h5 --capped accept --format jsonl"}, several_runs,
+        {"brazilian-coarse.h5 brazilian.h5", "brazilian-coarse.h5 brazilian.h5 --strength largest --format jsonl"}, several_runs,
         [](OptionSet set, Options& options) {
             add_format(set, options.format);
-            add_strain_limit_runs(set, options.strain_limit_runs);
+            add_envelope_options(set, options.strength);
         },
         [](const Options& options, const Call& call) {
-            write_size_effect_table(call.out, read_runs(call.files), options.format, options.strain_limit_runs,
-                                    call.diagnostics());
+            write_size_effect_table(call.out, read_runs(call.files), options.format, options.strength, call.diagnostics());
         });
 }
 

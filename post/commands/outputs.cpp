@@ -55,7 +55,6 @@ Command report_command() {
             add_text(set, "--material", options.material,
                      "material with the laboratory values and targets to compare with; default: that of the first run, if it "
                      "is found where the run names it");
-            add_strain_limit_runs(set, options.report.strain_limit_runs);
             add_crack_label(set, options.report.label);
             add_output(set, options.page, "page: .html");
         },

@@ -39,7 +39,7 @@ struct SummaryRow {
     std::optional<double> axial_strain;
     CrackBalance balance;
     std::optional<std::size_t> fragments, single_grains, events;
-    std::optional<GutenbergRichter> fit;  ///< of the events
+    std::optional<GutenbergRichter> fit;  ///< of the events, if they follow a line
     Cell peak_kind;
     OtherCounts counts;
     Rosette rosette;
@@ -109,6 +109,7 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
     end.events = events.size();
     const std::vector<double> magnitudes = magnitudes_of(events);
     if (!magnitudes.empty()) end.fit = fit_gutenberg_richter(magnitudes, completeness_of(magnitudes));
+    if (end.fit && !end.fit->follows_line()) end.fit.reset();
     write_table(out, summary_columns(), rows, format);
 }
 

@@ -136,18 +136,12 @@ void require_comparable(const RunData& run, const RunData& first, const Envelope
     }
 }
 
-/// The stress of a kind. A peak at whose end the test stopped, so that smoothing hides its fall, is a first peak too.
-std::optional<double> stress_of(const Strength& strength, StrengthKind kind) {
-    const std::optional<double> stress = strength.value(kind);
-    if (!stress && kind == StrengthKind::first_peak && strength.peak_kind == "drop") return strength.value();
-    return stress;
-}
-
-/// Why a compression run has no first peak, or no residual strength.
+/// Why a run has no strength of a kind.
 std::string reason_left_out(const RunData& run, const Strength& strength) {
+    if (!is_compression(run.header)) return fmt::format("{}: {}", run.name, did_not_fail);
     if (!strength.first_peak) {
-        return fmt::format("{}: no first peak, the stress never falls by {:.0f} % below a maximum before it exceeds it", run.name,
-                           100 * (1 - first_peak_fall_to));
+        return fmt::format("{}: {}, the stress never falls by {:.0f} % below a maximum before it exceeds it", run.name,
+                           did_not_fail, 100 * peak_fall);
     }
     if (strength.first_peak->residual) {
         return fmt::format(
@@ -171,7 +165,7 @@ void require_two_pressures(const EnvelopeTests& tests) {
     throw InputError(
         fmt::format("{}; {} of {} compression runs have this strength; an envelope needs it at two or more "
                     "confining pressures",
-                    tests.left_out.front(), tests.compression.size(), tests.compression_runs()));
+                    tests.left_out.front(), tests.compression.size(), tests.compression_runs));
 }
 
 template <class Stress>
@@ -220,6 +214,8 @@ std::vector<double> EnvelopeTests::strength() const {
     return out;
 }
 
+std::string not_determined(std::size_t tests) { return fmt::format("not determined by {} tests", tests); }
+
 Envelope fit_envelope(std::span<const double> confining, std::span<const double> strength) {
     Envelope envelope;
     envelope.line = fit_mohr_coulomb(confining, strength);
@@ -258,18 +254,16 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
         if (is_compression(run.header)) {
             if (first_compression != nullptr) require_comparable(run, *first_compression, options);
             if (first_compression == nullptr) first_compression = &run;
-            if (const std::optional<double> stress = stress_of(strength, options.strength)) {
-                tests.compression.push_back(
-                    {run.header.confining_pressure, *stress, run.specimen.seed, strength.first_yield, strength.stress_at_marks});
-            } else {
-                tests.left_out.push_back(reason_left_out(run, strength));
-            }
-            // A first peak is a peak, however the test ended.
-            if (options.strength != StrengthKind::largest) continue;
-        } else {
-            (run.header.loading() == Loading::splitting ? tests.brazilian : tests.direct_tension).push_back(strength.value());
+            ++tests.compression_runs;
         }
-        if (stopped_at_strain_limit(run, strength, options.strain_limit_runs, "an envelope")) ++tests.at_strain_limit;
+        const auto stress = strength_for_fit(run, strength, options, "an envelope", tests.left_out, tests.at_strain_limit);
+        if (!stress) continue;
+        if (is_compression(run.header)) {
+            tests.compression.push_back(
+                {run.header.confining_pressure, *stress, run.specimen.seed, strength.first_yield, strength.stress_at_marks});
+        } else {
+            (run.header.loading() == Loading::splitting ? tests.brazilian : tests.direct_tension).push_back(*stress);
+        }
     }
     require_two_pressures(tests);
     if (tests.compression.empty()) {
@@ -279,8 +273,21 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
     return tests;
 }
 
-void print_left_out(std::ostream& diagnostics, const EnvelopeTests& tests) {
-    for (const std::string& reason : tests.left_out) fmt::print(diagnostics, "graincrack-post: envelope: left out: {}\n", reason);
+std::optional<double> strength_for_fit(const RunData& run, const Strength& strength, const EnvelopeOptions& options,
+                                       const std::string& what, std::vector<std::string>& left_out,
+                                       std::size_t& at_strain_limit) {
+    const StrengthKind kind = options.strength;
+    if (kind == StrengthKind::largest && stopped_at_strain_limit(run, strength, options.strain_limit_runs, what)) {
+        ++at_strain_limit;
+    }
+    const bool is_residual = kind == StrengthKind::residual && is_compression(run.header);
+    const auto stress = is_residual ? strength.value(kind) : strength.reported(kind);
+    if (!stress) left_out.push_back(reason_left_out(run, strength));
+    return stress;
+}
+
+void print_left_out(std::ostream& diagnostics, const std::string& command, const std::vector<std::string>& left_out) {
+    for (const std::string& reason : left_out) fmt::print(diagnostics, "graincrack-post: {}: left out: {}\n", command, reason);
 }
 
 EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {
@@ -316,14 +323,12 @@ std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests) {
     return result;
 }
 
-void add_strain_limit_runs(OptionSet set, StrainLimitRuns& strain_limit_runs) {
-    add_choice<StrainLimitRuns>(
-        set, "--capped", strain_limit_runs, {{"refuse", StrainLimitRuns::refuse}, {"accept", StrainLimitRuns::accept}},
-        "runs stopped at the strain limit: refuse them, or accept their largest stress as a strength and say so");
-}
-
 void add_envelope_options(OptionSet set, EnvelopeOptions& options) {
-    add_strain_limit_runs(set, options.strain_limit_runs);
+    add_choice<StrainLimitRuns>(set, "--capped", options.strain_limit_runs,
+                                {{"refuse", StrainLimitRuns::refuse}, {"accept", StrainLimitRuns::accept}},
+                                "with --strength largest, runs stopped at the strain limit: refuse them, or accept their largest "
+                                "stress as a strength and "
+                                "say so");
     add_choice<StrengthKind>(
         set, "--strength", options.strength,
         {{name_of(StrengthKind::first_peak), StrengthKind::first_peak},

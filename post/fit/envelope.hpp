@@ -47,11 +47,17 @@ struct Envelope {
     std::optional<HoekBrown> hoek_brown;  ///< through the compressive strengths alone
     /// Tensile strength that the line has at σ1 = 0: a/b = 2C cos φ/(1 + sin φ), Pa.
     [[nodiscard]] double tensile_strength() const { return line.intercept / line.slope; }
+    /// C and φ have intervals.
+    [[nodiscard]] bool is_determined() const { return friction_angle.low.has_value(); }
 };
+/// An estimate that has an interval; empty without one: so few tests do not determine it.
+inline std::optional<Estimate> determined(const std::optional<Estimate>& e) { return e && e->low ? e : std::nullopt; }
+/// "not determined by 2 tests", in the place of such a value.
+std::string not_determined(std::size_t tests);
 
 /// Fits both envelopes. The interval of φ is that of the slope b, through which it is monotone; the interval of C is
-/// linearised (C and φ come from the same line, so their errors are not independent). Both are empty where the interval of b
-/// reaches zero: so few tests do not determine them.
+/// linearised (C and φ come from the same line, so their errors are not independent). Both are empty with two tests, and where
+/// the interval of b reaches zero: these do not determine them.
 ///
 /// \param confining σ3, Pa \param strength peak σ1, Pa; equally long
 /// \throws InputError unless there are strengths at two or more confining pressures
@@ -74,26 +80,32 @@ struct EnvelopeTests {
     };
     StrengthKind kind = StrengthKind::largest;
     std::vector<Test> compression;
-    std::vector<std::string> left_out;   ///< compression runs without a strength of this kind: their names and the reason
+    std::size_t compression_runs = 0;    ///< also those left out
+    std::vector<std::string> left_out;   ///< runs without a strength of this kind: their names and the reason
     std::vector<double> brazilian;       ///< tensile strengths by 2Fmax/(π t D)
     std::vector<double> direct_tension;  ///< tensile strengths
     std::size_t at_strain_limit = 0;     ///< runs whose largest stress stands for a peak
-    [[nodiscard]] std::size_t compression_runs() const { return compression.size() + left_out.size(); }
     [[nodiscard]] std::vector<double> confining() const;
     [[nodiscard]] std::vector<double> strength() const;
     /// Tensile strengths that anchor an envelope: direct tension if there is any, else brazilian.
     [[nodiscard]] const std::vector<double>& tensile() const { return direct_tension.empty() ? brazilian : direct_tension; }
 };
 
-/// Sorts runs by test. Compression runs without a first peak or residual strength are left out where this is the strength.
+/// Sorts runs by test. Runs without a strength are left out, unless the largest stress of compression tests is the strength.
 /// \throws InputError for a run without a peak where the largest stress is the strength: one stopped at the strain limit, unless
 ///         accepted, or stopped otherwise; for one that differs from the first in law, rock or contact parameters, or in the
 ///         plane condition from the other compression tests: one envelope is the envelope of one material; if runs were left out
 ///         and the others have fewer than two confining pressures
 EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const EnvelopeOptions& options);
 
-/// A line for each run that was left out.
-void print_left_out(std::ostream& diagnostics, const EnvelopeTests& tests);
+/// The strength of a run for a fit. \param what needs it, with an article \param left_out gets the name of a run without one and
+/// the reason \param at_strain_limit counts runs whose largest stress stands for a peak \throws InputError as
+/// `stopped_at_strain_limit` where the largest stress is the strength
+std::optional<double> strength_for_fit(const RunData& run, const Strength& strength, const EnvelopeOptions& options,
+                                       const std::string& what, std::vector<std::string>& left_out, std::size_t& at_strain_limit);
+
+/// A line for each run that was left out. \param command whose fit it is
+void print_left_out(std::ostream& diagnostics, const std::string& command, const std::vector<std::string>& left_out);
 
 /// An envelope through stresses other than the peak, of the tests that reached them.
 struct EnvelopeAt {
@@ -118,7 +130,4 @@ std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests);
 
 /// Options --capped and --strength: which runs an envelope has, and which stress of them.
 void add_envelope_options(OptionSet set, EnvelopeOptions& options);
-/// --capped refuse|accept
-void add_strain_limit_runs(OptionSet set, StrainLimitRuns& strain_limit_runs);
-
 }  // namespace graincrack

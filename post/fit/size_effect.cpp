@@ -59,6 +59,7 @@ const Columns<FitRow>& fit_columns() {
 }
 
 void require_sizes(const SizeSeries& s) {
+    if (s.edge.empty()) throw InputError(fmt::format("{}; a size effect needs strengths", s.left_out.front()));
     const auto [small, large] = std::minmax_element(s.edge.begin(), s.edge.end());
     if (*large >= min_edge_ratio * *small) return;
     throw InputError(
@@ -90,7 +91,7 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std
     return PowerLaw{fit->estimate(1), fit->parameters[0] * start->coefficient};
 }
 
-std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs) {
+std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, const EnvelopeOptions& options) {
     std::map<std::pair<std::string, double>, SizeSeries> series;
     require_same_settings(runs, "a size effect");
     for (const RunData& run : runs) {
@@ -110,9 +111,10 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLi
         s.confining_pressure = h.confining_pressure;
         s.of_paper = is_rock_of_paper(h.material);
         s.contact_zone_length = fpz::contact_zone_length(h.rock, h.plane, h.contact.fracture_energy, h.contact.tensile_strength);
-        if (stopped_at_strain_limit(run, strength, strain_limit_runs, "a size effect")) ++s.at_strain_limit;
+        const auto stress = strength_for_fit(run, strength, options, "a size effect", s.left_out, s.at_strain_limit);
+        if (!stress) continue;
         s.edge.push_back(run.specimen.mean_edge);
-        s.strength.push_back(strength.value());
+        s.strength.push_back(*stress);
     }
     std::vector<SizeSeries> out;
     for (auto& [key, s] : series) {
@@ -123,10 +125,13 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLi
 }
 
 void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format,
-                             StrainLimitRuns strain_limit_runs, std::ostream& diagnostics) {
-    const std::vector<SizeSeries> all = collect_sizes(runs, strain_limit_runs);
+                             const EnvelopeOptions& options, std::ostream& diagnostics) {
+    const std::vector<SizeSeries> all = collect_sizes(runs, options);
     std::size_t at_strain_limit = 0;
-    for (const SizeSeries& s : all) at_strain_limit += s.at_strain_limit;
+    for (const SizeSeries& s : all) {
+        at_strain_limit += s.at_strain_limit;
+        print_left_out(diagnostics, "size-effect", s.left_out);
+    }
     if (at_strain_limit > 0) {
         fmt::print(diagnostics,
                    "graincrack-post: size-effect: {} of {} runs were stopped at the strain limit; their largest stress is taken "

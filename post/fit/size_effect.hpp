@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "post/fit/envelope.hpp"
 #include "post/measure/strength.hpp"
 #include "post/run/load_curve.hpp"
 #include "post/statistics/statistics.hpp"
@@ -32,12 +33,13 @@ inline constexpr double paper_exponent = 0.39;
 /// Runs of one test at one confining pressure.
 struct SizeSeries {
     std::string test;
-    double confining_pressure = 0;    ///< Pa
-    std::vector<double> edge;         ///< m
-    std::vector<double> strength;     ///< Pa
-    std::size_t at_strain_limit = 0;  ///< runs stopped at the strain limit, whose largest stress stands for a peak
-    double contact_zone_length = 0;   ///< (9π/32) Ẽ Gf/tc², m
-    bool of_paper = false;            ///< the rock is that of the paper
+    double confining_pressure = 0;      ///< Pa
+    std::vector<double> edge;           ///< m
+    std::vector<double> strength;       ///< Pa
+    std::vector<std::string> left_out;  ///< runs without a strength: their names and the reason
+    std::size_t at_strain_limit = 0;    ///< runs stopped at the strain limit, whose largest stress stands for a peak
+    double contact_zone_length = 0;     ///< (9π/32) Ẽ Gf/tc², m
+    bool of_paper = false;              ///< the rock is that of the paper
     /// The exponent to compare with; empty for another rock or test than the paper's.
     [[nodiscard]] std::optional<double> exponent_of_paper() const {
         return of_paper && test == "brazilian" ? std::optional(paper_exponent) : std::nullopt;
@@ -46,12 +48,13 @@ struct SizeSeries {
 /// Mean edges of seeds of one size differ by up to a percent; scatter of 4 % in the strengths over this ratio of edges is an
 /// exponent of 0.2, half of the exponent of a typical size effect.
 inline constexpr double min_edge_ratio = 1.2;
-/// \throws InputError for runs of different materials, without a peak, or of unknown mean edge, or for a series of one size
-std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs);
+/// Runs without a strength are left out. \throws InputError for runs of different materials or of unknown mean edge, for a series
+/// of one size, and as `strength_for_fit`
+std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, const EnvelopeOptions& options);
 
-/// Two rows a series: log-log and non-linear. If the largest stress of some runs stands for a peak, a line on `diagnostics`
-/// reports it.
+/// Two rows a series: log-log and non-linear. `diagnostics` gets a line for each run that was left out, and one if the largest
+/// stress of some stands for a peak.
 void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format,
-                             StrainLimitRuns strain_limit_runs, std::ostream& diagnostics);
+                             const EnvelopeOptions& options, std::ostream& diagnostics);
 
 }  // namespace graincrack

@@ -19,10 +19,9 @@ void object_to_end(std::vector<Caveat>& found, const RunData& run) {
     const Strength strength = measure_strength(run);
     if (strength.has_peak()) return;
     const std::string& kind = strength.peak_kind;
-    const std::string text =
-        kind == "cap" ? "no peak: at the strain limit the stress has not fallen behind its largest value"
-                      : "no peak: the test was stopped (" + run.header.stop_reason + ") before the stress fell behind one";
-    found.push_back({"no peak", text});
+    const std::string when = kind == "cap" ? "by the strain limit" : "before it was stopped (" + run.header.stop_reason + ")";
+    found.push_back({did_not_fail, fmt::format("{} {}: its largest stress, {:.4g} MPa, is no strength", did_not_fail, when,
+                                               strength.value() * 1e-6)});
 }
 
 void object_to_damping(std::vector<Caveat>& found, const RunHeader& header) {
@@ -61,14 +60,17 @@ CaveatCount::Group& CaveatCount::group(const RunData& run) {
     const std::string label = series_label(run);
     const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
     if (found != groups_.end()) return *found;
-    groups_.push_back({label, 0, {}, 0});
+    groups_.push_back({label, 0, {}, 0, 0});
     return groups_.back();
 }
 
 void CaveatCount::add(const RunData& run, const std::vector<Caveat>& caveats) {
     Group& own = group(run);
     ++own.runs;
-    own.sum += load_curve(run).peak_stress();
+    if (const auto strength = measure_strength(run).reported()) {
+        ++own.failed;
+        own.sum += *strength;
+    }
     for (const Caveat& caveat : caveats) {
         const auto known =
             std::find_if(own.kinds.begin(), own.kinds.end(), [&](const auto& kind) { return kind.first == caveat.kind; });
@@ -98,7 +100,8 @@ std::vector<std::string> CaveatCount::lines() const {
 std::optional<double> CaveatCount::mean_of(const std::string& test) const {
     const std::string label = series_label(test, 0);
     const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
-    return found == groups_.end() ? std::nullopt : std::optional(found->sum / static_cast<double>(found->runs));
+    const bool has_mean = found != groups_.end() && found->failed > 0;
+    return has_mean ? std::optional(found->sum / static_cast<double>(found->failed)) : std::nullopt;
 }
 
 std::string CaveatCount::tension_line() const {

@@ -35,7 +35,8 @@ private:
         std::string label;  ///< of the test
         std::size_t runs = 0;
         std::vector<std::pair<std::string, std::size_t>> kinds;  ///< with the number of runs, in their order
-        double sum = 0;                                          ///< of the largest stresses, Pa
+        double sum = 0;                                          ///< of the strengths, Pa
+        std::size_t failed = 0;                                  ///< runs that have one
     };
     Group& group(const RunData& run);
     [[nodiscard]] std::optional<double> mean_of(const std::string& test) const;

@@ -8,61 +8,7 @@
 
 namespace graincrack {
 
-MeanOverStrain::MeanOverStrain(std::span<const double> strain, std::span<const double> value) {
-    for (std::size_t row = 0; row < strain.size(); ++row) {
-        if (!strain_.empty() && !(strain[row] > strain_.back())) continue;
-        const double area = strain_.empty() ? 0.0 : 0.5 * (value[row] + value_.back()) * (strain[row] - strain_.back());
-        integral_.push_back(integral_.empty() ? 0.0 : integral_.back() + area);
-        strain_.push_back(strain[row]);
-        value_.push_back(value[row]);
-    }
-}
-
-MeanOverStrain::Place MeanOverStrain::at(double strain) const {
-    const auto above = std::upper_bound(strain_.begin(), strain_.end(), strain);
-    if (above == strain_.begin()) return {value_.front(), 0};
-    if (above == strain_.end()) return {value_.back(), integral_.back()};
-    const auto end = static_cast<std::size_t>(above - strain_.begin());
-    const double step = strain - strain_[end - 1];
-    const double slope = (value_[end] - value_[end - 1]) / (strain_[end] - strain_[end - 1]);
-    const double value = value_[end - 1] + slope * step;
-    return {value, integral_[end - 1] + 0.5 * (value_[end - 1] + value) * step};
-}
-
-double MeanOverStrain::mean(double from, double to) const {
-    const double low = std::max(from, first_strain());
-    const double high = std::min(to, last_strain());
-    if (!(high > low)) return at(low).value;
-    return (at(high).integral - at(low).integral) / (high - low);
-}
-
-double MeanOverStrain::moving_mean(double strain, double width) const {
-    const double half = std::max(0.0, std::min({0.5 * width, strain - first_strain(), last_strain() - strain}));
-    return mean(strain - half, strain + half);
-}
-
-std::vector<double> moving_mean(std::span<const double> strain, std::span<const double> value, double width) {
-    const MeanOverStrain curve(strain, value);
-    std::vector<double> smooth(strain.size());
-    std::transform(strain.begin(), strain.end(), smooth.begin(), [&](double at) { return curve.moving_mean(at, width); });
-    return smooth;
-}
-
 namespace {
-
-/// Row of the first maximum that the values fall behind, among the rows from the first failed contact on.
-std::optional<std::size_t> first_peak_row(std::span<const double> value, std::span<const double> failed) {
-    std::optional<std::size_t> highest;
-    for (std::size_t row = 0; row < value.size(); ++row) {
-        if (!highest && !(failed[row] > 0 && value[row] > 0)) continue;
-        if (!highest || value[row] > value[*highest]) {
-            highest = row;
-        } else if (value[row] < first_peak_fall_to * value[*highest]) {
-            return highest;
-        }
-    }
-    return std::nullopt;
-}
 
 std::optional<double> residual_of(const MeanOverStrain& curve, double peak_strain) {
     const double end = peak_strain + residual_strains[1];
@@ -87,31 +33,30 @@ std::optional<double> rehardening_of(const MeanOverStrain& curve, double peak_st
     return line ? std::optional(line->slope) : std::nullopt;
 }
 
+FirstPeak with_residual(const Peak& at, const CurveColumns& curve, double confining_pressure) {
+    FirstPeak peak;
+    peak.strain = curve.strain[at.row];
+    peak.stress = at.stress;
+    const MeanOverStrain mean(curve.strain, curve.stress);
+    peak.residual = residual_of(mean, peak.strain);
+    if (peak.residual) peak.drop = (peak.stress - *peak.residual) / (peak.stress - confining_pressure);
+    peak.rehardening = rehardening_of(mean, peak.strain);
+    return peak;
+}
+
 }  // namespace
 
 std::optional<FirstPeak> measure_first_peak(std::span<const double> axial_strain, std::span<const double> axial_stress,
                                             std::span<const double> failed, double confining_pressure) {
-    std::vector<double> deviator = moving_mean(axial_strain, axial_stress, smoothing_strain);
-    for (double& stress : deviator) stress -= confining_pressure;
-    const std::optional<std::size_t> row = first_peak_row(deviator, failed);
-    if (!row) return std::nullopt;
-    FirstPeak peak;
-    peak.strain = axial_strain[*row];
-    peak.stress = deviator[*row] + confining_pressure;
-    const MeanOverStrain curve(axial_strain, axial_stress);
-    peak.residual = residual_of(curve, peak.strain);
-    if (peak.residual) peak.drop = (peak.stress - *peak.residual) / deviator[*row];
-    peak.rehardening = rehardening_of(curve, peak.strain);
-    return peak;
+    const CurveColumns curve{axial_strain, axial_stress, failed};
+    const std::optional<Peak> peak = find_first_peak(curve, confining_pressure);
+    return peak ? std::optional(with_residual(*peak, curve, confining_pressure)) : std::nullopt;
 }
 
 std::optional<FirstPeak> measure_first_peak(const RunData& run, const LoadCurve& curve) {
     if (!is_compression(run.header)) return std::nullopt;
-    std::vector<double> failed = run.history[HistoryColumn::tensile_cracks];
-    const std::vector<double>& shear = run.history[HistoryColumn::shear_cracks];
-    for (std::size_t row = 0; row < failed.size(); ++row) failed[row] += shear[row];
-    const auto loaded = [&](const std::vector<double>& column) { return std::span(column).subspan(curve.start); };
-    return measure_first_peak(loaded(curve.axial_strain), loaded(curve.stress), loaded(failed), run.header.confining_pressure);
+    const std::optional<Peak> peak = find_strength(run.header, curve.loaded());
+    return peak ? std::optional(with_residual(*peak, curve.loaded(), run.header.confining_pressure)) : std::nullopt;
 }
 
 }  // namespace graincrack

@@ -1,50 +1,14 @@
-// The strength of a compression test as a laboratory reports it: the first peak, the residual strength behind it, and how the
-// stress rises again. Means over axial strain, in which each strain counts equally however densely rows of the history lie.
+// The first peak of a compression test, the residual strength behind it, and how the stress rises again.
 #pragma once
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "post/run/load_curve.hpp"
+#include "share/file/peak.hpp"
 
 namespace graincrack {
 
-/// A curve that is straight between its rows. Rows whose strain does not exceed that of all rows before are left out: where the
-/// platens stop or retreat, the first value at a strain is that of the curve.
-class MeanOverStrain {
-public:
-    /// \param strain, value of the rows; equally many, at least one
-    MeanOverStrain(std::span<const double> strain, std::span<const double> value);
-
-    [[nodiscard]] double first_strain() const { return strain_.front(); }
-    [[nodiscard]] double last_strain() const { return strain_.back(); }
-    /// Mean between two strains, or over that part of them which the curve has; the value of the curve if they are equal.
-    /// \pre from ≤ to, and the curve has a strain between them
-    [[nodiscard]] double mean(double from, double to) const;
-    /// Mean over the window of this width with the strain at its centre. Near the ends of the curve the window is narrower on
-    /// both sides, so that a straight curve stays as it is and the last value is that of the last row.
-    [[nodiscard]] double moving_mean(double strain, double width) const;
-
-private:
-    struct Place {
-        double value = 0;     ///< of the curve
-        double integral = 0;  ///< of the curve, from its first strain
-    };
-    [[nodiscard]] Place at(double strain) const;
-
-    std::vector<double> strain_;
-    std::vector<double> value_;
-    std::vector<double> integral_;  ///< from the first row to each
-};
-
-/// The moving mean at the strain of each row.
-std::vector<double> moving_mean(std::span<const double> strain, std::span<const double> value, double width);
-
-/// Width of the moving mean over axial strain by which the curve is smoothed before a peak is sought.
-inline constexpr double smoothing_strain = 5e-5;
-/// A maximum P of σ1 − σ3 is the first peak if the stress falls below this share of P before it exceeds P.
-inline constexpr double first_peak_fall_to = 1 - peak_fall;
 /// Axial strains beyond the first peak: of the residual strength, of re-hardening, and the least of the latter that has a slope.
 inline constexpr double residual_strains[2] = {0.003, 0.005};
 inline constexpr double rehardening_strains[2] = {0.005, 0.01};
@@ -77,7 +41,7 @@ struct FirstPeak {
 std::optional<FirstPeak> measure_first_peak(std::span<const double> axial_strain, std::span<const double> axial_stress,
                                             std::span<const double> failed, double confining_pressure);
 
-/// The same of a uniaxial or triaxial test; empty for other tests.
+/// The same of a uniaxial or triaxial test, by `find_strength`; empty for other tests.
 std::optional<FirstPeak> measure_first_peak(const RunData& run, const LoadCurve& curve);
 
 }  // namespace graincrack

@@ -19,7 +19,7 @@ namespace {
 std::string warning(const Moduli& moduli, const std::string& kind) {
     std::string label;
     const auto add = [&](const std::string& more) { label += (label.empty() ? "" : "; ") + more; };
-    if (kind != "drop") add("no peak: fractions are of the largest stress");
+    if (kind != "drop") add("did not fail: fractions are of the largest stress");
     const double difference = moduli.chord.young_modulus / moduli.platen_young_modulus - 1;
     if (std::abs(difference) > gauge_tolerance) {
         add(

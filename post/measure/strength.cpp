@@ -128,6 +128,11 @@ double strain_at_strength(const StrengthRow& r) {
     return r.is_of_first_peak() ? r.strength.first_peak->strain : r.strength.strain_at_peak;
 }
 
+Cell strength_cell(const StrengthRow& r) {
+    const auto strength = r.strength.reported(r.kind);
+    return strength ? Cell(*strength) : Cell(did_not_fail);
+}
+
 const Columns<StrengthRow>& strength_terminal_columns() {
     using R = StrengthRow;
     using namespace unit;
@@ -136,7 +141,7 @@ const Columns<StrengthRow>& strength_terminal_columns() {
                                 {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
                                 {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
                                 {"mean edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
-                                {"strength", megapascal, [](const R& r) { return r.strength.reported(r.kind); }},
+                                {"strength", megapascal, strength_cell},
                                 {"at strain", percent, strain_at_strength},
                                 {"ended by", none, ending},
                                 {"tensile", cracks, [](const R& r) { return whole_contacts(r.strength.tensile_cracks); }},
@@ -169,13 +174,14 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
     const Columns<StrengthRow> columns = strength_terminal_columns(rows);
     TerminalTable table(columns);
     const auto title = [](const StrengthRow& r) {
-        return series_label(r.run) + ", plane " + std::string(name_of(r.header().plane));
+        const std::string kind = is_compression(r.header()) ? "; strength: " + label_of(r.kind) : "";
+        return series_label(r.run) + ", plane " + std::string(name_of(r.header().plane)) + kind;
     };
     for (const auto& [name, members] : grouped<StrengthRow>(rows, title)) {
         table.group(name);
         std::vector<double> strengths;
         for (const StrengthRow* r : members) {
-            strengths.push_back(r->strength.reported(r->kind));
+            if (const auto strength = r->strength.reported(r->kind)) strengths.push_back(*strength);
             table.row(cells_of(columns, *r));
         }
         if (strengths.size() < 2) continue;
@@ -192,6 +198,8 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
 
 std::string name_of(StrengthKind kind) { return name_in({"largest", "first-peak", "residual"}, kind); }
 
+std::string label_of(StrengthKind kind) { return name_in({"largest stress", "first peak", "residual strength"}, kind); }
+
 std::optional<double> Strength::value(StrengthKind kind) const {
     if (kind == StrengthKind::largest) return value();
     if (!first_peak) return std::nullopt;
@@ -203,18 +211,19 @@ Strength measure_strength(const RunData& run) {
     Strength strength;
     strength.peak_stress = curve.peak_stress();
     strength.peak_load = load_at(run, curve.peak);
+    strength.peak_kind = peak_kind(run, curve);
     if (is_compression(run.header) || run.header.loading() == Loading::program) {
         strength.peak_compressive_stress = strength.peak_stress;
+    } else if (strength.peak_kind != "drop") {
+        // It did not fail.
     } else if (run.header.loading() != Loading::bending) {
         strength.tensile_strength = strength.peak_stress;
     } else if (distinct_shape(run) == "beam") {
         strength.flexural_strength = strength.peak_stress;
     }
     strength.strain_at_peak = curve.axial_strain[curve.peak];
-    strength.peak_kind = peak_kind(run, curve);
     strength.first_yield = first_yield(curve);
     strength.first_peak = measure_first_peak(run, curve);
-    strength.is_confined = is_compression(run.header) && run.header.confining_pressure > 0;
     std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),
                    [&](double strain) { return stress_at_strain(curve, strain); });
     strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];

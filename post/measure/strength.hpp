@@ -17,12 +17,16 @@ namespace graincrack {
 enum class StrengthKind { largest, first_peak, residual };
 /// "largest", "first-peak", "residual": as options and tables name it.
 std::string name_of(StrengthKind kind);
+/// "largest stress", "first peak", "residual strength"
+std::string label_of(StrengthKind kind);
+/// Stands for the strength of a test without one, beside which its largest stress may be told.
+inline constexpr const char* did_not_fail = "did not fail";
 
 /// Strengths are positive; SI. Empty: the test does not measure it.
 struct Strength {
     std::optional<double> peak_compressive_stress;  ///< uniaxial, triaxial: σ1 at the peak, confinement included
-    std::optional<double> tensile_strength;         ///< brazilian: 2 Fmax/(π t D), Eq 18; tension: largest axial stress
-    std::optional<double> flexural_strength;        ///< bending of a beam without cracks: the nominal bending stress
+    std::optional<double> tensile_strength;         ///< brazilian: 2 Fmax/(π t D), Eq 18; tension: axial stress; if it failed
+    std::optional<double> flexural_strength;        ///< bending of a beam without cracks that failed: the nominal bending stress
     double peak_stress =
         0;                 ///< largest stress of the load curve, in bending the nominal one; of the other tests one of the above
     double peak_load = 0;  ///< largest load, N per metre of thickness
@@ -30,20 +34,19 @@ struct Strength {
     /// The same by another definition; empty if the test has no such strength, as tension, Brazilian tests and bending for all
     /// but the largest.
     [[nodiscard]] std::optional<double> value(StrengthKind kind) const;
-    /// True if the stress of a confined test exceeds its first peak later: then the first peak is what a laboratory reports.
-    [[nodiscard]] bool has_earlier_peak() const {
-        return is_confined && first_peak && first_peak->strain < strain_at_peak - smoothing_strain;
-    }
-    /// The strength as a laboratory reports it: under confining pressure the first peak, if there is one; else the largest
-    /// stress. \param kind `largest`: the largest stress of all tests
-    [[nodiscard]] double reported(StrengthKind kind = StrengthKind::first_peak) const {
-        return has_earlier_peak() && kind != StrengthKind::largest ? first_peak->stress : peak_stress;
+    /// True if the stress exceeds its first peak later.
+    [[nodiscard]] bool has_earlier_peak() const { return first_peak && first_peak->strain < strain_at_peak - smoothing_strain; }
+    /// The strength as a laboratory reports it, see `find_strength`; empty for a test that did not fail. \param kind `largest`:
+    /// the largest stress of all tests
+    [[nodiscard]] std::optional<double> reported(StrengthKind kind = StrengthKind::first_peak) const {
+        if (kind == StrengthKind::largest) return peak_stress;
+        if (first_peak) return first_peak->stress;
+        return peak_kind == "drop" ? std::optional(peak_stress) : std::nullopt;
     }
     /// True if that is a peak: the stress fell behind it.
     [[nodiscard]] bool has_peak(StrengthKind kind = StrengthKind::first_peak) const {
-        return peak_kind == "drop" || (has_earlier_peak() && kind != StrengthKind::largest);
+        return peak_kind == "drop" || (first_peak && kind != StrengthKind::largest);
     }
-    bool is_confined = false;             ///< a triaxial test under a pressure
     double strain_at_peak = 0;            ///< platen approach over height since the start of the test
     std::string peak_kind;                ///< see `peak_kind`
     std::optional<double> first_yield;    ///< see `first_yield`
@@ -71,7 +74,7 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
                              const std::string& what);
 
 /// Writes the table `strength`, whose columns are those of share/doc/tables.md; all runs are measured before the first row is
-/// written. \param kind of the strengths for the terminal: first peaks of confined tests, or the largest stress of all
+/// written. \param kind of the strengths for the terminal: first peaks of compression tests, or the largest stress of all
 /// \param diagnostics gets, after the table, a line for each
 /// reason to doubt the strength of a run, and one if direct tension is stronger than the Brazilian test
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,

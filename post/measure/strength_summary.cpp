@@ -48,12 +48,12 @@ std::vector<StrengthGroup> groups_among(const std::vector<RunData>& runs, const 
         std::vector<double> strengths;
         for (const std::size_t i : members) {
             const Strength strength = measure_strength(runs[i]);
-            strengths.push_back(strength.reported(kind));
+            if (const auto stress = strength.reported(kind)) strengths.push_back(*stress);
             if (!strength.has_peak(kind)) ++group.without_peak;
         }
         group.strength = sample(strengths);
         if (group.is_brazilian()) {
-            brazilian = group.strength.mean.value;
+            if (group.strength.n > 0) brazilian = group.strength.mean.value;
         } else if (brazilian) {
             group.ratio_to_brazilian = group.strength.mean.value / *brazilian;
         }
@@ -128,7 +128,7 @@ const Columns<SummaryRow>& summary_columns() {
     using namespace unit;
     static const Columns<R> all{{"test", none, [](const R& r) { return r.group.test; }},
                                 {"confining_pressure", megapascal, [](const R& r) { return r.group.confining_pressure; }},
-                                {"runs", none, [](const R& r) { return r.group.strength.n; }},
+                                {"runs", none, [](const R& r) { return r.group.runs.size(); }},
                                 {"runs_without_peak", none, [](const R& r) { return r.group.without_peak; }},
                                 {"strength", megapascal, [](const R& r) { return r.group.strength.mean.value; }},
                                 {"strength_deviation", megapascal, [](const R& r) { return r.group.strength.deviation; }},
@@ -148,8 +148,8 @@ const Columns<SummaryRow>& summary_terminal_columns() {
         {"test", none, [](const R& r) { return series_label(r.group.test, r.group.confining_pressure, r.group.shape); }},
         {"plane", none, [](const R& r) { return name_of(r.group.plane); }},
         {"edge", millimetre, [](const R& r) { return r.mean_edge; }},
-        {"runs", none, [](const R& r) { return r.group.strength.n; }},
-        {"without peak", none, [](const R& r) { return r.group.without_peak; }},
+        {"runs", none, [](const R& r) { return r.group.runs.size(); }},
+        {"did not fail", none, [](const R& r) { return r.group.without_peak; }},
         {"strength", megapascal, [](const R& r) { return r.group.strength.mean.value; }},
         {"s.d.", megapascal, [](const R& r) { return r.group.strength.deviation; }},
         {"95 % interval of the mean", megapascal,

@@ -31,8 +31,8 @@ struct StrengthGroup {
     PlaneCondition plane{};
     std::string size;               ///< "edge 5 mm"; empty if all runs are of one size, or sizes are pooled
     std::vector<std::size_t> runs;  ///< indices of its members
-    Sample strength;                ///< Pa; as laboratories report it (`Strength::reported`), also of runs without a peak
-    std::size_t without_peak = 0;   ///< number of runs
+    Sample strength;                ///< Pa; of the runs that have one (`Strength::reported`)
+    std::size_t without_peak = 0;   ///< number of runs that did not fail
     /// Mean strength over that of the discs of the same size: UCS/BTS, DTS/BTS.
     std::optional<double> ratio_to_brazilian;
     [[nodiscard]] bool is_brazilian() const { return test_named(test).loading == Loading::splitting && shape.empty(); }

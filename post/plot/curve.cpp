@@ -13,6 +13,7 @@
 #include "post/cracks/export.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/first_peak.hpp"
+#include "post/measure/strength.hpp"
 #include "post/options/command.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -80,11 +81,12 @@ std::string strength_label(const Run& run) {
         return fmt::format("{} {:.4g} MPa at {:.3g} % strain", name, 1e-6 * stress, 100 * strain);
     };
     const double largest_strain = run.curve.axial_strain[run.curve.peak];
-    if (!(run.data->header.confining_pressure > 0) || !run.has_earlier_peak()) {
-        return label(peak_label(*run.data), run.curve.peak_stress(), largest_strain);
+    const std::string largest = label("largest stress", run.curve.peak_stress(), largest_strain);
+    if (!run.first_peak) {
+        const bool is_peak = peak_kind(*run.data, run.curve) == "drop";
+        return is_peak ? label("peak", run.curve.peak_stress(), largest_strain) : std::string(did_not_fail) + ": " + largest;
     }
-    return label("first peak", run.first_peak->stress, run.first_peak->strain) + "; " +
-           label("largest stress", run.curve.peak_stress(), largest_strain);
+    return label("first peak", run.first_peak->stress, run.first_peak->strain) + (run.has_earlier_peak() ? "; " + largest : "");
 }
 
 ChartText curve_heading(const std::vector<Run>& runs, const std::string& definition) {
@@ -174,7 +176,10 @@ void mark_cut_branches(Chart& chart, const std::vector<Run>& runs, const Extent&
 }
 
 std::string legend_label(const Run& run, const std::string& name) {
-    return fmt::format("{}: {} {:.4g} MPa", name, peak_label(*run.data), 1e-6 * run.curve.peak_stress());
+    const Strength strength = measure_strength(*run.data);
+    const auto stress = strength.reported();
+    return stress ? fmt::format("{}: {:.4g} MPa", name, 1e-6 * *stress)
+                  : fmt::format("{}: {}, largest stress {:.4g} MPa", name, did_not_fail, 1e-6 * strength.value());
 }
 
 std::vector<double> strains(const TableFile& table, const std::string& name) {

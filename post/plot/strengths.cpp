@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "post/calibrate/target.hpp"
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
 #include "post/fit/envelope.hpp"
@@ -31,17 +32,33 @@ const Stroke mean_stroke{palette::ink, 4};
 const Stroke laboratory_stroke{palette::tensile, 3.5, Dash::dashed};
 constexpr double half_width = 0.32;  ///< of what is drawn for a test, in distances between tests
 
+/// MPa; of a confined test a measured strength at its pressure, a target or the laboratory's line.
 std::optional<double> laboratory_of(const StrengthGroup& group, const std::optional<Material>& material) {
-    const bool is_unconfined = test_named(group.test).loading == Loading::compression && group.confining_pressure == 0;
-    const char* key = group.is_brazilian() ? "tensile_strength" : is_unconfined ? "compressive_strength" : "";
-    const auto value = material ? material->laboratory_value(key) : std::nullopt;
-    return value ? std::optional(*value * in_megapascals) : std::nullopt;
+    const Loading loading = test_named(group.test).loading;
+    const char* name = loading == Loading::splitting     ? "brazilian"
+                       : loading == Loading::tension     ? "direct_tension"
+                       : loading != Loading::compression ? ""
+                       : group.confining_pressure > 0    ? "first_peak"
+                                                         : "uniaxial";
+    if (!material || !group.shape.empty() || *name == '\0') return std::nullopt;
+    calibrate::Target target{property_named(name), group.confining_pressure};
+    target.value = NAN;
+    if (std::filesystem::exists(material->file)) {
+        for (const calibrate::Target& given : calibrate::given_targets(read_toml(material->file.string()))) {
+            if (given.name() == target.name()) target.value = given.value;
+        }
+    }
+    if (!std::isfinite(target.value)) target.value = calibrate::laboratory_entry(*material, target).value_or(NAN);
+    return std::isfinite(target.value) ? std::optional(target.value * in_megapascals) : std::nullopt;
 }
 
 std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<StrengthGroup>& rows,
                                const std::optional<Material>& material) {
     std::vector<double> values;
-    for (const RunData& run : runs) values.push_back(measure_strength(run).reported() * in_megapascals);
+    for (const RunData& run : runs) {
+        const Strength strength = measure_strength(run);
+        values.push_back(strength.reported().value_or(strength.value()) * in_megapascals);
+    }
     for (const StrengthGroup& row : rows) {
         if (const auto value = laboratory_of(row, material)) values.push_back(*value);
     }
@@ -60,15 +77,15 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const StrengthGrou
         const double low = std::max(*mean.low * in_megapascals, lowest);
         chart.box(x - half_width, x + half_width, low, *mean.high * in_megapascals, interval);
     }
-    if (row.runs.size() > 1) level(mean.value * in_megapascals, half_width, mean_stroke);
+    if (row.strength.n > 1) level(mean.value * in_megapascals, half_width, mean_stroke);
     if (const auto value = laboratory_of(row, material)) level(*value, 1.3 * half_width, laboratory_stroke);
     // Runs side by side in their order, symmetric about the tick.
     const double n = static_cast<double>(row.runs.size());
     for (std::size_t i = 0; i < row.runs.size(); ++i) {
         const Strength strength = measure_strength(runs[row.runs[i]]);
         const double at = x + 1.5 * half_width * ((static_cast<double>(i) + 0.5) / n - 0.5);
-        chart.points(std::vector<double>{at}, std::vector<double>{strength.reported() * in_megapascals},
-                     strength.has_peak() ? peak : no_peak);
+        const double stress = strength.reported().value_or(strength.value());
+        chart.points(std::vector<double>{at}, std::vector<double>{stress * in_megapascals}, strength.reported() ? peak : no_peak);
     }
 }
 
@@ -92,11 +109,14 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
                        const std::vector<std::string>& caveats, const PictureStyle& style) {
     const std::vector<StrengthGroup> rows = group_strengths_by_size(runs);
     const auto [low, high] = padded_range(all_values(runs, rows, material), 0);
-    const Axis strength{"strength, MPa", low / 1.6, high * 1.6, true};
+    const Axis strength{"strength, MPa (logarithmic)", low / 1.6, high * 1.6, true};
     Chart chart(style,
                 {runs.front().header.material.empty() ? "Strengths" : runs.front().header.material,
                  plane_lines(group_strengths(runs)), caveats},
                 Axis{"", 0.5, static_cast<double>(rows.size()) + 0.5}, strength);
+    if (std::any_of(runs.begin(), runs.end(), [](const RunData& run) { return is_compression(run.header); })) {
+        chart.add_note("compression: first peaks");
+    }
     std::vector<std::pair<double, std::string>> names;
     std::size_t without_peak = 0;
     bool mean = false;
@@ -107,11 +127,11 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
             x, series_label(group.test, group.confining_pressure, group.shape) + (group.size.empty() ? "" : ",\n" + group.size));
         draw_row(chart, runs, group, x, material, strength.low);
         without_peak += group.without_peak;
-        mean = mean || group.runs.size() > 1;
+        mean = mean || group.strength.n > 1;
     }
     chart.name_ticks(names);
-    if (without_peak < runs.size()) chart.legend(peak, "peak of a run");
-    if (without_peak > 0) chart.legend(no_peak, "largest stress, no peak");
+    if (without_peak < runs.size()) chart.legend(peak, "strength of a run");
+    if (without_peak > 0) chart.legend(no_peak, "did not fail: largest stress");
     if (mean) {
         chart.legend(mean_stroke, "mean");
         chart.legend(interval, "95 % interval");
@@ -199,26 +219,23 @@ double largest_confining(const EnvelopeTests& tests) {
 }
 
 std::string envelope_label(const Estimate& e, double factor) {
-    return e.low ? fmt::format(" [{:.1f}, {:.1f}]", *e.low * factor, *e.high * factor) : std::string();
+    return fmt::format("{:.1f} [{:.1f}, {:.1f}]", e.value * factor, *e.low * factor, *e.high * factor);
 }
 
-std::string line_label(const Envelope& envelope) {
+std::string line_label(const Envelope& envelope, std::size_t tests) {
     const auto& c = envelope.cohesion;
     const auto& phi = envelope.friction_angle;
     if (!std::isfinite(c.value)) return "no Mohr–Coulomb line: the strength falls with the confining pressure";
-    return fmt::format("C = {:.1f}{} MPa, φ = {:.1f}{}°, R² = {:.3f}", c.value * in_megapascals,
-                       envelope_label(c, in_megapascals), phi.value * in_degrees, envelope_label(phi, in_degrees),
+    if (!envelope.is_determined()) return "C and φ: " + not_determined(tests);
+    return fmt::format("C = {} MPa, φ = {}°, R² = {:.3f}", envelope_label(c, in_megapascals), envelope_label(phi, in_degrees),
                        envelope.line.r_squared);
 }
 
 /// Which stress of the tests is drawn, and how many of them have it.
 std::string strength_label(const EnvelopeTests& tests) {
-    const char* stress = tests.kind == StrengthKind::first_peak ? "first peak"
-                         : tests.kind == StrengthKind::residual ? "residual strength"
-                                                                : "largest stress";
-    std::string label = fmt::format("σ1 is the {} of a test", stress);
-    if (!tests.left_out.empty()) {
-        label += fmt::format("; {} of {} tests have one", tests.compression.size(), tests.compression_runs());
+    std::string label = fmt::format("σ1 is the {} of a test", label_of(tests.kind));
+    if (tests.compression.size() < tests.compression_runs) {
+        label += fmt::format("; {} of {} tests have one", tests.compression.size(), tests.compression_runs);
     }
     return label;
 }
@@ -239,7 +256,7 @@ Chart envelope_page(const EnvelopeTests& tests, const Envelope& envelope, const 
     for (const auto* strengths : {&tests.brazilian, &tests.direct_tension}) {
         for (const double strength : *strengths) left = std::max(left, 1.3 * strength * in_megapascals);
     }
-    std::vector<std::string> subtitle{line_label(envelope), strength_label(tests)};
+    std::vector<std::string> subtitle{line_label(envelope, tests.compression.size()), strength_label(tests)};
     if (tests.at_strain_limit > 0) {
         subtitle.push_back(fmt::format("{} of the tests stopped at the strain limit, without a peak", tests.at_strain_limit));
     }
@@ -305,9 +322,12 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
     if (envelope.hoek_brown) {
         const Points hull = hull_of(*envelope.hoek_brown, std::max(largest_confining(tests), 0.1 * right / in_megapascals));
         chart.line(hull.x, hull.y, Stroke{palette::ink, 3, Dash::dashed});
-        chart.legend(Stroke{palette::ink, 3, Dash::dashed},
-                     fmt::format("Hoek–Brown, σci {:.1f} MPa, mi {:.1f}", envelope.hoek_brown->sigma_ci.value * in_megapascals,
-                                 envelope.hoek_brown->mi.value));
+        const HoekBrown& fit = *envelope.hoek_brown;
+        std::string values;
+        if (determined(fit.mi)) {
+            values = fmt::format(", σci {:.1f} MPa, mi {:.1f}", fit.sigma_ci.value * in_megapascals, fit.mi.value);
+        }
+        chart.legend(Stroke{palette::ink, 3, Dash::dashed}, "Hoek–Brown" + values);
     }
     return chart.finish();
 }
@@ -333,7 +353,7 @@ Command envelope_plot() {
             std::vector<LaboratoryStrengths> laboratory;
             for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
             const EnvelopeTests tests = collect_envelope_tests(runs, options.envelope);
-            print_left_out(call.diagnostics(), tests);
+            print_left_out(call.diagnostics(), "envelope", tests.left_out);
             return draw_envelope(tests, runs.front().header.material, laboratory, options.style);
         });
 }
@@ -408,18 +428,20 @@ Drawing draw_size_effect(const std::vector<SizeSeries>& series, const PictureSty
 
 Command size_effect_plot() {
     struct Options : PlotOptions {
-        StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
+        EnvelopeOptions strength;
     };
     return make_plot<Options>(
         "size-effect", "strength against mean edge with the power law",
-        {"brazilian-coarse.h5 brazilian.h5 -o size.png", "brazilian-coarse.h5 brazilian.h5 --capped accept -o size.svg"},
+        {"brazilian-coarse.h5 brazilian.h5 -o size.png", "brazilian-coarse.h5 brazilian.h5 --strength largest -o size.svg"},
         several_runs,
         [](OptionSet set, Options& options) {
             add_chart(set, options);
-            add_strain_limit_runs(set, options.strain_limit_runs);
+            add_envelope_options(set, options.strength);
         },
         [](const Options& options, const Call& call) {
-            return draw_size_effect(collect_sizes(read_runs(call.files), options.strain_limit_runs), options.style);
+            const std::vector<SizeSeries> series = collect_sizes(read_runs(call.files), options.strength);
+            for (const SizeSeries& s : series) print_left_out(call.diagnostics(), "size-effect", s.left_out);
+            return draw_size_effect(series, options.style);
         });
 }
 

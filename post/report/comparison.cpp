@@ -49,12 +49,23 @@ std::string difference_cell(const Target& target, double computed) {
     return fmt::format("{:+.{}f}", difference / target.property.si, decimals_of(target.value / target.property.si));
 }
 
+/// The mean over runs with its interval; of one run that of the known scatter of specimens.
+Estimate computed_of(const Sample& sample, const LaboratoryProperty& property) {
+    Estimate computed = sample.mean;
+    if (sample.n == 1 && property.half_interval_of_one) {
+        computed.low = computed.value - *property.half_interval_of_one;
+        computed.high = computed.value + *property.half_interval_of_one;
+    }
+    return computed;
+}
+
 /// "132.4 MPa\n125 to 140 (4 runs)"
-std::string computed_cell(const Sample& sample, const Target& target) {
+std::string computed_cell(const Estimate& computed, std::size_t runs, const Target& target) {
     const double si = target.property.si;
-    std::string text = number(sample.mean.value / si) + unit_text(target) + "\n";
-    if (sample.mean.low) text += number(*sample.mean.low / si) + " to " + number(*sample.mean.high / si) + " ";
-    return text + fmt::format("({}\u00a0run{})", sample.n, sample.n == 1 ? "" : "s");
+    std::string text = number(computed.value / si) + unit_text(target) + "\n";
+    if (computed.low) text += number(*computed.low / si) + " to " + number(*computed.high / si) + " ";
+    return text + fmt::format("({}\u00a0run{}{})", runs, runs == 1 ? "" : "s",
+                              computed.low && runs == 1 ? ", scatter of the calibration" : "");
 }
 
 /// The rows of the table, and what they count.
@@ -65,15 +76,18 @@ public:
     /// A row for each group that has the property; "not tested" for a value of the laboratory that no group has.
     void add(const LaboratoryProperty& property, const std::vector<SeedGroup>& groups) {
         const Target& target = property.target;
+        // Its rule for tensile cracks is not that of the page.
+        if (!property.is_measured() && !target.property.other.empty()) return;
         bool is_tested = false;
         for (const SeedGroup& group : groups) {
             const auto sample = group.sample_of([&](const TestReport& t) { return value_of(t, target); });
             if (!sample) continue;
             is_tested = true;
-            const Agreement agreement = property.is_measured() ? agreement_of(target, *sample) : Agreement::unknown;
+            const Estimate computed = computed_of(*sample, property);
+            const Agreement agreement = property.is_measured() ? agreement_of(target, computed) : Agreement::unknown;
             usual_deviation_ = usual_deviation_ || (property.is_measured() && !property.has_own_deviation);
-            row({group.with_specimen(property.name()), laboratory_cell(property), computed_cell(*sample, target),
-                 property.is_measured() ? difference_cell(target, sample->mean.value) : "", name_of(agreement),
+            row({group.with_specimen(property.name()), laboratory_cell(property), computed_cell(computed, sample->n, target),
+                 property.is_measured() ? difference_cell(target, computed.value) : "", verdict_of(agreement, sample->n),
                  name_of(property.origin)},
                 agreement);
         }
@@ -82,13 +96,15 @@ public:
         usual_deviation_ = usual_deviation_ || !property.has_own_deviation;
     }
     /// A number of a fit through several tests. \param laboratory SI
-    void add(const std::string& label, const Estimate& value, const std::optional<double>& laboratory, const ColumnUnit& unit,
-             PropertyOrigin origin) {
+    void add(const std::string& label, const Estimate& value, std::size_t tests, const std::optional<double>& laboratory,
+             const ColumnUnit& unit, PropertyOrigin origin) {
         const std::string shown = "\u00a0" + std::string(unit.name == "deg" ? "°" : unit.name);
-        std::string computed = number(value.value * unit.factor) + shown + "\n";
-        if (value.low) computed += number(*value.low * unit.factor) + " to " + number(*value.high * unit.factor) + " ";
-        row({label, laboratory ? number(*laboratory * unit.factor) + shown : "", computed + "(line)",
-             laboratory ? fmt::format("{:+.1f}\u00a0%", 100 * (value.value / *laboratory - 1)) : "", "", name_of(origin)},
+        const std::string known = laboratory ? number(*laboratory * unit.factor) + shown : "";
+        if (!determined(value)) return row({label, known, not_determined(tests), "", "", ""}, Agreement::unknown);
+        const std::string computed = number(value.value * unit.factor) + shown + "\n" + number(*value.low * unit.factor) +
+                                     " to " + number(*value.high * unit.factor) + " (line)";
+        row({label, known, computed, laboratory ? fmt::format("{:+.1f}\u00a0%", 100 * (value.value / *laboratory - 1)) : "", "",
+             laboratory ? name_of(origin) : ""},
             Agreement::unknown);
     }
     [[nodiscard]] std::string str() const {
@@ -117,7 +133,8 @@ private:
         std::string counts;
         for (const Agreement agreement : {Agreement::within, Agreement::outside, Agreement::undecided}) {
             if (count(agreement) == 0) continue;
-            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count(agreement), name_of(agreement));
+            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count(agreement),
+                                  agreement == Agreement::undecided ? "not decided" : name_of(agreement));
         }
         return counts.empty() ? ""
                               : html::paragraph("Beside the laboratory's values and their deviations: " + counts + ".", "lead");
@@ -126,7 +143,9 @@ private:
         std::string text;
         if (counts_.count(Agreement::undecided) > 0) {
             text += html::paragraph(
-                "Undecided: the mean is outside, but its 95 % interval reaches the deviation; more seeds decide.");
+                "Within, outside: the whole 95 % interval of the mean is. Not decided: the interval reaches beyond the deviation "
+                "on "
+                "one side only, or one run has none; more seeds decide.");
         }
         if (usual_deviation_) {
             text += html::paragraph("* The material gives no deviation of this value: the usual one of such a measurement.");
@@ -151,8 +170,10 @@ void add_envelope_rows(ComparisonTable& table, const std::vector<SizedEnvelope>&
                                                                            : PropertyOrigin::predicted;
     for (const SizedEnvelope& each : envelopes) {
         const std::string size = each.size.empty() ? "" : ", " + each.size;
-        table.add("cohesion C" + size, each.envelope.cohesion, laboratory("cohesion"), unit::megapascal, origin);
-        table.add("friction angle φ" + size, each.envelope.friction_angle, laboratory("friction_angle"), unit::degree, origin);
+        const std::size_t tests = each.tests.compression.size();
+        table.add("cohesion C" + size, each.envelope.cohesion, tests, laboratory("cohesion"), unit::megapascal, origin);
+        table.add("friction angle φ" + size, each.envelope.friction_angle, tests, laboratory("friction_angle"), unit::degree,
+                  origin);
     }
 }
 
@@ -203,11 +224,17 @@ std::optional<double> value_of(const MeasuredRun& test, const Target& target) {
 
 std::string name_of(Agreement agreement) { return name_in({"", "within", "outside", "undecided"}, agreement); }
 
-Agreement agreement_of(const Target& target, const Sample& computed) {
-    const double off = std::abs(computed.mean.value - target.value);
+std::string verdict_of(Agreement agreement, std::size_t runs) {
+    if (agreement != Agreement::undecided) return name_of(agreement);
+    return runs == 1 ? "not decided by one run" : fmt::format("not decided ({} runs)", runs);
+}
+
+Agreement agreement_of(const Target& target, const Estimate& computed) {
+    const double off = std::abs(computed.value - target.value);
     if (!std::isfinite(off) || !std::isfinite(target.deviation)) return Agreement::unknown;
-    if (off <= target.deviation) return Agreement::within;
-    const double half = computed.mean.high ? *computed.mean.high - computed.mean.value : 0;
+    if (!computed.high) return Agreement::undecided;
+    const double half = *computed.high - computed.value;
+    if (off + half <= target.deviation) return Agreement::within;
     return off - half > target.deviation ? Agreement::outside : Agreement::undecided;
 }
 
@@ -234,7 +261,8 @@ std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<S
     text += html::paragraph(
         "CI and CD as strain gauges tell them, by the volumetric strain ε1 + 2 ε3 over the central half. CI: stress at which the "
         "crack volumetric strain sets in, which is that strain less its elastic line. CD: stress at which the volume begins to "
-        "grow. E and ν: chord to half the peak. C and φ: line through the compression tests.");
+        "grow. E and ν: chord to half the peak. C and φ: line through the compression tests. UCS and σ1: first peaks; a "
+        "test that did not fail has none.");
     text += other_thresholds(groups);
     if (const std::string fitted = fitted_table(material); !fitted.empty()) {
         text += "<h3>What the calibration fitted</h3>\n" + fitted;

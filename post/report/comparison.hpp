@@ -24,12 +24,14 @@ std::optional<double> value_of(const MeasuredRun& test, const calibrate::Target&
 /// The agreement of computed values with the laboratory's.
 enum class Agreement {
     unknown,    ///< nothing to compare, or no deviation of the laboratory's value
-    within,     ///< the mean is within the deviation
-    outside,    ///< the value of one run, or the whole 95 % interval of the mean, is beyond the deviation
-    undecided,  ///< the mean is beyond the deviation, its interval reaches it
+    within,     ///< the whole 95 % interval of the mean is within the deviation
+    outside,    ///< it is beyond the deviation
+    undecided,  ///< neither, or there is no interval
 };
 std::string name_of(Agreement agreement);
-Agreement agreement_of(const calibrate::Target& target, const Sample& computed);
+Agreement agreement_of(const calibrate::Target& target, const Estimate& computed);
+/// "within", "outside", "not decided (3 runs)", "not decided by one run"
+std::string verdict_of(Agreement agreement, std::size_t runs);
 
 /// The table property, laboratory, computed, difference, agreement, origin; a row for each group of runs that has the property.
 /// Properties of the laboratory without a test among the runs are "not tested". Below, other definitions of crack initiation, and

@@ -8,7 +8,6 @@
 #include <map>
 #include <regex>
 
-#include "post/fit/mohr_coulomb.hpp"
 #include "post/report/html.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
@@ -25,19 +24,6 @@ std::string laboratory_name(const Target& target) {
     std::string name = target.property.laboratory;
     if (target.confining_pressure > 0) name += fmt::format(" at σ3 = {:.7g} MPa", target.confining_pressure * 1e-6);
     return name;
-}
-
-/// UCS + b σ3; empty without UCS or b.
-std::optional<double> confined_strength_of(const Material& material, double pressure) {
-    const auto ucs = material.laboratory_value("compressive_strength");
-    const auto slope = laboratory_slope(material);
-    return ucs && slope ? std::optional(*ucs + *slope * pressure) : std::nullopt;
-}
-
-/// The value of a property in [laboratory].
-std::optional<double> laboratory_entry(const Material& material, const Target& target) {
-    return target.property.pressure == PressureOf::name ? confined_strength_of(material, target.confining_pressure)
-                                                        : material.laboratory_value(target.property.key);
 }
 
 bool has_targets(const Material& material) { return !material.file.empty() && std::filesystem::exists(material.file); }
@@ -74,6 +60,25 @@ bool is_harmless(const std::string& name) {
 std::string rounded(const std::string& text) {
     const auto value = parse_number(text);
     return value ? html::number(*value) : text;
+}
+
+/// The words of an entry of [fitted]: the value that was asked for, the computed one, its interval if there is one, the number of
+/// specimens. False for other texts.
+bool read_fitted(const std::string& text, std::smatch& found) {
+    // As the calibration writes it: "122 MPa; 124.6 (117.59 to 131.62) on 6 new specimens".
+    static const std::regex form(R"(([^;]*); (\S+)(?: \((\S+) to (\S+)\))? on (\d+) new specimens?)");
+    return std::regex_match(text, found, form);
+}
+
+/// t s of specimens, from the interval t s/√n of the mean of n.
+std::optional<double> half_interval_of_one(const Material& material, const Target& target) {
+    const auto entry = material.fitted.find(target.fitted_name());
+    std::smatch found;
+    if (entry == material.fitted.end() || !read_fitted(entry->second, found) || !found[3].matched) return std::nullopt;
+    const auto low = parse_number(found[3]);
+    const auto high = parse_number(found[4]);
+    const auto n = parse_number(found[5]);
+    return low && high && n ? std::optional((*high - *low) / 2 * std::sqrt(*n) * target.property.si) : std::nullopt;
 }
 
 }  // namespace
@@ -127,11 +132,15 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
         all.push_back({target, false, material ? origin_of(*material, target, false) : PropertyOrigin::unknown});
     }
     for (LaboratoryProperty& property : all) {
-        const auto value = material && !property.is_measured() ? laboratory_entry(*material, property.target) : std::nullopt;
-        if (!value) continue;
-        property.target.value = *value;
-        property.target.deviation = property.target.usual_deviation();
-        property.has_own_deviation = false;
+        const auto value =
+            material && !property.is_measured() ? calibrate::laboratory_entry(*material, property.target) : std::nullopt;
+        if (value) {
+            property.target.value = *value;
+            property.target.deviation = property.target.usual_deviation();
+            property.has_own_deviation = false;
+        }
+        if (!property.is_measured()) property.origin = PropertyOrigin::unknown;
+        if (material) property.half_interval_of_one = half_interval_of_one(*material, property.target);
     }
     std::stable_sort(all.begin(), all.end(), [](const LaboratoryProperty& a, const LaboratoryProperty& b) {
         return std::pair(order_of(a.target.property), a.target.confining_pressure) <
@@ -147,8 +156,6 @@ bool has_fitted_confined_strength(const std::optional<Material>& material) {
 
 std::string fitted_table(const std::optional<Material>& material) {
     if (!material || material->fitted.empty()) return "";
-    // As the calibration writes it: "122 MPa; 124.6 (117.59 to 131.62) on 6 new specimens".
-    static const std::regex form(R"(([^;]*); (\S+)(?: \((\S+) to (\S+)\))? on (\d+) new specimens?)");
     struct Row {
         std::size_t order;
         double pressure;
@@ -162,7 +169,7 @@ std::string fitted_table(const std::optional<Material>& material) {
         std::replace(words.begin(), words.end(), '_', ' ');
         row.cells.push_back(target ? laboratory_name(*target) : words);
         std::smatch found;
-        if (std::regex_match(text, found, form)) {
+        if (read_fitted(text, found)) {
             const std::string unit = target && !target->property.unit.empty() ? "\u00a0" + target->property.unit : "";
             const std::string interval = found[3].matched ? rounded(found[3]) + " to " + rounded(found[4]) : "";
             row.cells.insert(row.cells.end(), {found[1], rounded(found[2]) + unit, interval, found[5]});

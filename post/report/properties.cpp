@@ -50,6 +50,8 @@ private:
     std::optional<PaperModel> paper_;
 };
 
+constexpr Estimate unknown{NAN, std::nullopt, std::nullopt};
+
 /// The row of a property with the mean over specimens.
 PropertyRow mean_row(const Property& property, const Sample& sample, const Known& known) {
     const double factor = 1 / property.si;
@@ -103,10 +105,10 @@ Estimate slope_of(const Estimate& angle) {
     return {mohr_coulomb_slope(angle.value), slope(angle.low), slope(angle.high)};
 }
 
-bool have_two_pressures(const std::vector<RunData>& runs) {
+bool have_two_pressures(const std::vector<RunData>& runs, StrengthKind kind) {
     std::set<double> pressures;
     for (const RunData& run : runs) {
-        if (is_compression(run.header)) pressures.insert(run.header.confining_pressure);
+        if (is_compression(run.header) && measure_strength(run).value(kind)) pressures.insert(run.header.confining_pressure);
     }
     return pressures.size() > 1;
 }
@@ -119,7 +121,7 @@ void add_envelope(std::vector<PropertyRow>& properties, const EnvelopeTests& tes
         properties.push_back({.name = name,
                               .laboratory = laboratory,
                               .published = published,
-                              .ours = ours,
+                              .ours = determined(ours).value_or(unknown),
                               .specimens = tests.compression.size(),
                               .without_peak = tests.at_strain_limit});
     };
@@ -134,7 +136,7 @@ void add_envelope(std::vector<PropertyRow>& properties, const EnvelopeTests& tes
         published_angle ? OptionalValue(mohr_coulomb_slope(*published_angle / in_degrees)) : std::nullopt,
         slope_of(envelope.friction_angle));
     const EnvelopeAt yield = fit_envelope_at_first_yield(tests);
-    if (!yield.envelope) return;
+    if (!yield.envelope || !yield.envelope->is_determined()) return;
     properties.push_back({.name = "cohesion_at_first_yield_MPa",
                           .ours = scaled(yield.envelope->cohesion, in_megapascals),
                           .specimens = yield.runs});
@@ -166,7 +168,7 @@ std::vector<PropertyRow> measure_properties(const std::vector<RunData>& runs, co
     std::vector<PropertyRow> properties;
     add_moduli(properties, runs, known);
     add_strengths(properties, runs, known, options.strength);
-    if (have_two_pressures(runs)) add_envelope(properties, collect_envelope_tests(runs, options), known);
+    if (have_two_pressures(runs, options.strength)) add_envelope(properties, collect_envelope_tests(runs, options), known);
     return properties;
 }
 

@@ -21,8 +21,9 @@ struct PropertyRow {
     Estimate ours = {};
     std::optional<double> deviation = std::nullopt;  ///< over specimens; of C and φ over seeds with tests at all pressures
     std::size_t specimens = 0;
-    std::optional<std::size_t> without_peak = std::nullopt;  ///< specimens among them without a peak
-    bool is_mean = false;                                    ///< of a sample of specimens; else from a fit through all of them
+    /// Those that did not fail: not among the specimens, unless the largest stress is taken as the strength.
+    std::optional<std::size_t> without_peak = std::nullopt;
+    bool is_mean = false;  ///< of a sample of specimens; else from a fit through all of them
 
     /// 100 (ours/laboratory − 1)
     [[nodiscard]] std::optional<double> off_laboratory_percent() const;

@@ -134,7 +134,7 @@ std::vector<RunData> data_of(const Content& content) {
 }
 
 /// The envelopes of the compression tests of each grain size, if they are there and have peaks; else why not.
-void add_envelopes(Content& content, StrainLimitRuns strain_limit_runs) {
+void add_envelopes(Content& content) {
     const std::vector<RunData> runs = data_of(content);
     const std::vector<GrainSize> sizes = grain_sizes(runs);
     for (const GrainSize& size : sizes) {
@@ -145,7 +145,7 @@ void add_envelopes(Content& content, StrainLimitRuns strain_limit_runs) {
         }
         if (own.empty()) continue;
         try {
-            EnvelopeTests tests = collect_envelope_tests(own, {.strain_limit_runs = strain_limit_runs});
+            EnvelopeTests tests = collect_envelope_tests(own, {});
             const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
             content.envelopes.push_back({name, std::move(tests), envelope});
         } catch (const InputError& error) {
@@ -195,7 +195,7 @@ Content read_content(const std::vector<std::string>& runs, ReportOptions& option
     for (std::size_t i = 0; i < runs.size(); ++i) {
         throw_if_interrupted();
         const RunReader run(runs[i]);
-        content.tests.push_back(read_test_report(run));
+        content.tests.push_back(read_test_report(run, options.label));
         content.curves.push_back(run_data(run, options.label));
         const TestReport& t = content.tests.back();
         require_same_material(t.data, content.tests.front().data, "a report");
@@ -206,7 +206,7 @@ Content read_content(const std::vector<std::string>& runs, ReportOptions& option
     const TestReport& first = content.tests.front();
     if (!options.material) options.material = material_of_run(first.data.header, first.command_line);
     add_maps(content, runs, options);
-    add_envelopes(content, options.strain_limit_runs);
+    add_envelopes(content);
     return content;
 }
 
@@ -216,7 +216,7 @@ std::string run_table(const Content& content) {
                                      "seed",
                                      "grains",
                                      "mean edge, mm",
-                                     "strength, MPa",
+                                     strength_heading,
                                      "ended by",
                                      "strain at peak, %",
                                      "first yield, MPa",
@@ -234,7 +234,7 @@ std::string run_table(const Content& content) {
                                      std::to_string(t.data.specimen.seed),
                                      std::to_string(t.data.specimen.grains),
                                      number(t.data.specimen.mean_edge * 1e3, 3),
-                                     number(t.strength.reported() * 1e-6),
+                                     t.strength.reported() ? number(*t.strength.reported() * 1e-6) : did_not_fail,
                                      t.strength.peak_kind,
                                      number(100 * t.strength.strain_at_peak, 3),
                                      t.strength.first_yield ? number(*t.strength.first_yield * 1e-6) : "",

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "post/measure/strength.hpp"
 #include "post/run/crack_label.hpp"
 #include "share/base/progress.hpp"
 #include "share/rock/material.hpp"
@@ -14,14 +13,13 @@ namespace graincrack {
 
 struct ReportOptions {
     std::optional<Material> material = {};  ///< for laboratory values and fractions of phases; default: that of the first run
-    StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
-    CrackLabelChoice label = {};  ///< of the cracks in maps, roses and curves
+    CrackLabelChoice label = {};            ///< of all cracks of the page
 };
 
 /// The page: curve, crack map and envelope at a glance; properties against the laboratory; means over seeds; curves, quality
 /// checks, envelope, maps, energy balance, parameters, provenance. Runs are read one after the other; of each test and confining
-/// pressure the first run has maps. An envelope is drawn only of runs with peaks, unless runs stopped at the strain limit are
-/// accepted. \throws InputError if a run cannot be read or evaluated, or if the runs are not of one material
+/// pressure the first run has maps. An envelope is drawn only of runs with first peaks. \throws InputError if a run cannot be
+/// read or evaluated, or if the runs are not of one material
 std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity);
 
 }  // namespace graincrack

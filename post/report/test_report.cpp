@@ -52,23 +52,7 @@ std::optional<double> toughness_of(const RunData& run, const Specimen& specimen)
 
 }  // namespace
 
-FailureBranches count_branches(const std::vector<Crack>& log) {
-    FailureBranches branches;
-    for (const Crack& crack : log) {
-        (crack.mode == CrackMode::tensile ? branches.open : branches.closed) += 0.5;
-        if (crack.mode_angle < std::numbers::pi / 4) {
-            branches.by_tension += 0.5;
-        } else if (crack.mode_angle <= std::numbers::pi / 2) {
-            branches.by_shear += 0.5;
-        } else {
-            branches.compressed += 0.5;
-        }
-        if (crack.separated.time < std::numeric_limits<double>::infinity()) branches.separated += 0.5;
-    }
-    return branches;
-}
-
-TestReport read_test_report(const RunReader& run) {
+TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label) {
     TestReport report;
     report.data = run_data(run);
     report.curve = load_curve(report.data);
@@ -77,7 +61,7 @@ TestReport read_test_report(const RunReader& run) {
     const Specimen specimen = run.specimen();
     const std::vector<Crack> log = read_cracks(run, specimen);
     const RunHeader& header = report.data.header;
-    const std::vector<Crack> cracks = labelled(log, {header.crack_event});
+    const std::vector<Crack> cracks = labelled(log, label.of(header));
     report.predicted = predict_moduli(header, specimen);
     report.grains = grain_moduli(header, specimen);
     report.class_names = contact_class_names(specimen);
@@ -90,8 +74,8 @@ TestReport read_test_report(const RunReader& run) {
     const auto& times = report.data.history[HistoryColumn::time];
     report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.by_sign_at_peak = count_other_labels(log, header.crack_event, times[report.curve.peak]).front();
-    report.broken = count_modes(log, {CrackEvent::broken, CrackModeRule::sign}, times.back());
-    report.branches = count_branches(log);
+    report.crack_definition = definition_of(label.of(header));
+    report.at_end = balance_cracks(cracks, times.back());
     report.sensitivity = read_sensitivity(run.file());
     report.contact_zone_length =
         fpz::contact_zone_length(header.rock, header.plane, header.contact.fracture_energy, header.contact.tensile_strength);
@@ -146,7 +130,9 @@ std::string ratio_to_brazilian(const std::vector<SeedGroup>& groups, const SeedG
                each.grain_size == group.grain_size;
     });
     if (disc == groups.end() || &*disc == &group) return "";
-    return number(group.sample_of(strength_of)->mean.value / disc->sample_of(strength_of)->mean.value, 3);
+    const auto own = group.sample_of(strength_of);
+    const auto brazilian = disc->sample_of(strength_of);
+    return own && brazilian ? number(own->mean.value / brazilian->mean.value, 3) : "";
 }
 
 }  // namespace
@@ -185,6 +171,8 @@ std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests) {
     return groups;
 }
 
+const char* const strength_heading = "strength (compression: first peak), MPa";
+
 std::string mean_cell(const Sample& sample, double factor) {
     std::string text = number(sample.mean.value * factor);
     if (sample.deviation) text += " (" + number(*sample.deviation * factor, 2) + ")";
@@ -201,7 +189,7 @@ std::string group_table(const std::vector<SeedGroup>& groups) {
     const auto of = [](const char* head, double factor, const char* property) {
         return Value{head, factor, property_named(property).value};
     };
-    const Value values[] = {{"strength, MPa", in_megapascals, strength_of},
+    const Value values[] = {{strength_heading, in_megapascals, strength_of},
                             of("strain at peak, %", 100, "strain_at_peak"),
                             of("E, GPa", 1e-9, "young_modulus"),
                             of("ν", 1, "poisson_ratio"),
@@ -209,7 +197,7 @@ std::string group_table(const std::vector<SeedGroup>& groups) {
                             of("CD, MPa", in_megapascals, "crack_damage")};
     std::vector<std::string> head{"test", "plane", "runs"};
     for (const Value& value : values) head.emplace_back(value.head);
-    head.insert(head.end(), {"without peak", "over Brazilian"});
+    head.insert(head.end(), {did_not_fail, "over Brazilian"});
     html::Table table(head);
     for (const SeedGroup& group : groups) {
         std::vector<std::string> row{group.name(), std::string(name_of(group.first().data.header.plane)),
@@ -218,8 +206,8 @@ std::string group_table(const std::vector<SeedGroup>& groups) {
             const auto sample = group.sample_of(value.of);
             row.push_back(sample ? mean_cell(*sample, value.factor) : "");
         }
-        row.push_back(std::to_string(std::count_if(group.runs.begin(), group.runs.end(),
-                                                   [](const TestReport* t) { return t->strength.peak_kind != "drop"; })));
+        row.push_back(std::to_string(
+            std::count_if(group.runs.begin(), group.runs.end(), [](const TestReport* t) { return !t->strength.has_peak(); })));
         row.push_back(ratio_to_brazilian(groups, group));
         table.row(std::move(row));
     }

@@ -14,17 +14,6 @@
 
 namespace graincrack {
 
-/// Contacts (points ÷ 2) failed by the end, by branch of the law and by mode angle.
-struct FailureBranches {
-    double open = 0;        ///< failed while open (mode tensile)
-    double closed = 0;      ///< failed while closed (mode shear)
-    double by_tension = 0;  ///< mode angle below 45°: |τ| < σn
-    double by_shear = 0;    ///< mode angle from 45° to 90°, still under tension
-    double compressed = 0;  ///< mode angle above 90°
-    double separated = 0;
-};
-FailureBranches count_branches(const std::vector<Crack>& log);
-
 /// The provenance that a file records, as names and values.
 using ProvenanceEntries = std::vector<std::pair<std::string, std::string>>;
 
@@ -33,17 +22,17 @@ struct TestReport : MeasuredRun {
     GrainModuli grains;
     std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunHeader::fabric`
     std::vector<Caveat> caveats;           ///< caveats of the strength
-    CrackBalance at_peak;                  ///< by the event of the run
-    FailureBranches branches;
-    ModeCounts broken;                        ///< by the end, by the sign of the opening then
+    CrackBalance at_peak;                  ///< by the label of the page
+    CrackBalance at_end;
+    std::string crack_definition;             ///< that label in words
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;
     std::vector<std::string> command_line;  ///< words
 };
 
-/// Evaluates a run for the report. \throws InputError if it cannot be read or evaluated
-TestReport read_test_report(const RunReader& run);
+/// Evaluates a run for the report. \param label of its cracks \throws InputError if it cannot be read or evaluated
+TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label = {});
 
 /// A value of a run, SI; empty if the test does not measure it.
 using ValueOfTest = std::function<std::optional<double>(const TestReport&)>;
@@ -69,6 +58,9 @@ std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests);
 /// "132.4 (4.8)\n124.8 to 140": mean, standard deviation and, on a line of its own, the 95 % interval of the mean. \param
 /// factor from SI to the unit of the table
 std::string mean_cell(const Sample& sample, double factor);
+
+/// Over strengths: "strength (compression: first peak), MPa".
+extern const char* const strength_heading;
 
 /// A row for each group: strength, moduli, strain at the peak and crack thresholds as means with their intervals.
 std::string group_table(const std::vector<SeedGroup>& groups);

@@ -94,6 +94,7 @@ LoadCurve load_curve(const RunData& run) {
     curve.gauge_lateral_strain = history[gauge_lateral_strain];
     curve.stress = run.header.loading() == Loading::splitting ? brazilian_stress(history, run.specimen.width)
                                                               : scaled(history[axial_stress], sense * bending_factor(run));
+    curve.failed = failed_contacts(history);
 
     require_numbers(curve, run.name);
 
@@ -119,6 +120,11 @@ std::optional<LoadCurve> load_curve_if_any(const RunData& run) {
     } catch (const InputError&) {
         return std::nullopt;
     }
+}
+
+CurveColumns LoadCurve::loaded() const {
+    const auto rows = [&](const std::vector<double>& column) { return std::span(column).subspan(start); };
+    return {rows(axial_strain), rows(stress), rows(failed)};
 }
 
 double CurvePoint::of(const std::vector<double>& column) const {
@@ -185,11 +191,7 @@ double decisive_drop(const RunHeader& header) {
 }
 
 std::string peak_kind(const RunData& run, const LoadCurve& curve) {
-    if (run.header.stop_reason == "peak drop") return "drop";
-    const auto after = curve.stress.begin() + static_cast<std::ptrdiff_t>(curve.peak);
-    const double lowest = *std::min_element(after, curve.stress.end());
-    const double deviator = curve.peak_stress() - (is_compression(run.header) ? run.header.confining_pressure : 0);
-    if (lowest <= curve.peak_stress() - peak_fall * deviator) return "drop";
+    if (has_fallen(run.header, curve.loaded())) return "drop";
     return run.header.stop_reason == "strain limit" ? "cap" : "";
 }
 

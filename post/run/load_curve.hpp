@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "post/run/crack_label.hpp"
+#include "share/file/peak.hpp"
 #include "share/file/run_file.hpp"
 
 namespace graincrack {
@@ -50,10 +51,13 @@ struct LoadCurve {
     std::vector<double> gauge_axial_strain;
     std::vector<double> gauge_lateral_strain;
     std::vector<double> stress;  ///< Pa
+    std::vector<double> failed;  ///< contacts
     std::size_t start = 0;       ///< row at which axial loading begins: 0, or the end of the isotropic stage
     std::size_t peak = 0;        ///< row of the largest stress from `start` on
     [[nodiscard]] double start_stress() const { return stress[start]; }
     [[nodiscard]] double peak_stress() const { return stress[peak]; }
+    /// Its rows from `start` on.
+    [[nodiscard]] CurveColumns loaded() const;
 };
 
 /// \throws InputError if the history is too short, or never loads the specimen in the sense of its test
@@ -98,10 +102,7 @@ bool is_compression(const RunHeader& header);
 /// 0.3.
 double decisive_drop(const RunHeader& header);
 
-/// The fall behind a maximum, as a share of σ1 − σ3 there, that makes it a peak.
-inline constexpr double peak_fall = 0.05;
-
-/// "drop" if the largest stress is a peak: σ1 − σ3 fell behind it by `peak_fall`, or by the drop that ended the test; "cap" if
+/// "drop" if the largest stress is a peak, see `has_fallen`; "cap" if
 /// the test was stopped at the strain limit before that; "" for a test that was stopped otherwise before that.
 std::string peak_kind(const RunData& run, const LoadCurve& curve);
 

@@ -21,6 +21,7 @@ Estimate estimate(double value, double variance, int degrees_of_freedom) {
 
 Sample sample(std::span<const double> values) {
     const std::size_t n = values.size();
+    if (n == 0) return {0, {std::nan(""), std::nullopt, std::nullopt}, std::nullopt};
     Sample s{n, {gsl_stats_mean(values.data(), 1, n), std::nullopt, std::nullopt}, std::nullopt};
     if (n < 2) return s;
     s.deviation = gsl_stats_sd_m(values.data(), 1, n, s.mean.value);

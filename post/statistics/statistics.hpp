@@ -19,13 +19,13 @@ double student_t_95(int degrees_of_freedom);
 /// value ± t · √variance; without degrees of freedom the value alone.
 Estimate estimate(double value, double variance, int degrees_of_freedom);
 
-/// Mean and standard deviation (n − 1) of a sample; the interval is that of the mean. Deviation and interval need two values.
+/// Mean and standard deviation (n − 1) of a sample; the interval is that of the mean. Deviation and interval need two values;
+/// the mean of none is NaN.
 struct Sample {
     std::size_t n = 0;
     Estimate mean;
     std::optional<double> deviation;
 };
-/// \pre values is not empty
 Sample sample(std::span<const double> values);
 
 /// Least squares y = intercept + slope · x, with the variances that follow from the scatter about the line (0 with two points).

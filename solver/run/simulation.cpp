@@ -11,6 +11,7 @@
 
 #include "share/base/error.hpp"
 #include "share/file/equilibrium.hpp"
+#include "share/file/peak.hpp"
 #include "solver/detection/active_contacts.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/run/run_output.hpp"
@@ -214,7 +215,10 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     simulation.write_to(output);
     SimulationSummary summary;
     summary.header = simulation.run();
-    summary.equilibrium_warning = equilibrium_warning(summary.header, simulation.outcome().history);
+    const History& history = simulation.outcome().history;
+    const auto strength = find_strength(summary.header, history, sign_of_strength(summary.header, history));
+    if (strength) summary.strength = strength->stress;
+    summary.equilibrium_warning = equilibrium_warning(summary.header, history);
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));

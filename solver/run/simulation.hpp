@@ -24,6 +24,7 @@ struct RankSummary {
 /// The summary of a finished run for its user.
 struct SimulationSummary {
     RunHeader header;
+    std::optional<double> strength;  ///< axial stress, Pa, positive; in compression the first peak; empty if it did not fail
     std::size_t tensile_cracks = 0;  ///< contacts
     std::size_t shear_cracks = 0;
     double wall_time = 0;  ///< s

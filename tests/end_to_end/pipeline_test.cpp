@@ -24,11 +24,13 @@ TEST(Pipeline, FilesAndPipeGiveTheSame) {
 
 TEST(Pipeline, ThreeToolsOnACompressionTest) {
     const Shell shell;
-    shell.must(
+    const std::string said = shell.must(
         "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n"
-        "graincrack-solve uniaxial rectangle.h5 --material augig-granite --rate 50mm/s --max-strain 0.0003 --quiet -o uniaxial.h5"
+        "graincrack-solve uniaxial rectangle.h5 --material augig-granite --rate 50mm/s --max-strain 0.0003 -o uniaxial.h5 2>&1"
         "\ngraincrack-solve triaxial rectangle.h5 --confining-pressure 4MPa -o triaxial.h5" +
         elastic);
+    EXPECT_NE(said.find("; did not fail: largest stress "), std::string::npos) << said;
+    EXPECT_NE(shell.must("graincrack-post --quiet strength uniaxial.h5 --format table").find("did not fail"), std::string::npos);
     // Elastic, far from the peak: the modulus of the rock less the compliance of the contacts; few grains scatter.
     EXPECT_NEAR(std::atof(cell(shell.must("graincrack-post moduli uniaxial.h5"), "young_modulus_GPa").c_str()), 24, 4);
     const std::string summary = shell.must("ls uniaxial.h5 triaxial.h5 | graincrack-post strength --summary --files-from -");

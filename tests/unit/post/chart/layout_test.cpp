@@ -90,8 +90,8 @@ TEST_P(Layout, PicturesOfSeveralRuns) {
     expect_fit_to_print(
         draw_strengths(runs, material, {"Brazilian: first cracks outside 0.5 R (9 of 9 runs); look at them"}, style_),
         "strength");
-    expect_fit_to_print(draw_curves({runs[2], runs[3], runs[4], runs[6]}, {}, "", {"σ3 = 4 MPa: no peak (1 of 1 run)"}, style_),
-                        "curves");
+    expect_fit_to_print(
+        draw_curves({runs[2], runs[3], runs[4], runs[6]}, {}, "", {"σ3 = 4 MPa: did not fail (1 of 1 run)"}, style_), "curves");
     EnvelopeTests tests;
     for (const double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, 120e6 + 9 * s, 1});
     tests.brazilian = {8e6};
@@ -99,7 +99,8 @@ TEST_P(Layout, PicturesOfSeveralRuns) {
     expect_fit_to_print(draw_envelope(tests, "Augig granite", {}, style_), "envelope");
     std::vector<RunData> coarse{runs[0], runs[2]};
     for (RunData& run : coarse) run.specimen.mean_edge *= 2;
-    const auto sizes = collect_sizes({runs[0], runs[2], coarse[0], coarse[1]}, StrainLimitRuns::accept);
+    const auto sizes = collect_sizes({runs[0], runs[2], coarse[0], coarse[1]},
+                                     {.strain_limit_runs = StrainLimitRuns::accept, .strength = StrengthKind::largest});
     expect_fit_to_print(draw_size_effect(sizes, style_), "size effect");
 }
 

@@ -30,9 +30,9 @@ RunData run_of(double edge, double strength, const std::string& test = "brazilia
     return run;
 }
 
-std::string table_of(const std::vector<RunData>& runs, StrainLimitRuns strain_limit_runs, std::ostream& notes) {
+std::string table_of(const std::vector<RunData>& runs, const EnvelopeOptions& options, std::ostream& notes) {
     std::ostringstream out;
-    write_size_effect_table(out, runs, TableFormat::tsv, strain_limit_runs, notes);
+    write_size_effect_table(out, runs, TableFormat::tsv, options, notes);
     return out.str();
 }
 
@@ -62,7 +62,7 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
         runs.push_back(run_of(edge, 120e6, "uniaxial"));
     }
     std::ostringstream notes;
-    const std::string table = table_of(runs, StrainLimitRuns::refuse, notes);
+    const std::string table = table_of(runs, EnvelopeOptions{}, notes);
     EXPECT_EQ(notes.str(), "");
     EXPECT_EQ(test::parse_tsv(table).size(), 5U);
     EXPECT_EQ(test::field(table, "test"), "brazilian");
@@ -75,7 +75,7 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
     EXPECT_NEAR(std::stod(test::field(table, "zone_over_smallest_edge")), zone / 2e-3, 1e-5);
     EXPECT_NEAR(std::stod(test::field(table, "exponent", 2)), 0, 1e-9);
     EXPECT_EQ(test::field(table, "paper_exponent", 2), "");
-    const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)));
+    const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, EnvelopeOptions{})));
     EXPECT_NE(svg.find("n = 0.39"), std::string::npos);
     EXPECT_NE(svg.find("theory, n = 0.5"), std::string::npos);
     EXPECT_NE(svg.find("Kazerani &amp; Zhao (2014), n = 0.39"), std::string::npos);
@@ -86,10 +86,10 @@ TEST(SizeEffect, AnotherRockIsNotComparedWithThePapers) {
     for (const double edge : edges) runs.push_back(run_of(edge, 5e6 * std::pow(edge * 1e3, 0.3)));
     for (RunData& run : runs) run.header.material = "Carrara marble";
     std::ostringstream notes;
-    const std::string table = table_of(runs, StrainLimitRuns::refuse, notes);
+    const std::string table = table_of(runs, EnvelopeOptions{}, notes);
     EXPECT_EQ(test::field(table, "exponent"), "0.3");
     EXPECT_EQ(test::field(table, "paper_exponent"), "");
-    const std::string words = draw_size_effect(collect_sizes(runs, StrainLimitRuns::refuse)).words();
+    const std::string words = draw_size_effect(collect_sizes(runs, EnvelopeOptions{})).words();
     EXPECT_NE(words.find("theory, n = 0.5"), std::string::npos);
     EXPECT_EQ(words.find("0.39"), std::string::npos);
     EXPECT_EQ(words.find("Kazerani"), std::string::npos);
@@ -99,15 +99,24 @@ TEST(SizeEffect, OneSizeAndCappedRunsAreOneLine) {
     std::ostringstream notes;
     // Seeds of one size differ by half a percent in their mean edge: no line goes through them.
     const std::vector<RunData> one{run_of(1.99e-3, 8e6), run_of(2e-3, 9e6)};
-    test::expect_one_line<InputError>([&] { table_of(one, StrainLimitRuns::refuse, notes); }, {"one mean edge (2 mm)"});
+    test::expect_one_line<InputError>([&] { table_of(one, EnvelopeOptions{}, notes); }, {"one mean edge (2 mm)"});
     std::vector<RunData> at_strain_limit{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
     at_strain_limit[1].header.stop_reason = "strain limit";
     test::Recipe without_fall;
     without_fall.test = "brazilian";
     without_fall.drop = 0;
     at_strain_limit[1].history = test::synthetic_history(without_fall);
-    test::expect_one_line<InputError>([&] { table_of(at_strain_limit, StrainLimitRuns::refuse, notes); }, {"strain limit"});
-    EXPECT_EQ(test::field(table_of(at_strain_limit, StrainLimitRuns::accept, notes), "runs_at_strain_limit"), "1");
+    const EnvelopeOptions largest{.strength = StrengthKind::largest};
+    test::expect_one_line<InputError>([&] { table_of(at_strain_limit, largest, notes); }, {"strain limit"});
+    // Without the test that did not fail there is one size.
+    test::expect_one_line<InputError>([&] { table_of(at_strain_limit, EnvelopeOptions{}, notes); }, {"one mean edge (2 mm)"});
+    std::vector<RunData> three = at_strain_limit;
+    three.push_back(run_of(4e-3, 16e6));
+    EXPECT_EQ(test::field(table_of(three, EnvelopeOptions{}, notes), "exponent"), "1");
+    EXPECT_NE(notes.str().find("size-effect: left out: "), std::string::npos) << notes.str();
+    EXPECT_EQ(test::field(table_of(at_strain_limit, EnvelopeOptions{StrainLimitRuns::accept, StrengthKind::largest}, notes),
+                          "runs_at_strain_limit"),
+              "1");
     EXPECT_NE(notes.str().find("size-effect: 1 of 2 runs were stopped at the strain limit"), std::string::npos) << notes.str();
 }
 

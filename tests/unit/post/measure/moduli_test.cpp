@@ -61,7 +61,7 @@ TEST(Moduli, WhatSpeaksAgainstThemStandsInTheRow) {
     recipe.drop = 0;
     recipe.stop_reason = "strain limit";
     EXPECT_EQ(field(table_of(recipe), "warning"),
-              "no peak: fractions are of the largest stress; E from the gauges is 10 % larger than E from the platens: the "
+              "did not fail: fractions are of the largest stress; E from the gauges is 10 % larger than E from the platens: the "
               "specimen is not in equilibrium, or its strain is not uniform");
     recipe.test = "brazilian";
     EXPECT_EQ(field(table_of(recipe), "warning"), "");  // no moduli

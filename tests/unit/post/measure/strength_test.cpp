@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "post/cracks/crack_counts.hpp"
+#include "post/measure/strength_summary.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -118,6 +119,31 @@ TEST_F(StrengthTable, FirstPeakAndResidualStrengthIncludeTheConfinement) {
     EXPECT_NEAR(std::stod(field(table, "rehardening_GPa")), -1e-3 * slope, 1e-3 * slope * 0.01);
 }
 
+// Elastic to a fifth of its strength, and stopped there.
+TEST_F(StrengthTable, ATestThatDidNotFailHasNoStrength) {
+    Recipe recipe;
+    std::vector<std::string> files{folder_.file("whole.h5"), folder_.file("short.h5")};
+    test::write_run(files[0], recipe);
+    recipe.peak = 25e6;
+    recipe.drop = 0;
+    recipe.stop_reason = "strain limit";
+    test::write_run(files[1], recipe);
+    std::ostringstream out;
+    write_strength_table(out, files, TableFormat::aligned, notes_);
+    EXPECT_NE(out.str().find("uniaxial, plane strain; strength: first peak"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find(" did not fail "), std::string::npos) << out.str();
+    EXPECT_EQ(out.str().find("mean of"), std::string::npos) << out.str();  // one has a strength
+    std::ostringstream summary;
+    write_strength_summary(summary, files, TableFormat::tsv, notes_);
+    EXPECT_EQ(field(summary.str(), "runs") + field(summary.str(), "runs_without_peak"), "21");
+    EXPECT_NEAR(std::stod(field(summary.str(), "strength_MPa")), 125, 1);
+    EXPECT_NE(notes_.str().find("uniaxial: did not fail (1 of 2 runs)"), std::string::npos) << notes_.str();
+    for (const char* test : {"brazilian", "tension"}) {
+        recipe.test = test;
+        EXPECT_EQ(field(table_of(recipe), "tensile_strength_MPa"), "") << test;
+    }
+}
+
 TEST_F(StrengthTable, TensionHasNoFirstPeak) {
     Recipe recipe;
     recipe.test = "tension";
@@ -195,44 +221,47 @@ TEST_F(StrengthTable, ForPeopleHasGroupsUnitsAndMeans) {
     EXPECT_EQ(words[0], (std::vector<std::string>{"run", "seed", "grains", "mean", "edge", "strength", "at", "strain", "ended",
                                                   "by", "tensile", "shear"}));
     EXPECT_EQ(words[1], (std::vector<std::string>{"mm", "MPa", "%", "cracks", "cracks"}));
-    EXPECT_EQ(words[3], (std::vector<std::string>{"uniaxial,", "plane", "strain"}));
+    EXPECT_EQ(words[3], (std::vector<std::string>{"uniaxial,", "plane", "strain;", "strength:", "first", "peak"}));
     ASSERT_EQ(words[4].size(), 9U);
-    EXPECT_EQ(words[4][4], "125");
+    EXPECT_EQ(words[4][4], "124.4");  // of the smoothed curve
     EXPECT_EQ(words[4][6], "peak");
-    EXPECT_EQ(words[5][4], "135");
-    EXPECT_EQ(words[6], (std::vector<std::string>{"mean", "of", "2,", "s.d.", "7.1", "130"}));
-    EXPECT_EQ(words[8], (std::vector<std::string>{"σ3", "=", "5", "MPa,", "plane", "strain"}));
-    EXPECT_EQ(words[9][4], "200");
+    EXPECT_EQ(words[5][4], "134.4");
+    EXPECT_EQ(words[6], (std::vector<std::string>{"mean", "of", "2,", "s.d.", "7.1", "129.4"}));
+    EXPECT_EQ(words[8], (std::vector<std::string>{"σ3", "=", "5", "MPa,", "plane", "strain;", "strength:", "first", "peak"}));
+    EXPECT_EQ(words[9][4], "199.4");
     for (const char* name : {"\t", "peak_compressive"}) EXPECT_EQ(out.str().find(name), std::string::npos);
 }
 
-// Under pressure the stress falls by a fifth behind 200 MPa, and has 220 MPa when the test ends.
-TEST_F(StrengthTable, AConfinedTestThatHardensHasTheStrengthOfItsFirstPeak) {
-    Recipe recipe;
-    recipe.test = "triaxial";
-    recipe.confining_pressure = 8e6;
-    recipe.peak = 220e6;
-    recipe.drop = 0;
-    recipe.rows = 2001;
-    recipe.stop_reason = "strain limit";
-    RunData run;
-    run.name = "run.h5";
-    run.header = test::synthetic_header(recipe);
-    run.history = test::synthetic_history(recipe);
-    const LoadCurve before = load_curve(run);
-    std::vector<double>& stress = run.history[HistoryColumn::axial_stress];
-    bool is_behind = false;
-    for (std::size_t row = before.start; row < stress.size(); ++row) {
-        is_behind = is_behind || -stress[row] > 200e6;
-        if (is_behind && -stress[row] < 215e6) stress[row] = -160e6;
+// The stress falls by a fifth behind 200 MPa, and has 220 MPa when the test ends.
+TEST_F(StrengthTable, ATestThatHardensHasTheStrengthOfItsFirstPeak) {
+    for (const double pressure : {0.0, 8e6}) {
+        Recipe recipe;
+        recipe.test = pressure > 0 ? "triaxial" : "uniaxial";
+        recipe.confining_pressure = pressure;
+        recipe.peak = 220e6;
+        recipe.drop = 0;
+        recipe.rows = 2001;
+        recipe.stop_reason = "strain limit";
+        RunData run;
+        run.name = "run.h5";
+        run.header = test::synthetic_header(recipe);
+        run.history = test::synthetic_history(recipe);
+        const LoadCurve before = load_curve(run);
+        std::vector<double>& stress = run.history[HistoryColumn::axial_stress];
+        bool is_behind = false;
+        for (std::size_t row = before.start; row < stress.size(); ++row) {
+            is_behind = is_behind || -stress[row] > 200e6;
+            if (is_behind && -stress[row] < 215e6) stress[row] = -160e6;
+        }
+        const Strength strength = measure_strength(run);
+        EXPECT_NEAR(strength.reported().value(), 200e6, 1e6);  // less what smoothing takes
+        EXPECT_EQ(strength.reported(), strength.value(StrengthKind::first_peak));
+        EXPECT_TRUE(strength.has_peak());
+        EXPECT_EQ(strength.reported(StrengthKind::largest), strength.value());
+        EXPECT_NEAR(strength.value(), 220e6, 1e3);
+        EXPECT_EQ(strength.peak_kind, "cap");
+        EXPECT_FALSE(strength.has_peak(StrengthKind::largest));
     }
-    const Strength strength = measure_strength(run);
-    EXPECT_NEAR(strength.reported(), 200e6, 1e6);  // less what smoothing takes
-    EXPECT_TRUE(strength.has_peak());
-    EXPECT_EQ(strength.reported(StrengthKind::largest), strength.value());
-    EXPECT_NEAR(strength.value(), 220e6, 1e3);
-    EXPECT_EQ(strength.peak_kind, "cap");
-    EXPECT_FALSE(strength.has_peak(StrengthKind::largest));
 }
 
 TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
@@ -243,7 +272,7 @@ TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
     at_strain_limit.stop_reason = "strain limit";
     table_of(at_strain_limit);
     EXPECT_NE(
-        notes_.str().find("run.h5: warning: no peak: at the strain limit the stress has not fallen behind its largest value\n"),
+        notes_.str().find("run.h5: warning: did not fail by the strain limit: its largest stress, 125 MPa, is no strength\n"),
         std::string::npos)
         << notes_.str();
 }

@@ -169,10 +169,22 @@ TEST_F(Plot, MapsSideBySideHaveOneScaleBar) {
     EXPECT_EQ(words.find(" mm\n", bar + 1), std::string::npos) << words;
 }
 
+TEST_F(Plot, StrengthsStandBesideTheLaboratorysAtTheirPressure) {
+    RunData confined = run();
+    confined.header.test = "triaxial";
+    confined.header.confining_pressure = 8e6;
+    const auto marks = [&](const std::vector<RunData>& runs) {
+        const Drawing page = draw_strengths(runs, read_material("augig-granite"), {});
+        EXPECT_TRUE(says(page, "strength, MPa (logarithmic)\n"));
+        return lines_of(page, palette::tensile, 3.5).size();
+    };
+    EXPECT_EQ(marks({run(), confined}), marks({run()}) + 1);
+}
+
 TEST_F(Plot, WarningsStandBelowNotInTheHeading) {
-    const std::string words = draw_strengths({run()}, std::nullopt, {"uniaxial: no peak (1 of 1 run)"}).words();
-    EXPECT_GT(words.find("no peak (1 of 1 run)"), words.find("peak of a run")) << words;
-    EXPECT_NE(words.find("no peak (1 of 1 run)"), std::string::npos);
+    const std::string words = draw_strengths({run()}, std::nullopt, {"uniaxial: did not fail (1 of 1 run)"}).words();
+    EXPECT_GT(words.find("did not fail (1 of 1 run)"), words.find("strength of a run")) << words;
+    EXPECT_NE(words.find("did not fail (1 of 1 run)"), std::string::npos);
 }
 
 }  // namespace

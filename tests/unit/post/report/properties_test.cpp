@@ -100,6 +100,23 @@ TEST_F(Properties, OfDiscsAlone) {
     EXPECT_NEAR(found.at("tensile_strength_MPa").ours.value, 8, 1e-9);
 }
 
+TEST_F(Properties, OfFirstPeaksLeaveOutTestsThatDidNotFail) {
+    add("uniaxial", 1, 120e6);
+    add("uniaxial", 2, 26e6);
+    std::vector<RunData> runs = read_runs(files_);
+    Recipe short_test;
+    short_test.peak = 26e6;
+    short_test.drop = 0;
+    runs[1].history = test::synthetic_history(short_test);
+    runs[1].header.stop_reason = "strain limit";
+    for (const PropertyRow& row : measure_properties(runs, material_, {})) {
+        if (row.name != "s1_at_0_MPa") continue;
+        EXPECT_NEAR(row.ours.value, 120, 1);
+        EXPECT_EQ(row.specimens, 1U);
+        EXPECT_EQ(row.without_peak, 1U);
+    }
+}
+
 TEST_F(Properties, WhatIsUnknownIsEmpty) {
     add("tension", 1, 6e6);
     add("uniaxial", 1, 120e6);

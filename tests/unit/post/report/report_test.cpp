@@ -78,7 +78,7 @@ TEST(Figures, LeaveNoColumnEmpty) {
 TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
                                    run("b.h5", recipe("brazilian", 9e6))},
-                                  {read_material("augig-granite"), StrainLimitRuns::refuse});
+                                  {.material = read_material("augig-granite")});
     for (const char* id :
          {"laboratory", "means", "curves", "quality-checks", "envelope", "maps", "mesh", "inputs", "provenance"}) {
         expect_texts(html, {"<h2 id=\"" + std::string(id) + "\">"});
@@ -89,22 +89,24 @@ TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     EXPECT_EQ(html.find("<script "), std::string::npos);
     EXPECT_EQ(html.find("@import"), std::string::npos);
     // Laboratory: σt 8.8, UCS 122 MPa with the usual deviation of 5 %; σ1 at 4 MPa on the line UCS + b σ3, b = 8.93.
-    expect_texts(html, {"<td>8.8 ± 0.44*\u00a0MPa</td><td>9\u00a0MPa\n(1\u00a0run)</td><td>+2.3\u00a0%</td><td>within</td>",
-                        "<td>122 ± 6.1*\u00a0MPa</td><td>120\u00a0MPa\n(1\u00a0run)</td><td>-1.6\u00a0%</td><td>within</td>",
-                        "<td>σ1 at σ3 = 4 MPa</td><td>157.7 ± 13*\u00a0MPa</td>", "Mohr–Coulomb", "13.3", "no potential",
-                        "0.2\u00a0%", "Density 2650 kg/m³"});
+    expect_texts(
+        html,
+        {"<td>8.8 ± 0.44*\u00a0MPa</td><td>9\u00a0MPa\n(1\u00a0run)</td><td>+2.3\u00a0%</td><td>not decided by one run</td>",
+         "<td>122 ± 6.1*\u00a0MPa</td><td>119.4\u00a0MPa\n(1\u00a0run)</td><td>-2.1\u00a0%</td><td>not decided by one run</td>",
+         "<td>σ1 at σ3 = 4 MPa</td><td>157.7 ± 13*\u00a0MPa</td>", "Mohr–Coulomb", "13.3", "no potential", "0.2\u00a0%",
+         "Density 2650 kg/m³"});
     EXPECT_EQ(html.substr(0, 15), "<!DOCTYPE html>");
     EXPECT_EQ(html.find(">nan"), std::string::npos);
 }
 
 TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
     const std::vector<std::string> runs{run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 8e6))};
-    expect_texts(page(runs, {read_material("augig-granite"), StrainLimitRuns::refuse}), {"This material has no [fitted]"});
+    expect_texts(page(runs, {.material = read_material("augig-granite")}), {"This material has no [fitted]"});
     std::ifstream file(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
     const std::string calibrated = folder_.file("calibrated.toml");
     std::ofstream(calibrated) << file.rdbuf()
                               << "\n[fitted]\nconfined_strength_8MPa = \"193 MPa; 190.123 on 30 new specimens\"\n";
-    const std::string html = page(runs, {read_material(calibrated), StrainLimitRuns::refuse});
+    const std::string html = page(runs, {.material = read_material(calibrated)});
     // As the laboratory calls it, without keys.
     expect_texts(html, {"<td>σ1 at σ3 = 8 MPa</td><td>193 MPa</td><td>190.1\u00a0MPa</td><td>–</td><td>30</td>"});
     EXPECT_EQ(html.find("confined_strength"), std::string::npos);
@@ -132,7 +134,7 @@ TEST_F(Report, MineralsStandByPhaseAndClass) {
     for (std::size_t g = 0; g < r.specimen.n_grains(); ++g) r.specimen.grain_phase[g] = g % 4 == 0 ? 1 : 0;
     Material material = read_material("augig-granite");
     material.fabric.phases["quartz"].fraction = 0.745;
-    const std::string html = page({run("two.h5", r)}, {material, StrainLimitRuns::refuse});
+    const std::string html = page({run("two.h5", r)}, {.material = material});
     expect_texts(html, {"id=\"minerals\"", "<td>quartz</td><td>74.5</td><td>75</td><td>192</td><td>25.8</td><td>0.23</td>",
                         "<td>all, Reuss to Voigt</td>", "<h3>Contacts and micro-cracks by class</h3>", "<td>quartz–mica</td>",
                         "<th>parameter</th><th>value</th>"});
@@ -181,7 +183,18 @@ TEST_F(Report, RunsWithoutAPeakAreNamedSo) {
     test::Recipe at_strain_limit = recipe("uniaxial", 120e6);
     at_strain_limit.drop = 0;
     at_strain_limit.stop_reason = "strain limit";
-    expect_texts(page({run("u.h5", at_strain_limit)}), {"1 of 1 run reached no peak", "<td>cap</td>"});
+    expect_texts(page({run("u.h5", at_strain_limit)}), {"1 of 1 run did not fail", "<td>cap</td>", "<td>did not fail</td>"});
+}
+
+TEST_F(Report, CountsCracksByOneRule) {
+    const std::string html = page({run("u.h5", recipe("uniaxial", 120e6))});
+    for (const char* rule : {"open : closed", "traction angle", "tensile share of cracks"}) {
+        EXPECT_EQ(html.find(rule), std::string::npos) << rule;
+    }
+    const auto counts = [](const std::string& whole) { return row_of(whole, "tensile : shear cracks at the peak"); };
+    const std::string by_sign = page({folder_.file("u.h5")}, {.label = {std::nullopt, CrackModeRule::sign}});
+    EXPECT_NE(counts(html), counts(by_sign));
+    EXPECT_NE(row_of(html, "which cracks"), row_of(by_sign, "which cracks"));
 }
 
 TEST_F(Report, AMissingFileIsOneLine) {
@@ -213,22 +226,6 @@ TEST(ReportHtml, PicturesOfManyShapesArePng) {
     // 4 characters for 3 bytes, padded
     const std::size_t from = figure.find("base64,") + 7;
     EXPECT_EQ(figure.find('"', from) - from, (png_bytes(drawing).size() + 2) / 3 * 4);
-}
-
-TEST(ReportBranches, CountsByModeAndByAngle) {
-    std::vector<Crack> cracks(3);
-    cracks[0].mode_angle = 0.2;
-    cracks[1].mode_angle = 1.2;
-    cracks[2].mode_angle = 2.0;
-    cracks[2].mode = CrackMode::shear;
-    cracks[2].separated.time = 1;
-    const FailureBranches b = count_branches(cracks);
-    EXPECT_DOUBLE_EQ(b.open, 1);
-    EXPECT_DOUBLE_EQ(b.closed, 0.5);
-    EXPECT_DOUBLE_EQ(b.by_tension, 0.5);
-    EXPECT_DOUBLE_EQ(b.by_shear, 0.5);
-    EXPECT_DOUBLE_EQ(b.compressed, 0.5);
-    EXPECT_DOUBLE_EQ(b.separated, 0.5);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "post/measure/first_peak.hpp"
+#include "share/file/peak.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,100 @@
+#include "share/file/peak.hpp"
+
+#include <algorithm>
+
+namespace graincrack {
+
+MeanOverStrain::MeanOverStrain(std::span<const double> strain, std::span<const double> value) {
+    for (std::size_t row = 0; row < strain.size(); ++row) {
+        if (!strain_.empty() && !(strain[row] > strain_.back())) continue;
+        const double area = strain_.empty() ? 0.0 : 0.5 * (value[row] + value_.back()) * (strain[row] - strain_.back());
+        integral_.push_back(integral_.empty() ? 0.0 : integral_.back() + area);
+        strain_.push_back(strain[row]);
+        value_.push_back(value[row]);
+    }
+}
+
+MeanOverStrain::Place MeanOverStrain::at(double strain) const {
+    const auto above = std::upper_bound(strain_.begin(), strain_.end(), strain);
+    if (above == strain_.begin()) return {value_.front(), 0};
+    if (above == strain_.end()) return {value_.back(), integral_.back()};
+    const auto end = static_cast<std::size_t>(above - strain_.begin());
+    const double step = strain - strain_[end - 1];
+    const double slope = (value_[end] - value_[end - 1]) / (strain_[end] - strain_[end - 1]);
+    const double value = value_[end - 1] + slope * step;
+    return {value, integral_[end - 1] + 0.5 * (value_[end - 1] + value) * step};
+}
+
+double MeanOverStrain::mean(double from, double to) const {
+    const double low = std::max(from, first_strain());
+    const double high = std::min(to, last_strain());
+    if (!(high > low)) return at(low).value;
+    return (at(high).integral - at(low).integral) / (high - low);
+}
+
+double MeanOverStrain::moving_mean(double strain, double width) const {
+    const double half = std::max(0.0, std::min({0.5 * width, strain - first_strain(), last_strain() - strain}));
+    return mean(strain - half, strain + half);
+}
+
+std::vector<double> moving_mean(std::span<const double> strain, std::span<const double> value, double width) {
+    const MeanOverStrain curve(strain, value);
+    std::vector<double> smooth(strain.size());
+    std::transform(strain.begin(), strain.end(), smooth.begin(), [&](double at) { return curve.moving_mean(at, width); });
+    return smooth;
+}
+
+std::vector<double> failed_contacts(const History& history) {
+    std::vector<double> failed = history[HistoryColumn::tensile_cracks];
+    const std::vector<double>& shear = history[HistoryColumn::shear_cracks];
+    for (std::size_t row = 0; row < failed.size(); ++row) failed[row] += shear[row];
+    return failed;
+}
+
+std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure) {
+    std::vector<double> deviator = moving_mean(curve.strain, curve.stress, smoothing_strain);
+    for (double& stress : deviator) stress -= confining_pressure;
+    std::optional<std::size_t> highest;
+    for (std::size_t row = 0; row < deviator.size(); ++row) {
+        if (!highest && !(curve.failed[row] > 0 && deviator[row] > 0)) continue;
+        if (!highest || deviator[row] > deviator[*highest]) {
+            highest = row;
+        } else if (deviator[row] < (1 - peak_fall) * deviator[*highest]) {
+            return Peak{*highest, deviator[*highest] + confining_pressure};
+        }
+    }
+    return std::nullopt;
+}
+
+bool has_fallen(const RunHeader& header, const CurveColumns& curve) {
+    if (header.stop_reason == "peak drop") return true;
+    if (!(curve.failed.back() > 0)) return false;
+    const auto largest = std::max_element(curve.stress.begin(), curve.stress.end());
+    const double deviator = *largest - (header.loading() == Loading::compression ? header.confining_pressure : 0);
+    return *std::min_element(largest, curve.stress.end()) <= *largest - peak_fall * deviator;
+}
+
+std::optional<Peak> find_strength(const RunHeader& header, const CurveColumns& curve) {
+    if (header.loading() == Loading::compression) {
+        if (const auto first = find_first_peak(curve, header.confining_pressure)) return first;
+    }
+    if (!has_fallen(header, curve)) return std::nullopt;
+    const auto largest = std::max_element(curve.stress.begin(), curve.stress.end());
+    return Peak{static_cast<std::size_t>(largest - curve.stress.begin()), *largest};
+}
+
+std::optional<Peak> find_strength(const RunHeader& header, const History& history, double sense) {
+    const std::vector<double>& times = history[HistoryColumn::time];
+    const auto begin = std::lower_bound(times.begin(), times.end(), header.isotropic_end_time * (1 - 1e-12));
+    const auto loaded = [&](HistoryColumn column) {
+        std::vector<double> rows(history[column].begin() + (begin - times.begin()), history[column].end());
+        for (double& value : rows) value *= sense;
+        return rows;
+    };
+    const std::vector<double> strain = loaded(HistoryColumn::axial_strain);
+    const std::vector<double> stress = loaded(HistoryColumn::axial_stress);
+    const std::vector<double> failed = failed_contacts(history);
+    return find_strength(header, {strain, stress, std::span(failed).last(strain.size())});
+}
+
+}  // namespace graincrack
