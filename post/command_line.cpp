@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <list>
 
 #include "post/chart/font.hpp"
@@ -16,6 +17,7 @@
 #include "post/commands/commands.hpp"
 #include "post/cracks/crack_map.hpp"
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/options/command_line.hpp"
 
 namespace graincrack {
@@ -79,14 +81,15 @@ void add(OptionSet parent, const Command& command, const std::string& prefix, Re
         add_files(set, command.files->name, own.files, std::string(command.files->help) + " (- is stdin)")
             .type_name("FILE")
             .only_on_command_line();
-        add_text(set, "--files-from", own.files_from, "file with a list of files, one per line (- is stdin)")
+        add_text(set, "--files-from", own.files_from,
+                 "file with a list of files, one per line or with a NUL behind each (- is stdin)")
             .type_name("FILE")
             .only_on_command_line();
     }
     own.action = command.add_options(set);
 }
 
-/// Names of files, one a line.
+/// Names of files, one a line, or each with a NUL behind it as of `find -print0`.
 std::vector<std::string> read_list(const std::string& path) {
     std::ifstream file;
     if (path != "-") {
@@ -95,8 +98,9 @@ std::vector<std::string> read_list(const std::string& path) {
     }
     std::istream& stream = path == "-" ? std::cin : file;
     std::vector<std::string> names;
-    for (std::string line; std::getline(stream, line);) {
-        if (!line.empty()) names.push_back(line);
+    const std::string list(std::istreambuf_iterator<char>(stream), {});
+    for (const std::string_view name : split(list, list.find('\0') == std::string::npos ? '\n' : '\0')) {
+        if (!name.empty()) names.emplace_back(name);
     }
     if (names.empty()) throw InputError(fmt::format("--files-from {}: no names; one file per line is needed", path));
     return names;

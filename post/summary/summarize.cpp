@@ -178,6 +178,9 @@ Database::Database(const std::vector<std::string>& files, const std::string& lab
     sqlite3_db_config(database, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
     constexpr int longest_text = 10'000'000;
     sqlite3_limit(database, SQLITE_LIMIT_LENGTH, longest_text);
+    constexpr int instructions_between = 10'000;
+    sqlite3_progress_handler(
+        database, instructions_between, [](void*) { return stop_signal(); }, nullptr);
     add_functions(database);
     std::vector<NamedTable> read_files;
     for (const std::string& file : files) read_files.push_back(read(file));
@@ -227,6 +230,7 @@ Answer Database::query(const std::string& sql, const std::string& name,
         std::vector<Cell>& row = answer.rows.emplace_back();
         for (int i = 0; i < n_columns; ++i) row.push_back(cell_of(statement.get(), i));
     }
+    throw_if_interrupted();
     if (step == SQLITE_MISMATCH) throw InputError(fmt::format("{}: {}", name, sqlite3_errmsg(database_.get())));
     if (step != SQLITE_DONE) refuse(step == SQLITE_AUTH ? forbidden : sqlite3_errmsg(database_.get()));
     return answer;
@@ -260,6 +264,7 @@ Answer pivoted(const Answer& answer) {
     std::map<std::pair<std::size_t, std::size_t>, Cell> values;
     const auto same_text = [](const Cell& a, const Cell& b) { return a.text() == b.text(); };
     for (const std::vector<Cell>& row : answer.rows) {
+        throw_if_interrupted();
         const std::vector<Cell> key(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(n_keys));
         const std::size_t at = place_of(keys, key, [&](const auto& a, const auto& b) {
             return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_text);

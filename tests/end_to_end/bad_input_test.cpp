@@ -194,6 +194,10 @@ const std::vector<BadInput> postprocessor{
     {"EnvelopeOfADisc", "graincrack-post envelope run.h5", 3, "run.h5"},
     {"EnvelopeOfNothing", "graincrack-post envelope --files-from text.h5", 3, "no"},
     {"ListAndFileFromStdin", "echo run.h5 | graincrack-post strength - --files-from -", 2, "--files-from"},
+    {"AQueryIsStopped",
+     "timeout -k 20 --preserve-status 2 graincrack-post summarize double.tsv --sql "
+     "\"SELECT count(*) FROM $(seq -f 'double d%g' -s , 40)\"",
+     143, "stopped by signal 15"},
     {"MissingList", "graincrack-post strength --files-from none.txt", 3, "none.txt"},
     {"SizeEffectOfOneSize", "graincrack-post size-effect run.h5 --capped accept", 3, "two or more edges"},
     {"DesignWithoutFactors", "graincrack-post ccd design", 2, "--factor"},

@@ -36,6 +36,7 @@ TEST(Pipeline, ThreeToolsOnACompressionTest) {
     const std::string summary = shell.must("ls uniaxial.h5 triaxial.h5 | graincrack-post strength --summary --files-from -");
     EXPECT_EQ(n_lines(summary), 3);
     EXPECT_NE(summary.find("\t4\t"), std::string::npos) << summary;  // MPa of confining pressure
+    EXPECT_EQ(shell.must("find uniaxial.h5 triaxial.h5 -print0 | graincrack-post strength --summary --files-from -"), summary);
     shell.must("graincrack-post cracks --quiet uniaxial.h5 -o maps");
     for (const char* name : {"grains.pvd", "cracks.pvd", "cracks.tsv", "rosette.tsv", "summary.tsv", "counts.tsv", "events.tsv",
                              "fragments.tsv", "fragment-counts.tsv"}) {
