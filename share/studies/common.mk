@@ -33,11 +33,7 @@ solvers := $(wildcard $(STUDIES)/../../build/bin/graincrack-solve $(STUDIES)/../
 BIN ?= $(patsubst %/,%,$(dir $(abspath $(firstword $(solvers)))))
 MESH = $(BIN)/graincrack-mesh
 POST = $(BIN)/graincrack-post
-OUT ?= $(STUDIES)/results
-# A relative path is relative to where make was called first.
-export CALLED_FROM ?= $(PWD)
-include $(STUDIES)/lib/to-resume.mk
-override OUT := $(abspath $(if $(filter /%,$(OUT)),,$(CALLED_FROM)/)$(OUT))
+include $(STUDIES)/lib/places.mk
 HERE := $(OUT)/$(STUDY)
 
 # Variables that users set must be variables of some study: a misspelt one would change nothing.

@@ -30,6 +30,9 @@ TEST(Install, ToolsFindTheMaterialsTheyCameWith) {
     EXPECT_EQ(shell.must("PYTHONPATH=moved/lib/python3/dist-packages /usr/bin/python3 -c \"import graincrack; "
                          "print(graincrack.Run('run.h5').test)\""),
               "brazilian\n");
+    // The studies as from the tree; what they leave is where they are called.
+    shell.must("ln -s moved/share/graincrack share\nunset CALLED_FROM OUT MAKEFLAGS MAKELEVEL\nmake -s -C share/studies fpz");
+    EXPECT_NE(content_of(shell.file("results/fpz/page.md")), "");
 }
 
 TEST(Install, BelowUsrLocalItIsWhereZshAndPythonLook) {
