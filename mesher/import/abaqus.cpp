@@ -72,6 +72,10 @@ public:
         if (mesh_.node_numbers.empty()) fail("no *Node");
         if (mesh_.elements.empty()) fail("no *Element");
         give_sets();
+        // Lines stand set by set; their order is that of their numbers.
+        const auto place = [](const FileElement& element) { return element.n_corners > 2 ? 0 : element.number; };
+        std::stable_sort(mesh_.elements.begin(), mesh_.elements.end(),
+                         [&](const FileElement& l, const FileElement& r) { return place(l) < place(r); });
         mesh_.format = "Abaqus";
         mesh_.without_groups = "elsets of phases: none, so that all grains are of one phase";
         return std::move(mesh_);

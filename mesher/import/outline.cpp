@@ -142,12 +142,13 @@ private:
         return "polygon";
     }
 
-    /// The angle under which a facet across the top is seen from the middle, 0 without one.
+    /// The angle under which a facet across the top, of one side or of several, is seen from the middle, 0 without one.
     [[nodiscard]] double pole_arc(double radius) const {
+        double facet = 0;
         for (const OpenSide& side : chains_.front()) {
-            if (straight_part(side) == top) return 2 * std::atan2(length(at(side.to) - at(side.from)) / 2, radius);
+            if (straight_part(side) == top) facet += length(at(side.to) - at(side.from));
         }
-        return 0;
+        return 2 * std::atan2(facet / 2, radius);
     }
 
     std::uint8_t part_of_name(const std::string& part) {
@@ -230,13 +231,14 @@ private:
             }
         }
         if (n_lost > 0) {
-            notes_.push_back(fmt::format("{} lines of cracks and flaws lie between no two grains and were passed over", n_lost));
+            notes_.push_back(
+                fmt::format("warning: {} lines of cracks and flaws lie between no two grains and were passed over", n_lost));
         }
         for (const std::string& each : unused) {
-            notes_.push_back(
-                fmt::format("lines \"{}\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
-                            "flaw-NAME-broken are cracks or of a class of flaws",
-                            each));
+            notes_.push_back(fmt::format(
+                "warning: lines \"{}\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
+                "flaw-NAME-broken are cracks or of a class of flaws",
+                each));
         }
     }
 

@@ -17,6 +17,8 @@
 #include <charconv>
 #include <concepts>
 #include <map>
+#include <numeric>
+#include <string_view>
 
 #include "post/cracks/vtk_arrays.hpp"
 #include "share/base/error.hpp"
@@ -48,6 +50,8 @@ void append(std::string& text, char between, Numbers... numbers) {
     (one(numbers), ...);
 }
 
+constexpr std::array<std::string_view, 2> grain_sets{"face", "crystal"};  ///< with a number: grains, or crystals of several
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_label_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; }
 
@@ -60,7 +64,10 @@ std::string phase_set(const std::string& phase) { return "PHASE_" + mesh_name(ph
 
 /// True if a name of sides is that of a grain.
 bool names_grain(const std::string& label) {
-    return label.size() > 4 && label.starts_with("face") && label.find_first_not_of("0123456789", 4) == std::string::npos;
+    return std::any_of(grain_sets.begin(), grain_sets.end(), [&](std::string_view set) {
+        return label.size() > set.size() && label.starts_with(set) &&
+               label.find_first_not_of("0123456789", set.size()) == std::string::npos;
+    });
 }
 
 void require_distinct_sets(const SharedMesh& mesh, const std::string& where) {
@@ -76,6 +83,11 @@ void require_distinct_sets(const SharedMesh& mesh, const std::string& where) {
     for (const std::string& name : mesh.side_names) add(name, mesh_name(name, MeshFormat::abaqus));
 }
 
+std::size_t n_crystals(const SharedMesh& mesh) {
+    const auto last = std::max_element(mesh.grain_crystal.begin(), mesh.grain_crystal.end());
+    return last == mesh.grain_crystal.end() ? 0 : static_cast<std::size_t>(*last) + 1;
+}
+
 /// A set of triangles, up to 16 on a line, as Abaqus needs it.
 void append_set(std::string& text, const std::string& name, const std::vector<std::size_t>& triangles) {
     text += "*Elset, elset=" + name + "\n";
@@ -86,14 +98,15 @@ void append_set(std::string& text, const std::string& name, const std::vector<st
 }
 
 void append_sets(std::string& text, const SharedMesh& mesh) {
-    std::vector<std::vector<std::size_t>> grains(mesh.grain_phase.size());
+    std::vector<std::vector<std::size_t>> crystals(n_crystals(mesh));
     std::vector<std::vector<std::size_t>> phases(mesh.phase_names.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto grain = static_cast<std::size_t>(mesh.triangle_grain[t]);
-        grains[grain].push_back(t);
+        crystals[static_cast<std::size_t>(mesh.grain_crystal[grain])].push_back(t);
         phases[mesh.grain_phase[grain]].push_back(t);
     }
-    for (std::size_t g = 0; g < grains.size(); ++g) append_set(text, fmt::format("face{}", g + 1), grains[g]);
+    const std::string_view set = grain_sets[mesh.has_crystals ? 1 : 0];
+    for (std::size_t i = 0; i < crystals.size(); ++i) append_set(text, fmt::format("{}{}", set, i + 1), crystals[i]);
     for (std::size_t p = 0; p < phases.size(); ++p) append_set(text, phase_set(mesh.phase_names[p]), phases[p]);
 }
 
@@ -118,7 +131,7 @@ MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFor
 
 std::string gmsh_text(const SharedMesh& mesh) {
     const std::size_t n_phases = mesh.phase_names.size();
-    const std::size_t n_grains = mesh.grain_phase.size();
+    const std::size_t n_entities = n_crystals(mesh);
     std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     text += fmt::format("$PhysicalNames\n{}\n", n_phases + mesh.side_names.size());
     const auto name = [&](int dimension, std::size_t number, const std::string& of) {
@@ -139,11 +152,12 @@ std::string gmsh_text(const SharedMesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto grain = static_cast<std::size_t>(mesh.triangle_grain[t]);
         const auto& [i, j, k] = mesh.triangles[t];
-        append(text, ' ', ++number, triangle_type, n_tags, mesh.grain_phase[grain] + 1, grain + 1, i + 1, j + 1, k + 1);
+        append(text, ' ', ++number, triangle_type, n_tags, mesh.grain_phase[grain] + 1, mesh.grain_crystal[grain] + 1, i + 1,
+               j + 1, k + 1);
         text += '\n';
     }
     for (const NamedSide& side : mesh.sides) {
-        append(text, ' ', ++number, line_type, n_tags, n_phases + side.name + 1, n_grains + side.name + 1, side.from + 1,
+        append(text, ' ', ++number, line_type, n_tags, n_phases + side.name + 1, n_entities + side.name + 1, side.from + 1,
                side.to + 1);
         text += '\n';
     }
@@ -190,8 +204,13 @@ std::string mesh_name(std::string_view name, MeshFormat format) {
 
 std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format) {
     std::vector<std::string> left_out;
-    if (mesh.has_strength_factors) left_out.emplace_back("strength factors of contacts");
-    if (mesh.has_crystals) left_out.emplace_back("crystals of several grains");
+    if (mesh.has_strength_factors) {
+        left_out.push_back(fmt::format(
+            "strength factors of contacts (import --seed {} draws them again with their modulus or material)", mesh.seed));
+    }
+    if (mesh.has_crystals && mesh.triangles.size() > mesh.grain_phase.size()) {
+        left_out.emplace_back("grains of several elements within crystals");
+    }
     if (format == MeshFormat::vtu && !mesh.sides.empty()) {
         left_out.emplace_back("parts of the boundary, pre-existing cracks and flaws");
     }
@@ -221,6 +240,7 @@ std::string vtu_text(const SharedMesh& mesh) {
     const auto grain = [&](std::size_t triangle) { return static_cast<std::size_t>(mesh.triangle_grain[triangle]); };
     vtkCellData* cells = grid->GetCellData();
     cells->AddArray(scalars<vtkIntArray>("grain", mesh.triangle_grain));
+    cells->AddArray(make_array<vtkIntArray>("crystal", 1, n, [&](std::size_t i, int* v) { *v = mesh.grain_crystal[grain(i)]; }));
     cells->AddArray(make_array<vtkUnsignedCharArray>("phase", 1, n,
                                                      [&](std::size_t i, unsigned char* v) { *v = mesh.grain_phase[grain(i)]; }));
     cells->AddArray(with_unit(
@@ -293,6 +313,12 @@ SharedMesh share_nodes(const Specimen& s) {
     mesh.phase_names = s.phase_names;
     mesh.has_strength_factors = !s.contact_strength_factor.empty();
     mesh.has_crystals = !s.grain_crystal.empty();
+    mesh.grain_crystal = s.grain_crystal;
+    if (!mesh.has_crystals) {
+        mesh.grain_crystal.resize(s.n_grains());
+        std::iota(mesh.grain_crystal.begin(), mesh.grain_crystal.end(), 0);
+    }
+    mesh.seed = s.seed;
     for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
         const auto& [from, to] = s.boundary_edges[b];
         mesh.sides.push_back({point_of(from), point_of(to), s.boundary_part[b]});
@@ -300,7 +326,8 @@ SharedMesh share_nodes(const Specimen& s) {
     for (std::size_t c = 0; c < s.n_contacts(); ++c) {
         const std::size_t flaw = s.contact_flaw.empty() ? 0 : s.contact_flaw[c];
         const bool is_broken = s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
-        if (flaw == 0 && !starts_broken(s.contact_kind[c])) continue;
+        const bool is_within = s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::within_crystal);  // told by crystals
+        if (is_within || (flaw == 0 && !starts_broken(s.contact_kind[c]))) continue;
         const auto& nodes = s.contact_nodes[c];
         mesh.sides.push_back({point_of(nodes[0]), point_of(nodes[1]), s.part_names.size() + 2 * flaw + (is_broken ? 1 : 0)});
     }

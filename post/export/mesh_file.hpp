@@ -26,6 +26,7 @@ struct SharedMesh {
     std::vector<std::array<double, 2>> points;           ///< m; each once, in the order of their lowest nodes
     std::vector<std::array<std::int32_t, 3>> triangles;  ///< points, in the order and with the corners of the elements
     std::vector<std::int32_t> triangle_grain;            ///< ascending from 0
+    std::vector<std::int32_t> grain_crystal;             ///< from 0; without crystals of several grains the grain
     std::vector<std::uint8_t> grain_phase;               ///< index into phase_names
     std::vector<double> grain_area;                      ///< m²
     std::vector<std::string> phase_names;
@@ -36,7 +37,8 @@ struct SharedMesh {
     /// `flaw-NAME-broken`.
     std::vector<std::string> side_names;
     bool has_strength_factors = false;  ///< of contacts, which no mesh carries
-    bool has_crystals = false;          ///< of several grains, which no mesh carries either
+    bool has_crystals = false;          ///< of several grains, which are entities or sets in place of grains
+    std::uint64_t seed = 0;             ///< of the specimen
 };
 
 /// The shared mesh of a specimen. Nodes are one point if contacts join them; it lies where the lowest of them does.
@@ -48,14 +50,15 @@ enum class MeshFormat { gmsh, vtu, abaqus };
 /// \throws UsageError for another ending or a stream without a choice, and for the ending of another format
 MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFormat>& chosen = {});
 
-/// MSH 2.2 ASCII. Triangles are numbered as elements are, from 1: their tags are phase + 1 and grain + 1. Lines follow, with tags
-/// beyond those of the phases and the grains. Coordinates in m, in the fewest digits that read back exactly.
+/// MSH 2.2 ASCII. Triangles are numbered as elements are, from 1: their tags are phase + 1 and crystal + 1. Lines follow, with
+/// tags beyond those of the phases and the crystals. Coordinates in m, in the fewest digits that read back exactly.
 std::string gmsh_text(const SharedMesh& mesh);
 
 /// The input file of Abaqus: *Node, CPE3 elements numbered as those of the specimen, from 1, and sets of them: `faceN`, the
-/// grains from 1, and `PHASE_NAME`. Lines are T2D2 elements in a set of their name, with ascending numbers that follow those of
-/// the triangles: their order is that of `SharedMesh::sides`. Coordinates as in `gmsh_text`. \param where of the specimen, for
-/// messages \throws InputError if two sets would have one name, in any case of letters
+/// grains from 1, or `crystalN`, the crystals of several grains, and `PHASE_NAME`. Lines are T2D2 elements in a set of their
+/// name, with ascending numbers that follow those of the triangles: their order is that of `SharedMesh::sides`. Coordinates as in
+/// `gmsh_text`. \param where of the specimen, for messages \throws InputError if two sets would have one name, in any case of
+/// letters
 std::string abaqus_text(const SharedMesh& mesh, const std::string& where);
 
 /// A name of a phase or of sides as a format has it. Gmsh: without quotes and control characters; Abaqus: a letter, then letters,
@@ -65,8 +68,8 @@ std::string mesh_name(std::string_view name, MeshFormat format);
 /// The parts of a mesh that a format does not carry, or carries by another name: "leaves out strength factors of contacts", …
 std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format);
 
-/// The content of a .vtu file: triangles with points (m, z = 0) that grains share. Cell data: grain (from 0), phase, grain_area
-/// (m²). Field data: phase_names. zlib and base64, which most readers know. \throws OutputError
+/// The content of a .vtu file: triangles with points (m, z = 0) that grains share. Cell data: grain and crystal (from 0), phase,
+/// grain_area (m²). Field data: phase_names. zlib and base64, which most readers know. \throws OutputError
 std::string vtu_text(const SharedMesh& mesh);
 
 }  // namespace graincrack

@@ -26,10 +26,12 @@ TEST(Export, WhatAFormatDoesNotCarryIsSaidInOneLine) {
     const Shell shell;
     shell.must("graincrack-mesh disc --diameter 20mm --grains 60 --strength-modulus 5 --quiet -o disc.h5");
     EXPECT_EQ(shell.run("graincrack-post export disc.h5 -o disc.msh").err,
-              "graincrack-post: export: disc.msh leaves out strength factors of contacts\n");
-    EXPECT_EQ(shell.run("graincrack-post export disc.h5 --format vtu -o - >disc.vtu").err,
-              "graincrack-post: export: stdout leaves out strength factors of contacts, parts of the boundary, "
-              "pre-existing cracks and flaws\n");
+              "graincrack-post: export: disc.msh leaves out strength factors of contacts (import --seed 1 draws them again with "
+              "their modulus or material)\n");
+    EXPECT_EQ(
+        shell.run("graincrack-post export disc.h5 --format vtu -o - >disc.vtu").err,
+        "graincrack-post: export: stdout leaves out strength factors of contacts (import --seed 1 draws them again with their "
+        "modulus or material), parts of the boundary, pre-existing cracks and flaws\n");
     EXPECT_EQ(shell.run("graincrack-post export --quiet disc.h5 -o disc.inp").err, "");
 }
 

@@ -140,11 +140,34 @@ TEST(MeshFile, LossesAreWhatAFormatDoesNotCarry) {
     EXPECT_TRUE(losses(mesh, MeshFormat::abaqus).empty());
     mesh.has_strength_factors = true;
     mesh.phase_names[1] = "brown mica";
-    const std::string factors = "leaves out strength factors of contacts";
+    const std::string factors =
+        "leaves out strength factors of contacts (import --seed 0 draws them again with their modulus or material)";
     EXPECT_EQ(losses(mesh, MeshFormat::gmsh), std::vector<std::string>{factors});
     EXPECT_EQ(losses(mesh, MeshFormat::abaqus), (std::vector<std::string>{factors, "has brown_mica for the name brown mica"}));
     EXPECT_EQ(losses(mesh, MeshFormat::vtu),
               (std::vector<std::string>{factors + ", parts of the boundary, pre-existing cracks and flaws"}));
+}
+
+TEST(MeshFile, CrystalsOfSeveralGrainsAreEntitiesAndSets) {
+    Specimen s = test::one_diagonal_grid(2, 1, 0.2, 0.1);
+    s.grain_crystal = {0, 0, 1, 1};
+    s.flaw_names = {"within_rock"};
+    s.contact_flaw.assign(s.n_contacts(), 0);
+    s.contact_flaw[0] = 1;
+    s.contact_kind[0] = static_cast<std::uint8_t>(ContactKind::within_crystal);
+    const SharedMesh mesh = share_nodes(s);
+    EXPECT_TRUE(losses(mesh, MeshFormat::gmsh).empty());
+    EXPECT_EQ(mesh.sides.size(), s.n_boundary_edges()) << "contacts within crystals follow from the crystals";
+    const auto elements = rows_behind(gmsh_text(mesh), "$Elements");
+    for (std::size_t t = 0; t < 4; ++t) EXPECT_EQ(elements[t + 1][4], t < 2 ? "1" : "2");
+    const std::string sets = abaqus_text(mesh, "");
+    EXPECT_NE(sets.find("elset=crystal1\n1, 2\n*Elset, elset=crystal2\n3, 4\n"), std::string::npos) << sets;
+    EXPECT_EQ(sets.find("elset=face"), std::string::npos);
+    s.element_grain = {0, 0, 1, 1};
+    s.grain_phase.resize(2);
+    s.grain_crystal = {0, 0};
+    EXPECT_EQ(losses(share_nodes(s), MeshFormat::abaqus),
+              std::vector<std::string>{"leaves out grains of several elements within crystals"});
 }
 
 TEST(MeshFile, FormatIsThatOfTheEnding) {
@@ -190,6 +213,7 @@ TEST(MeshVtk, TrianglesReadBackWithGrainsAndPhases) {
         for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(corners->GetId(static_cast<vtkIdType>(k)), mesh.triangles[t][k]);
         const auto grain = static_cast<std::size_t>(s.element_grain[t]);
         EXPECT_EQ(data("grain", cell), s.element_grain[t]);
+        EXPECT_EQ(data("crystal", cell), s.element_grain[t]);
         EXPECT_EQ(data("phase", cell), s.grain_phase[grain]);
         EXPECT_EQ(data("grain_area", cell), s.grain_area[grain]);
     }
