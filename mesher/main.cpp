@@ -8,8 +8,8 @@
 
 #include <chrono>
 #include <iostream>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesher/import/import_specimen.hpp"
@@ -49,47 +49,53 @@ void write(H5Output& file, const Specimen& specimen, const std::string& input_di
     file.commit();
 }
 
-void describe_material(const std::optional<Material>& material, const Specimen& specimen) {
-    if (!material) return;
-    write_notes(std::cerr, "graincrack-mesh", *material);
-    print(std::cerr, describe_size_check(*material, specimen.statistics.mean_edge));
+/// Says what a specimen is and what is wrong with it, and if asked for more the rest of the lines.
+void tell(const MeshOptions& options, const Specimen& specimen, std::vector<std::string> lines) {
+    if (options.verbosity == Verbosity::quiet) return;
+    print(std::cerr, summary_of(specimen, options.output));
+    if (options.material) {
+        write_notes(std::cerr, "graincrack-mesh", *options.material);
+        const std::vector<std::string> zones = describe_zones(*options.material, specimen);
+        lines.insert(lines.end(), zones.begin(), zones.end());
+    }
+    for (const std::string& line : lines) {
+        const bool is_warning = line.starts_with("warning: ");
+        if (is_warning || options.verbosity == Verbosity::verbose) {
+            std::cerr << (is_warning ? "graincrack-mesh: " : "  ") << line << '\n';
+        }
+    }
 }
 
 int run(int argc, char** argv) {
     const auto start = std::chrono::steady_clock::now();
     catch_stop_signals();
 
-    // Options and material
+    // Options
     auto options = read_options(argc, argv);
     if (!options) return 0;
-    const std::optional<Material>& material = options->material;
     const Request& request = options->request;
-    const bool is_quiet = options->verbosity == Verbosity::quiet;
 
     // A mesh from elsewhere
     if (options->imported && !options->imported->new_key.empty()) {
         const std::vector<std::string> labels = write_new_key(*options->imported);
-        if (options->dry_run || !is_quiet) print(options->dry_run ? std::cout : std::cerr, labels);
+        if (options->dry_run || options->verbosity != Verbosity::quiet) print(options->dry_run ? std::cout : std::cerr, labels);
         return 0;
     }
     if (options->imported) {
         const Import mesh = import_specimen(*options->imported, request.fabric, request.seed);
         if (options->dry_run) {
+            print(std::cout, summary_of(mesh.specimen, ""));
             print(std::cout, describe(mesh));
             return 0;
         }
         H5Output file(options->output, "specimen");
         write(file, mesh.specimen, mesh.digest, *options, argc, argv, start);
-        if (!is_quiet) {
-            print(std::cerr, describe(mesh));
-            describe_material(material, mesh.specimen);
-        }
+        tell(*options, mesh.specimen, describe(mesh));
         return 0;
     }
 
     if (options->dry_run) {
         print(std::cout, describe_plan(request));
-        if (material) print(std::cout, describe_size_check(*material, plan_mesh(request).edge));
         return 0;
     }
     plan_mesh(request);  // errors in the request are reported before a file is opened
@@ -104,14 +110,12 @@ int run(int argc, char** argv) {
     write(file, specimen, "", *options, argc, argv, start);
 
     // Report
-    if (!is_quiet) {
-        print(std::cerr, describe_mesh(specimen, request, report));
-        if (length(options->moved) > 0) {
-            print(std::cerr, {fmt::format("  note: moved by ({}, {}), so that the middle of its extent is the origin",
-                                          format_length(options->moved.x), format_length(options->moved.y))});
-        }
-        describe_material(material, specimen);
+    std::vector<std::string> lines = describe_mesh(specimen, request, report);
+    if (length(options->moved) > 0) {
+        lines.push_back(fmt::format("moved by ({}, {}), so that the middle of its extent is the origin",
+                                    format_length(options->moved.x), format_length(options->moved.y)));
     }
+    tell(*options, specimen, std::move(lines));
     return 0;
 }
 

@@ -1,8 +1,11 @@
 #include "mesher/mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -16,6 +19,7 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double element_count_tolerance = 0.02;  ///< of a requested number of elements a crystal
+constexpr double least_angle = 0.2;               ///< of elements on round holes, rad
 constexpr int max_element_trials = 8;
 constexpr std::int64_t crystals_of_trial = 500;
 
@@ -57,12 +61,73 @@ double element_size_for(const Request& request, const TessellatedRegion& made) {
     return size;
 }
 
+/// Whether a flaw or a joint ends on a hole, which then stays as its cells have it.
+bool meets_flaw(const PlaneMesh& mesh, int part) {
+    std::set<int> on_hole;
+    for (const Side& side : mesh.sides) {
+        if (side.part == part) on_hole.insert({side.from, side.to});
+    }
+    return std::any_of(mesh.sides.begin(), mesh.sides.end(), [&](const Side& side) {
+        return side.part < 0 && (on_hole.contains(side.from) || on_hole.contains(side.to));
+    });
+}
+
+/// The smallest angle of the triangles that have points on a part of the boundary, rad.
+double smallest_angle_at(const PlaneMesh& mesh, int part) {
+    std::vector<bool> is_on_part(mesh.points.size(), false);
+    for (const Side& side : mesh.sides) {
+        if (side.part == part) is_on_part[static_cast<std::size_t>(side.from)] = true;
+    }
+    double smallest = std::numbers::pi;
+    for (const Triangle& t : mesh.triangles) {
+        if (std::none_of(t.begin(), t.end(), [&](int p) { return is_on_part[static_cast<std::size_t>(p)]; })) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point at = mesh.points[static_cast<std::size_t>(t[k])];
+            const Point u = mesh.points[static_cast<std::size_t>(t[(k + 1) % 3])] - at;
+            const Point v = mesh.points[static_cast<std::size_t>(t[(k + 2) % 3])] - at;
+            smallest = std::min(smallest, std::atan2(cross(u, v), dot(u, v)));
+        }
+    }
+    return smallest;
+}
+
+/// Moves the points on round holes, of which cells have few, to circles at the radius that gives the polygons through them the
+/// areas of the holes; but not where elements would become bad.
+void round_holes(const Region& region, PlaneMesh& mesh) {
+    bool has_moved = false;
+    for (const Loop& loop : region.loops) {
+        const int part = loop.parts.front();
+        if (!loop.circle || &loop == &region.loops.front() || meets_flaw(mesh, part)) continue;
+        const auto [centre, radius] = std::pair(loop.circle->centre, loop.circle->radius);
+        const auto from_centre = [&](int p) { return unit(mesh.points[static_cast<std::size_t>(p)] - centre); };
+        double doubled_area = 0;  // of the polygon at radius 1
+        for (const Side& side : mesh.sides) {
+            if (side.part == part) doubled_area += std::abs(cross(from_centre(side.from), from_centre(side.to)));
+        }
+        const double angle_before = smallest_angle_at(mesh, part);
+        const std::vector<Point> before = mesh.points;
+        const double corners = radius * std::sqrt(2 * std::numbers::pi / doubled_area);
+        for (const Side& side : mesh.sides) {
+            if (side.part == part) mesh.points[static_cast<std::size_t>(side.from)] = centre + corners * from_centre(side.from);
+        }
+        has_moved = true;
+        if (smallest_angle_at(mesh, part) < std::min(angle_before, least_angle)) mesh.points = before;
+    }
+    if (!has_moved) return;
+    std::fill(mesh.area_of_body.begin(), mesh.area_of_body.end(), 0.0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])]; };
+        mesh.area_of_body[static_cast<std::size_t>(mesh.body_of_triangle[t])] += signed_area(at(0), at(1), at(2));
+    }
+}
+
 /// Elements of the cells, turned so that the loaded diameter lies along y. The elongation is measured on the way.
 PlaneMesh elements_of(const Request& request, TessellatedRegion& made) {
     const Fabric& fabric = request.fabric;
     PlaneMesh elements;
     if (fabric.has_crystals()) {
         elements = divided_crystals(request, made, element_size_for(request, made));
+        round_holes(request.region, elements);
         turn_to_load(request.region, elements.points);
     }
     turn_to_load(request.region, made.cells.points);

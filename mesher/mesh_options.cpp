@@ -70,7 +70,7 @@ struct KindOptions {
     int loaded_diameter = 0;
     std::optional<double> flats;
     std::optional<double> notch;
-    std::optional<double> angle;  ///< of a notch or slit
+    std::optional<double> angle;  ///< of a slit
     std::string file;
     std::optional<double> grain_size;  ///< equal-area diameter
 };
@@ -99,19 +99,19 @@ const Kind kinds[] = {
          add_width(set, options, "--width");
          add_height(set, options);
          add_quantity(
-             set, "--notch", options.notch, quantity::notch,
-             "length of a notch through the centre, across the load, whose grain boundaries are broken from the start; the "
+             set, "--slit", options.notch, quantity::notch,
+             "length of a slit through the centre, across the load, whose grain boundaries are broken from the start; the "
              "width of the specimen makes it a joint");
          add_quantity(
-             set, "--notch-angle", options.angle, quantity::direction,
-             "direction of the notch from x: a straight notch, which grain boundaries follow; default: across the load, of "
+             set, "--slit-angle", options.angle, quantity::direction,
+             "direction of the slit from x: a straight slit, which grain boundaries follow; default: across the load, of "
              "triangles along whole grain boundaries as they lie, of crystals straight");
      },
      [](const KindOptions& options, Request& request) {
          request.region = rectangle(options.width, options.height);
-         if (options.angle && !options.notch) throw UsageError("--notch-angle: there is no notch; add --notch 20mm");
+         if (options.angle && !options.notch) throw UsageError("--slit-angle: there is no slit; add --slit 20mm");
          if (options.angle) {
-             request.region.edges = {central_slit(request.region, *options.notch, *options.angle, "--notch")};
+             request.region.edges = {central_slit(request.region, *options.notch, *options.angle, "--slit")};
          } else {
              request.notch = options.notch;
          }
@@ -157,12 +157,12 @@ const Kind kinds[] = {
      [](OptionSet set, KindOptions& options) {
          add_width(set, options, "--length");
          add_height(set, options);
-         add_quantity(set, "--notch", options.notch, quantity::slit, "length of a straight crack from below at mid-length");
+         add_quantity(set, "--slit", options.notch, quantity::slit, "length of a straight crack from below at mid-length");
      },
      [](const KindOptions& options, Request& request) {
          request.region = rectangle(options.width, options.height);
          request.region.name = "beam";
-         if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--notch")};
+         if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--slit")};
      }},
     {"half-disc", "half a disc on its flat side, to be bent",
      [](OptionSet set, KindOptions& options) {
@@ -332,8 +332,8 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
     add_integer<std::uint64_t>(set, "--open-seed", fabric.open.seed, "seed of the open boundaries; default: that of --seed", 0);
     add_value(
         set, "--material", [&options](const std::string& text) { options.material = read_material(text); },
-        "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose bounds "
-        "of the grain size are printed",
+        "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose "
+        "contact zones elements must resolve",
         "NAME|FILE", "");
     add_string(set, "-o,--output", options.output, "specimen file to write; - for stdout", "FILE|-");
 }
@@ -443,6 +443,16 @@ void take_fabric(const MaterialFabric& material, Fabric& fabric) {
     }
 }
 
+/// The words of a command line, with --slit and --slit-angle for --notch and --notch-angle, as scripts call them too.
+std::vector<std::string> with_one_word_for_slits(int argc, const char* const* argv) {
+    constexpr std::string_view other = "--notch";
+    std::vector<std::string> words(argv, argv + argc);
+    for (std::string& word : words) {
+        if (word.starts_with(other)) word.replace(0, other.size(), "--slit");
+    }
+    return words;
+}
+
 /// As many grains as have this mean diameter. The mean area of crystals whose diameters vary by s is that of the mean diameter
 /// times 1 + s²; diameters of triangles hardly vary. \throws UsageError if no specimen has so few or so many
 std::int64_t grains_of_size(const Request& request, double diameter) {
@@ -480,7 +490,10 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     const auto complete = [&] {
         if (options.material) take_grains(line, options.material->grains, options, kind_options);
     };
-    if (!line.parse(argc, argv, complete)) return std::nullopt;
+    const std::vector<std::string> words = with_one_word_for_slits(argc, argv);
+    std::vector<const char*> arguments;
+    for (const std::string& word : words) arguments.push_back(word.c_str());
+    if (!line.parse(argc, arguments.data(), complete)) return std::nullopt;
     for (std::size_t i = 0; i < sets.size(); ++i) {
         if (sets[i].is_called()) kinds[i].make(kind_options, options.request);
     }

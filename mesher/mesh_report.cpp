@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <set>
 
 #include "mesher/cells/triangles.hpp"
 #include "mesher/fabric/crystals.hpp"
 #include "share/base/units.hpp"
+#include "share/file/fabric.hpp"
 #include "share/file/specimen_measures.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 
@@ -17,42 +21,68 @@ namespace graincrack::mesher {
 
 namespace {
 
-std::string millimetres(double value) { return format_number(in_unit(value, Dimension::length, "mm"), 3) + " mm"; }
+constexpr double fewest_of_zone = 1;  ///< elements
+
+/// The contacts between crystals, or those within, and their contact zones.
+struct Zones {
+    double shortest = std::numeric_limits<double>::infinity();  ///< m
+    double longest = 0;
+    std::string of;  ///< class of the shortest
+    double length = 0;
+    double number = 0;
+    [[nodiscard]] double elements() const { return shortest * number / length; }
+};
+
+/// Whether the solver has parameters for the contacts between phases of a specimen.
+bool has_phases_of(const Material& material, const Specimen& specimen) {
+    const auto& phases = material.fabric.phases;
+    const auto is_known = [&](const std::string& name) { return phases.contains(name); };
+    return phases.empty() || (phases.size() == specimen.phase_names.size() &&
+                              std::all_of(specimen.phase_names.begin(), specimen.phase_names.end(), is_known));
+}
 
 }  // namespace
 
-SizeBounds size_bounds(const Material& material) {
-    const Rock& rock = material.rock;
-    constexpr PlaneCondition plane = PlaneCondition::stress;
-    const double tc = contact_parameters(material, plane, std::nullopt).tensile_strength;
-    SizeBounds bounds;
-    bounds.lower = fpz::min_grain_size(rock);
-    bounds.lower_shear = fpz::min_grain_size_shear(rock);
-    bounds.upper = fpz::max_grain_size(rock);
-    bounds.contact_zone_mixed = fpz::contact_zone_length(rock, plane, fpz::mixed_mode_fracture_energy(rock, plane), tc);
-    bounds.contact_zone_mode_i = fpz::contact_zone_length(rock, plane, fpz::mode_i_fracture_energy(rock, plane), tc);
-    return bounds;
-}
-
-std::vector<std::string> describe_size_check(const Material& material, double mean_edge) {
-    const SizeBounds bounds = size_bounds(material);
-    const auto above = [&](double bound) { return mean_edge > bound ? "kept" : "not kept: grains are too small"; };
-    const auto below = [&](double bound) { return mean_edge < bound ? "kept" : "not kept: grains are too large"; };
-    const auto zone = [&](const char* kind, double length) {
-        return fmt::format("  contact zone (9 pi/32) E' Gf/tc^2, Gf {:<16} {:>9}   {:.2g} mean edges", kind, millimetres(length),
-                           length / mean_edge);
-    };
-    return {
-        fmt::format("grain size for {}: mean edge {}", material.name, millimetres(mean_edge)),
-        fmt::format("  lower bound 10 w_I = 40 K_IC^2/(E sigma_t), Eqs 15, 17    {:>9}   {}", millimetres(bounds.lower),
-                    above(bounds.lower)),
-        fmt::format("  lower bound 10 w_II (the same with K_IIC)                 {:>9}   {}", millimetres(bounds.lower_shear),
-                    above(bounds.lower_shear)),
-        fmt::format("  upper bound l/3, l = (9 pi/32) (K_IC/sigma_t)^2, Eqs 15-17 {:>8}   {}", millimetres(bounds.upper),
-                    below(bounds.upper)),
-        zone("mixed", bounds.contact_zone_mixed),
-        zone("mode-i", bounds.contact_zone_mode_i),
-    };
+std::vector<std::string> describe_zones(const Material& material, const Specimen& specimen) {
+    if (!has_phases_of(material, specimen)) return {};
+    constexpr PlaneCondition plane = PlaneCondition::stress;  // in plane strain zones are the same, as Ẽ Gf = K²
+    const auto between = fabric_of(material, plane, std::nullopt, specimen.phase_names).contacts;
+    const std::vector<std::string> names = contact_class_names(specimen);
+    const std::vector<std::uint8_t> classes = contact_classes(specimen);
+    const auto is_within = [&](std::size_t i) { return !phase_of_within_class(names[i]).empty(); };
+    std::vector<bool> is_present(names.size(), false);
+    std::array<Zones, 2> kinds;  // between and within crystals; other flaws are neither
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
+        is_present[classes[c]] = true;
+        if (classes[c] >= between.size() && !is_within(classes[c])) continue;
+        Zones& zones = kinds[is_within(classes[c]) ? 1 : 0];
+        zones.length += contact_length(specimen, c);
+        ++zones.number;
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!is_present[i] || (i >= between.size() && !is_within(i))) continue;
+        const ContactParameters contact =
+            is_within(i) ? contact_within_crystals(material, plane, std::nullopt, names[i], 0) : between[i];
+        if (!(contact.tensile_strength > 0)) continue;
+        const double zone = fpz::contact_zone_length(material.rock, plane, contact.fracture_energy, contact.tensile_strength);
+        Zones& zones = kinds[is_within(i) ? 1 : 0];
+        if (zone < zones.shortest) zones.of = "of " + names[i];
+        zones.shortest = std::min(zones.shortest, zone);
+        zones.longest = std::max(zones.longest, zone);
+    }
+    std::vector<std::string> lines;
+    for (const Zones& zones : kinds) {
+        if (!(zones.longest > 0)) continue;
+        const bool are_equal = zones.longest < (1 + 1e-9) * zones.shortest;
+        const std::string of = !are_equal ? zones.of : &zones == kinds.data() ? "between crystals" : "within crystals";
+        const Zones& other = kinds[&zones == kinds.data() ? 1 : 0];
+        const bool is_short = zones.elements() < fewest_of_zone && !(other.elements() < zones.elements());
+        lines.push_back(
+            fmt::format("{}{:.2g} elements a contact zone {}, {} long{}", is_short ? "warning: " : "", zones.elements(), of,
+                        format_quantity(zones.shortest, Dimension::length, 3),
+                        is_short ? ": with fewer than one strengths depend on the size of elements; make them smaller" : ""));
+    }
+    return lines;
 }
 
 namespace {
@@ -62,23 +92,15 @@ constexpr std::int64_t bytes_of_node = 17;
 constexpr std::int64_t bytes_of_element = 24;
 constexpr std::int64_t bytes_of_contact = 9;
 
+constexpr std::size_t fewest_on_hole = 16;   ///< sides, whose rise is then below 2 % of the radius
+constexpr double diameter_over_edge = 0.73;  ///< equal-area diameter of triangles over their mean edge
+
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
 std::string size_line(const char* what, double mean, double variation, double min, double max) {
     const auto mm = [](double value) { return in_unit(value, Dimension::length, "mm"); };
-    return fmt::format("  {:<26} mean {:.4g} mm, CV {:.4f}, min {:.4g} mm, max {:.4g} mm", what, mm(mean), variation, mm(min),
+    return fmt::format("{:<26} mean {:.4g} mm, CV {:.4f}, min {:.4g} mm, max {:.4g} mm", what, mm(mean), variation, mm(min),
                        mm(max));
-}
-
-std::string phase_line(const Specimen& specimen, const PhaseRequest& request) {
-    const std::vector<double> reached = phase_fractions(specimen);
-    std::string line = "  phases by area:";
-    for (std::size_t p = 0; p < reached.size(); ++p) {
-        const auto n_grains = std::count(specimen.grain_phase.begin(), specimen.grain_phase.end(), p);
-        line += fmt::format("{} {} {:.4f} ({} requested) in {} grains", p == 0 ? "" : ",", specimen.phase_names[p], reached[p],
-                            format_number(request.fractions[p].fraction), n_grains);
-    }
-    return line;
 }
 
 std::string strength_line(const Specimen& specimen, const StrengthRequest& request) {
@@ -90,14 +112,21 @@ std::string strength_line(const Specimen& specimen, const StrengthRequest& reque
     }
     const double mean = sum / static_cast<double>(specimen.n_contacts());
     const double variance = squares / static_cast<double>(specimen.n_contacts()) - mean * mean;
-    return fmt::format("  strength factor: mean {:.4f}, CV {:.4f}; modulus {}, {}", mean,
-                       std::sqrt(std::max(0.0, variance)) / mean, format_number(*request.modulus),
+    return fmt::format("strength factor: mean {:.4f}, CV {:.4f}; modulus {}, {}", mean, std::sqrt(std::max(0.0, variance)) / mean,
+                       format_number(*request.modulus),
                        request.correlation ? "correlated over " + format_length(*request.correlation) : "uncorrelated");
 }
 
 std::string open_line(const Specimen& specimen) {
     const std::string open = open_boundaries_text(specimen);
-    return "  open boundaries: " + (open.empty() ? "none" : open);
+    return "open boundaries: " + (open.empty() ? "none" : open);
+}
+
+/// A number with a comma behind each thousand.
+std::string with_commas(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+    return digits;
 }
 
 /// Mean edges or diameters at both ends of a grading; of elongated grains before they are elongated.
@@ -108,7 +137,7 @@ std::string grading_line(const Fabric& fabric, const MeshReport& report) {
                            format_quantity(report.requested_size[end], Dimension::length, 3));
     };
     const bool is_along = fabric.grading->is_along();
-    return fmt::format("  graded {}: mean {} in the {} eighth, {} {}", fabric.has_crystals() ? "diameters" : "edges", mean(0),
+    return fmt::format("graded {}: mean {} in the {} eighth, {} {}", fabric.has_crystals() ? "diameters" : "edges", mean(0),
                        is_along ? "lowest" : "nearest", mean(1), is_along ? "in the uppermost" : "beyond 7/8 of the distance");
 }
 
@@ -121,7 +150,7 @@ std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
         const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][1])];
         broken += std::hypot(q[0] - p[0], q[1] - p[1]);
     }
-    return fmt::format("  {} of flaws and joints, {} long in all; contacts broken from the start: {}",
+    return fmt::format("{} of flaws and joints, {} long in all; contacts broken from the start: {}",
                        report.n_flaws == 1 ? "1 piece" : fmt::format("{} pieces", report.n_flaws),
                        format_length(report.flaw_length), format_length(broken));
 }
@@ -130,23 +159,46 @@ std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
 void describe_crystals(const Specimen& specimen, const Fabric& fabric, const MeshReport& r, std::vector<std::string>& lines) {
     const MeshStatistics& s = specimen.statistics;
     lines.push_back(fmt::format(
-        "  crystals: equal-area diameter mean {}, CV {:.4f}{} ({} requested); areas met to {:.0e}; {} short edges were removed{}",
+        "crystals: equal-area diameter mean {}, CV {:.4f}{} ({} requested); areas met to {:.0e}; {} short edges were removed{}",
         format_quantity(r.mean_diameter, Dimension::length, 4), r.spread, fabric.grading ? " over the graded size" : "",
         format_number(fabric.spread), r.largest_area_error, r.n_short_edges,
         r.n_edges_left > 0 ? fmt::format(" ({} could not be)", r.n_edges_left) : ""));
     const bool can_break = fabric.tessellation == Tessellation::trigon;
     lines.push_back(
         size_line(can_break ? "edge" : "edge of equal-area triangle", s.mean_edge, s.edge_variation, s.min_edge, s.max_edge));
-    lines.push_back(fmt::format("  smallest angle of elements {:.1f} deg, psi6 {:.3f}, area error {:.1e}", degrees(s.min_angle),
+    lines.push_back(fmt::format("smallest angle of elements {:.1f} deg, psi6 {:.3f}, area error {:.1e}", degrees(s.min_angle),
                                 s.psi6, s.area_error));
 }
 
 void describe_triangles(const MeshStatistics& s, const MeshReport& report, std::vector<std::string>& lines) {
     lines.push_back(size_line("edge", s.mean_edge, s.edge_variation, s.min_edge, s.max_edge));
     lines.push_back(size_line("equal-area diameter", s.mean_diameter, s.diameter_variation, s.min_diameter, s.max_diameter));
-    lines.push_back(
-        fmt::format("  smallest angle {:.1f} deg, psi6 {:.3f} (at most {:.3f} in eight equal parts), area error {:.1e}",
-                    degrees(s.min_angle), s.psi6, report.psi6_of_parts, s.area_error));
+    lines.push_back(fmt::format("smallest angle {:.1f} deg, psi6 {:.3f} (at most {:.3f} in eight equal parts), area error {:.1e}",
+                                degrees(s.min_angle), s.psi6, report.psi6_of_parts, s.area_error));
+}
+
+/// The round hole with the fewest sides, if it is more of a polygon than of a circle; "" otherwise.
+std::string note_on_holes(const Specimen& specimen, const Request& request) {
+    std::string note;
+    std::size_t fewest = fewest_on_hole;
+    for (const Loop& loop : request.region.loops) {
+        if (!loop.circle || &loop == &request.region.loops.front()) continue;
+        std::set<long> directions;
+        for (std::size_t b = 0; b < specimen.n_boundary_edges(); ++b) {
+            if (specimen.boundary_part[b] != loop.parts.front()) continue;
+            const auto& p = specimen.node_position[static_cast<std::size_t>(specimen.boundary_edges[b][0])];
+            const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.boundary_edges[b][1])];
+            directions.insert(std::lround(1e6 * std::atan2(q[1] - p[1], q[0] - p[0])));
+        }
+        if (directions.size() >= fewest) continue;
+        fewest = directions.size();
+        note = fmt::format(
+            "{} is a polygon of {} sides, of its area; {} are round: smaller grains, or --grade "
+            "towards=holes,from=0.4,distance={}",
+            specimen.part_names[loop.parts.front()], fewest, fewest_on_hole,
+            format_quantity(2 * loop.circle->radius, Dimension::length, 2));
+    }
+    return note;
 }
 
 /// Triangles that are not as they should be.
@@ -155,22 +207,22 @@ void add_notes_on_triangles(const Specimen& specimen, const Request& request, co
     const MeshStatistics& s = specimen.statistics;
     const double spread = request.fabric.spread;
     if (request.fabric.grading || s.elongation > 0) {
-        lines.push_back(fmt::format("  spread {:.3f} over the graded size, before elongation", report.spread));
+        lines.push_back(fmt::format("spread {:.3f} over the graded size, before elongation", report.spread));
     }
     if (std::abs(report.spread - spread) > 0.1 * spread) {
-        lines.push_back(fmt::format("  note: spread {:.3f} was requested, {:.3f} was reached", spread, report.spread));
+        lines.push_back(fmt::format("spread {:.3f} was requested, {:.3f} was reached", spread, report.spread));
     }
     if (const auto ends = notch_ends(specimen); ends && request.notch) {
-        lines.push_back(fmt::format("  notch of {} requested, {} between the ends of its grain boundaries",
+        lines.push_back(fmt::format("slit of {} requested, {} between the ends of its grain boundaries",
                                     format_length(*request.notch), format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
     }
     if (report.n_flaws + request.region.loops.size() > 1 && report.min_angle < smallest_angle) {
         lines.push_back(
-            "  note: holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short");
+            "warning: holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short");
     }
     if (s.psi6 > max_psi6 || report.psi6_of_parts > max_psi6_of_parts) {
         lines.push_back(
-            fmt::format("  note: after {} attempts parts of the mesh still have a preferred direction, which is hardly "
+            fmt::format("warning: after {} attempts parts of the mesh still have a preferred direction, which is hardly "
                         "avoidable with so few grains",
                         report.attempts));
     }
@@ -178,29 +230,48 @@ void add_notes_on_triangles(const Specimen& specimen, const Request& request, co
 
 }  // namespace
 
+std::vector<std::string> summary_of(const Specimen& specimen, const std::string& output) {
+    const auto mm = [](double value) { return format_number(in_unit(value, Dimension::length, "mm"), 4); };
+    const bool is_elastic = specimen.n_elements() != specimen.n_grains() && specimen.grain_crystal.empty();
+    const bool are_triangles = specimen.tessellation == "delaunay";
+    const char* kind = are_triangles ? "grains" : is_elastic ? "elastic crystals" : "crystals";
+    std::vector<std::string> lines{fmt::format(
+        "{}{}{} of {} mm, {} {}, mean {}; {} triangles, {} contacts", output == "-" ? "stdout" : output,
+        output.empty() ? "" : ": ", specimen.shape,
+        specimen.width == specimen.height ? mm(specimen.width) : mm(specimen.width) + " × " + mm(specimen.height),
+        with_commas(number_of_crystals(specimen)), kind, format_quantity(mean_crystal_diameter(specimen), Dimension::length, 3),
+        with_commas(specimen.n_elements()), with_commas(specimen.n_contacts()))};
+    if (specimen.phase_names == Specimen{}.phase_names) return lines;
+    const std::vector<double> fractions = phase_fractions(specimen);
+    std::string phases;
+    for (std::size_t p = 0; p < fractions.size(); ++p) {
+        phases += fmt::format("{} {} {:.1f} %", p == 0 ? "" : ",", specimen.phase_names[p], 100 * fractions[p]);
+    }
+    lines.push_back("  phases:" + phases);
+    return lines;
+}
+
 std::vector<std::string> describe_mesh(const Specimen& specimen, const Request& request, const MeshReport& report) {
     const Fabric& fabric = request.fabric;
     const MeshStatistics& s = specimen.statistics;
-    std::vector<std::string> lines{fmt::format("{} of {}{}: {} nodes, {} contacts, {} boundary edges", specimen.shape,
-                                               grains_text(specimen),
-                                               fabric.has_crystals() ? " (" + specimen.tessellation + ")" : "",
-                                               specimen.n_nodes(), specimen.n_contacts(), specimen.n_boundary_edges())};
+    std::vector<std::string> lines{
+        fmt::format("{}: {} nodes, {} boundary edges", specimen.tessellation, specimen.n_nodes(), specimen.n_boundary_edges())};
     if (fabric.has_crystals()) {
         describe_crystals(specimen, fabric, report, lines);
     } else {
         describe_triangles(s, report, lines);
     }
-    if (specimen.loading_arc > 0) lines.push_back(fmt::format("  loading arc {:.2f} deg", degrees(specimen.loading_arc)));
-    if (!fabric.phases.fractions.empty()) lines.push_back(phase_line(specimen, fabric.phases));
+    if (specimen.loading_arc > 0) lines.push_back(fmt::format("loading arc {:.2f} deg", degrees(specimen.loading_arc)));
+    if (const std::string sides = note_on_holes(specimen, request); !sides.empty()) lines.push_back("warning: " + sides);
     if (fabric.strength.modulus) lines.push_back(strength_line(specimen, fabric.strength));
     if (fabric.open.fraction) lines.push_back(open_line(specimen));
     if (s.elongation > 0) {
-        lines.push_back(fmt::format("  elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
+        lines.push_back(fmt::format("elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
     }
     if (fabric.grading) lines.push_back(grading_line(fabric, report));
     if (report.n_flaws > 0 || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
     if (!fabric.has_crystals()) add_notes_on_triangles(specimen, request, report, lines);
-    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("  note: " + note);
+    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("warning: " + note);
     return lines;
 }
 
@@ -210,8 +281,10 @@ std::vector<std::string> describe_plan(const Request& request) {
         const auto n = static_cast<double>(plan.n_grains);
         // Crystals have five or so elements at least.
         const double elements = n * std::max(5.0, 1.8 * plan.edge * plan.edge / (plan.element_size * plan.element_size));
-        return {fmt::format("{} of {} crystals, edge of the equilateral triangle of their mean area {}", request.region.name,
-                            plan.n_grains, format_quantity(plan.edge, Dimension::length, 3)),
+        const double spread = request.fabric.spread;
+        const double diameter = std::sqrt(std::sqrt(3) / std::numbers::pi / (1 + spread * spread)) * plan.edge;
+        return {fmt::format("{} of {} crystals, mean {}", request.region.name, plan.n_grains,
+                            format_quantity(diameter, Dimension::length, 3)),
                 fmt::format("  elements of {}, about {:.2g} in all; time about {:.2g} s",
                             format_quantity(plan.element_size, Dimension::length, 3), elements, 1e-4 * n + 1e-5 * elements)};
     }
@@ -222,8 +295,8 @@ std::vector<std::string> describe_plan(const Request& request) {
     const double megabytes =
         1e-6 * static_cast<double>(bytes_of_node * nodes + bytes_of_element * elements + bytes_of_contact * contacts);
     return {
-        fmt::format("{} of {}{} grains, mean edge about {}", request.region.name, request.fabric.grains ? "" : "about ",
-                    plan.n_grains, format_quantity(plan.edge, Dimension::length, 3)),
+        fmt::format("{} of {}{} grains, mean about {}", request.region.name, request.fabric.grains ? "" : "about ", plan.n_grains,
+                    format_quantity(diameter_over_edge * plan.edge, Dimension::length, 3)),
         fmt::format("  {} nodes, {} elements, {} contacts, {} boundary edges", nodes, elements, contacts, plan.n_boundary * n),
         fmt::format("  file about {:.2g} MB, time about {:.2g} s", megabytes, 1.2e-5 * static_cast<double>(plan.n_grains)),
     };

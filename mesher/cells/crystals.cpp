@@ -223,7 +223,7 @@ MeshPlan plan_crystals(const Request& request) {
                                      format_length(plan.element_size), max_elements,
                                      format_length(std::sqrt(triangles_of_square * whole / max_elements))));
     }
-    if (request.notch) plan.region.edges.push_back(central_slit(plan.region, *request.notch, 0, "--notch"));
+    if (request.notch) plan.region.edges.push_back(central_slit(plan.region, *request.notch, 0, "--slit"));
     add_edges(request, plan);
     if (fabric.grading) plan.size = SizeField(plan.region, plan.edge, fabric.grading, Stretch(fabric.elongation), 0);
     if (!is_plain(plan.region)) check_walls(request, plan);

@@ -55,12 +55,12 @@ double edge_over_equilateral(double spread) {
 
 void check_notch(double notch, double width, double edge) {
     if (width < 6 * edge) {
-        throw UsageError("--notch: there is no room for one; the specimen must be at least six grain edges of " +
+        throw UsageError("--slit: there is no room for one; the specimen must be at least six grain edges of " +
                          format_length(edge) + " wide");
     }
     const bool through = std::abs(notch - width) <= 1e-9 * width;
     if (!through && !(notch >= 2 * edge && notch <= width - 4 * edge)) {
-        throw UsageError("--notch: must leave two grain edges of " + format_length(edge) +
+        throw UsageError("--slit: must leave two grain edges of " + format_length(edge) +
                          " at either side and be at least two long; give " + format_length(2 * edge) + " to " +
                          format_length(width - 4 * edge) + ", or " + format_length(width) +
                          " for a joint through the whole width");

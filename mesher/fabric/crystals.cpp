@@ -52,22 +52,13 @@ void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain) {
     }
 }
 
-std::string grains_text(const Specimen& specimen) {
-    const bool is_divided = specimen.n_elements() != specimen.n_grains();
-    if (!specimen.grain_crystal.empty() || (is_divided && specimen.tessellation != "delaunay")) {
-        return fmt::format("{} crystals of {} elements", number_of_crystals(specimen), specimen.n_elements());
-    }
-    return is_divided ? fmt::format("{} grains of {} elements", specimen.n_grains(), specimen.n_elements())
-                      : fmt::format("{} grains", specimen.n_grains());
-}
-
 std::size_t number_of_crystals(const Specimen& specimen) {
     const std::vector<std::int32_t>& crystals = specimen.grain_crystal;
     if (crystals.empty()) return specimen.n_grains();
     return static_cast<std::size_t>(*std::max_element(crystals.begin(), crystals.end())) + 1;
 }
 
-std::string note_on_few_crystals(const Specimen& specimen) {
+double mean_crystal_diameter(const Specimen& specimen) {
     std::vector<double> areas(number_of_crystals(specimen), 0);
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
         const std::size_t crystal = specimen.grain_crystal.empty() ? g : static_cast<std::size_t>(specimen.grain_crystal[g]);
@@ -75,6 +66,11 @@ std::string note_on_few_crystals(const Specimen& specimen) {
     }
     double diameter = 0;
     for (const double area : areas) diameter += std::sqrt(4 * area / std::numbers::pi) / static_cast<double>(areas.size());
+    return diameter;
+}
+
+std::string note_on_few_crystals(const Specimen& specimen) {
+    const double diameter = mean_crystal_diameter(specimen);
     const double extent = std::min(specimen.width, specimen.height);
     if (extent >= fewest_across * diameter) return "";
     const char* kind = specimen.tessellation == "delaunay" ? "grains" : "crystals";

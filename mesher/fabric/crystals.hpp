@@ -19,11 +19,11 @@ std::vector<std::array<int, 2>> crystals_of_contacts(const Specimen& specimen, s
 /// their class and kind. The specimen has its phases.
 void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain);
 
-/// "300 crystals of 2898 elements"; of triangles "1122 grains" or, if they are divided, "1122 grains of 4488 elements".
-std::string grains_text(const Specimen& specimen);
-
 /// The number of crystals: of grains where each is one.
 std::size_t number_of_crystals(const Specimen& specimen);
+
+/// Mean equal-area diameter of crystals, m.
+double mean_crystal_diameter(const Specimen& specimen);
 
 /// What to say of a specimen with fewer than ten crystals of the mean equal-area diameter across its smaller extent; "" of
 /// others. Its strengths depend on single crystals.

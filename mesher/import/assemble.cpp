@@ -112,7 +112,9 @@ void give_phases(Specimen& specimen, const std::vector<int>& imported_grain, con
         specimen.grain_phase[g] = static_cast<std::uint8_t>(phase - names.begin());
     }
     const auto unnamed = std::count(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end(), "");
-    if (unnamed > 0 && names.size() > 1) notes.push_back(fmt::format("{} grains have no phase and are of \"rock\"", unnamed));
+    if (unnamed > 0 && names.size() > 1) {
+        notes.push_back(fmt::format("warning: {} grains have no phase and are of \"rock\"", unnamed));
+    }
 }
 
 /// Grains that touch make one body of rock; more than one is told.
@@ -127,7 +129,7 @@ void tell_bodies(const Specimen& specimen, std::vector<std::string>& notes) {
         bodies.join(a, b);
         --n_bodies;
     }
-    if (n_bodies > 1) notes.push_back(fmt::format("the grains make {} bodies that share no sides", n_bodies));
+    if (n_bodies > 1) notes.push_back(fmt::format("warning: the grains make {} bodies that share no sides", n_bodies));
 }
 
 }  // namespace

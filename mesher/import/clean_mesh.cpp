@@ -127,10 +127,10 @@ private:
             if (first[p] == p) points.push_back(mesh_.points[p]);
         }
         if (points.size() == mesh_.points.size()) return;
-        note(
-            fmt::format("{} of {} points lie where others do and were joined with them; sides that were apart there are grain "
-                        "boundaries now (lines of the name crack make broken ones)",
-                        mesh_.points.size() - points.size(), mesh_.points.size()));
+        note(fmt::format(
+            "warning: {} of {} points lie where others do and were joined with them; sides that were apart there are grain "
+            "boundaries now (lines of the name crack make broken ones)",
+            mesh_.points.size() - points.size(), mesh_.points.size()));
         renumber(number, std::move(points));
     }
 

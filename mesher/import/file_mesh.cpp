@@ -241,7 +241,7 @@ private:
         if (phases.size() > max_phases) {
             if (key_.is_given()) reader_.fail(fmt::format("{} phases; at most {} fit", phases.size(), max_phases));
             mesh_.notes.push_back(
-                fmt::format("{} physical groups are more than the {} phases that fit: all grains are \"rock\"; "
+                fmt::format("warning: {} physical groups are more than the {} phases that fit: all grains are \"rock\"; "
                             "--phase-key FILE gives them phases",
                             phases.size(), max_phases));
             std::fill(mesh_.phase_of_grain.begin(), mesh_.phase_of_grain.end(), "");

@@ -113,7 +113,7 @@ private:
         }
         if (n_physical > 1 && dimension == 2) {
             mesh_.notes.push_back(
-                fmt::format("entity {} is of {} physical groups: the first, {}, counts", tag, n_physical, first));
+                fmt::format("warning: entity {} is of {} physical groups: the first, {}, counts", tag, n_physical, first));
         }
         if (dimension > 0) {
             for (std::size_t n = text_.count("the number of bounding entities", 2); n > 0; --n) text_.integer("an entity");

@@ -139,7 +139,7 @@ std::string parts_line(const Specimen& specimen) {
         const auto& q = specimen.node_position[static_cast<std::size_t>(j)];
         lengths[specimen.boundary_part[b]] += std::hypot(q[0] - p[0], q[1] - p[1]);
     }
-    std::string line = "  parts of the boundary:";
+    std::string line = "parts of the boundary:";
     bool is_first = true;
     for (std::size_t part = 0; part < lengths.size(); ++part) {
         if (lengths[part] == 0) continue;
@@ -193,31 +193,22 @@ std::vector<std::string> describe(const Import& import) {
     const Specimen& specimen = import.specimen;
     const MeshStatistics& s = specimen.statistics;
     std::vector<std::string> lines{
-        fmt::format("{} of {} from {}: {} nodes, {} contacts, {} boundary edges", specimen.shape, grains_text(specimen),
-                    import.format, specimen.n_nodes(), specimen.n_contacts(), specimen.n_boundary_edges()),
-        fmt::format("  {} wide, {} high; edge mean {}, CV {:.4f}, min {}, max {}; smallest angle {:.1f} deg, psi6 {:.3f}",
-                    mm(specimen.width), mm(specimen.height), mm(s.mean_edge), s.edge_variation, mm(s.min_edge), mm(s.max_edge),
-                    s.min_angle * 180 / std::numbers::pi, s.psi6),
+        fmt::format("from {}: {} nodes, {} boundary edges", import.format, specimen.n_nodes(), specimen.n_boundary_edges()),
+        fmt::format("edge mean {}, CV {:.4f}, min {}, max {}; smallest angle {:.1f} deg, psi6 {:.3f}", mm(s.mean_edge),
+                    s.edge_variation, mm(s.min_edge), mm(s.max_edge), s.min_angle * 180 / std::numbers::pi, s.psi6),
         parts_line(specimen),
     };
-    const std::vector<double> fractions = phase_fractions(specimen);
-    if (import.has_phases()) {
-        std::string line = "  phases by area:";
-        for (std::size_t p = 0; p < fractions.size(); ++p) {
-            line += fmt::format("{} {} {:.4f}", p == 0 ? "" : ",", specimen.phase_names[p], fractions[p]);
-        }
-        lines.push_back(line);
-    }
-    if (const std::string open = open_boundaries_text(specimen); !open.empty()) lines.push_back("  open boundaries: " + open);
+    if (const std::string open = open_boundaries_text(specimen); !open.empty()) lines.push_back("open boundaries: " + open);
     if (!import.labels.empty()) {
         for (const std::string& line : describe_labels(import.labels)) lines.push_back(line);
     }
     if (specimen.n_elements() == specimen.n_grains() && s.psi6 > preferred) {
         lines.push_back(
-            "  note: edges have preferred directions (psi6), which steer cracks; Gmsh's Mesh.Algorithm = 5 makes meshes without");
+            "warning: edges have preferred directions (psi6), which steer cracks; Gmsh's Mesh.Algorithm = 5 makes meshes "
+            "without");
     }
-    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("  note: " + note);
-    for (const std::string& note : import.notes) lines.push_back("  note: " + note);
+    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("warning: " + note);
+    lines.insert(lines.end(), import.notes.begin(), import.notes.end());
     return lines;
 }
 

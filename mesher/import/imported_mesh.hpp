@@ -29,7 +29,7 @@ struct ImportedMesh {
     std::vector<NamedLine> lines;
     std::vector<LabelRow> labels;    ///< of a picture
     std::string format;              ///< "Gmsh 4.1, binary", for the report
-    std::vector<std::string> notes;  ///< what was passed over or decided, a line each
+    std::vector<std::string> notes;  ///< what was decided, a line each; "warning: …" of what is wrong or lost
 };
 
 }  // namespace graincrack::mesher

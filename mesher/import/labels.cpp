@@ -111,11 +111,11 @@ std::vector<std::string> notes_on_key(const std::vector<LabelRow>& rows, const P
     std::vector<std::string> notes;
     for (const auto& [label, phase] : phases.by_number) {
         if (labels.count(label) > 0) continue;
-        notes.push_back(fmt::format("no grain has the label {} of the phase {}", label, phase));
+        notes.push_back(fmt::format("warning: no grain has the label {} of the phase {}", label, phase));
     }
     for (const auto& [colour, phase] : phases.by_colour) {
         if (colours.count(colour) > 0) continue;
-        notes.push_back(fmt::format("no grain has the colour {} of the phase {}", colour_text(colour), phase));
+        notes.push_back(fmt::format("warning: no grain has the colour {} of the phase {}", colour_text(colour), phase));
     }
     return notes;
 }

@@ -58,12 +58,12 @@ Toughness of_plate(const RunData& run, const Specimen& specimen, const Strength&
     if (!ends || std::abs((*ends)[0] + (*ends)[1]) > 2 * central * specimen.width) {
         throw InputError(run.name +
                          ": toughness needs a tension test of a rectangle with a notch through its middle "
-                         "(graincrack-mesh rectangle --notch)");
+                         "(graincrack-mesh rectangle --slit)");
     }
     Toughness toughness;
     toughness.notch_length = (*ends)[1] - (*ends)[0];
     if (!(toughness.notch_length < (1 - 1e-9) * specimen.width)) {
-        throw InputError(run.name + ": a joint through the whole width has no toughness; a shorter --notch has one");
+        throw InputError(run.name + ": a joint through the whole width has no toughness; a shorter --slit has one");
     }
     toughness.crack_length = toughness.notch_length / 2;
     toughness.ligament = (specimen.width - toughness.notch_length) / 2;
@@ -78,8 +78,8 @@ Toughness of_bending(const RunData& run, const Specimen& specimen, const Strengt
     if (!notch || std::abs(notch->mouth[0]) > central * specimen.height ||
         std::abs(notch->tip[0] - notch->mouth[0]) > central * specimen.height) {
         throw InputError(
-            fmt::format("{}: toughness needs a {} with a notch from the middle of its lower side (graincrack-mesh {} {})",
-                        run.name, specimen.shape, specimen.shape, is_beam ? "--notch" : "--slit"));
+            fmt::format("{}: toughness needs a {} with a notch from the middle of its lower side (graincrack-mesh {} --slit)",
+                        run.name, specimen.shape, specimen.shape));
     }
     Toughness toughness;
     toughness.notch_length = toughness.crack_length = notch->length();

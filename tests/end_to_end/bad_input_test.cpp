@@ -95,7 +95,7 @@ const std::vector<BadInput> mesher{
     {"GradeTowardsNoFlaw", MESH_4MM "--grade towards=flaws,from=0.5,distance=20mm -o out.h5", 2, "no flaw"},
     {"GradeOverAnEdge", MESH_4MM "--grade towards=boundary,from=0.2,distance=4mm -o out.h5", 2, "distance"},
     {"HoleOfPolygons", MESH_4MM "--tessellation voronoi --hole 0mm,0mm,2mm -o out.h5", 2, "--edge"},
-    {"ShortNotch", MESH_4MM "--tessellation voronoi --notch 1mm -o out.h5", 2, "--notch"},
+    {"ShortNotch", MESH_4MM "--tessellation voronoi --slit 1mm -o out.h5", 2, "--slit"},
     {"SpreadOfPolygons", MESH_4MM "--tessellation trigon --spread 0.7 -o out.h5", 2, "--spread"},
     {"DivisionsOfPolygons", MESH_4MM "--tessellation trigon --elements-per-edge 2 -o out.h5", 2, "--elements-per-edge"},
     {"SizesOfPolygons", MESH_4MM "--tessellation voronoi --size-distribution even -o out.h5", 2, "--size-distribution"},

@@ -22,13 +22,16 @@ TEST(Import, FilesOfGmshAgree) {
     EXPECT_EQ(import("msh41.msh"), import("msh22.msh"));
 }
 
-/// Shapes, flaws, phases: by Gmsh's format and by Abaqus' the arrays and a test's history are the same to the byte.
+/// Shapes, flaws, phases, crystals that break: by Gmsh's format and by Abaqus' the arrays and a test's history are the same to
+/// the byte.
 class RoundTrip : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 TEST_P(RoundTrip, GivesTheSameStrength) {
     const Shell shell;
     const auto& [kind, mesh] = GetParam();
     const bool is_disc = kind.substr(0, 4) == "disc";
+    const std::string crystals =
+        kind.find("trigon") == std::string::npos ? "" : " --crystals break --strength-modulus 10 --seed 7";
     shell.must(
         "printf 'x1_mm\\ty1_mm\\tx2_mm\\ty2_mm\\tclass\\n-3\\t-4\\t3\\t2\\tbroken\\n' >flaws.tsv\n"
         "graincrack-mesh " +
@@ -38,7 +41,7 @@ TEST_P(RoundTrip, GivesTheSameStrength) {
         mesh +
         "\n"
         "graincrack-mesh import " +
-        mesh + " --quiet -o back.h5");
+        mesh + crystals + " --quiet -o back.h5");
     const H5Input made(shell.file("made.h5"));
     const H5Input back(shell.file("back.h5"));
     for (const char* group : {"/nodes", "/elements", "/contacts", "/boundary", "/grains"}) {
@@ -57,30 +60,39 @@ TEST_P(RoundTrip, GivesTheSameStrength) {
     for (std::string name; names >> name;) EXPECT_EQ(cell(table, name), cell(other, name)) << name;
     expect_same_arrays(H5Input(shell.file("run-made.h5")), H5Input(shell.file("run-back.h5")), "/history");
 }
-INSTANTIATE_TEST_SUITE_P(All, RoundTrip,
-                         testing::Combine(testing::Values("rectangle --width 20mm --height 40mm --grains 150",
-                                                          "rectangle --width 20mm --height 40mm --grains 200 --flaws flaws.tsv "
-                                                          "--phases quartz=0.4,mica=0.6 --hole 5mm,8mm,3mm",
-                                                          "disc --diameter 20mm --grains 90"),
-                                          testing::Values("mesh.msh", "mesh.inp")));
+INSTANTIATE_TEST_SUITE_P(
+    All, RoundTrip,
+    testing::Combine(testing::Values("rectangle --width 20mm --height 40mm --grains 150",
+                                     "rectangle --width 20mm --height 40mm --grains 200 --flaws flaws.tsv "
+                                     "--phases quartz=0.4,mica=0.6 --hole 5mm,8mm,3mm",
+                                     "disc --diameter 20mm --grains 90",
+                                     "disc --diameter 20mm --grains 40 --tessellation trigon --hole 1mm,0,4mm "
+                                     "--phases mica=0.4,quartz=0.6 --strength-modulus 10 --seed 7"),
+                     testing::Values("mesh.msh", "mesh.inp")));
 
 TEST(Import, SaysWhatItFound) {
     const Shell shell;
     const Outcome outcome = shell.run("graincrack-mesh import " + meshes + "two-squares-neper.msh --scale 10mm -o s.h5");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(
-        outcome.err,
-        "rectangle of 2 crystals of 4 elements from Neper (Gmsh 2.2, text): 8 nodes, 1 contacts, 6 boundary edges\n"
-        "  20 mm wide, 10 mm high; edge mean 15.2 mm, CV 0.0000, min 15.2 mm, max 15.2 mm; smallest angle 45.0 deg, psi6 0.143\n"
-        "  parts of the boundary: bottom 20 mm, right 10 mm, top 20 mm, left 10 mm\n"
-        "  phases by area: group_1 0.5000, group_2 0.5000\n"
-        "  note: 0.89 crystals of the mean diameter across the smaller extent of 10 mm: with fewer than 10 a strength depends on "
-        "single crystals and is no material's\n"
-        "  note: moved by (-10 mm, -5 mm), so that the middle of its extent is the origin\n");
+    const std::string said =
+        "s.h5: rectangle of 20 × 10 mm, 2 elastic crystals, mean 11.3 mm; 4 triangles, 1 contacts\n"
+        "  phases: group_1 50.0 %, group_2 50.0 %\n";
+    const std::string warning =
+        "graincrack-mesh: warning: 0.89 crystals of the mean diameter across the smaller extent of 10 mm: with fewer than 10 a "
+        "strength depends on single crystals and is no material's\n";
+    EXPECT_EQ(outcome.err, said + warning);
+    const std::string all = shell.run("graincrack-mesh import " + meshes + "two-squares-neper.msh --scale 10mm -v -o s.h5").err;
+    EXPECT_NE(all.find(said +
+                       "  from Neper (Gmsh 2.2, text): 8 nodes, 6 boundary edges\n"
+                       "  edge mean 15.2 mm, CV 0.0000, min 15.2 mm, max 15.2 mm; smallest angle 45.0 deg, psi6 0.143\n"
+                       "  parts of the boundary: bottom 20 mm, right 10 mm, top 20 mm, left 10 mm\n" +
+                       warning + "  moved by (-10 mm, -5 mm), so that the middle of its extent is the origin\n"),
+              std::string::npos)
+        << all;
     const std::string source = shell.must("sha256sum " + meshes + "two-squares-neper.msh | cut -d ' ' -f 1");
     EXPECT_NE(shell.must("graincrack-post info s.h5").find("imported_from            SHA-256 " + source), std::string::npos);
     EXPECT_NE(shell.must("cat " + meshes + "two-squares-neper.msh | graincrack-mesh import - --scale 10mm --dry-run")
-                  .find("rectangle of 2 crystals of "),
+                  .find("rectangle of 20 × 10 mm, 2 elastic crystals"),
               std::string::npos);
 }
 
@@ -107,8 +119,9 @@ TEST(Import, APictureInColoursBecomesCrystalsThatBreak) {
 
     shell.must("sed -i 's/^\\(#102030\t\\)?/\\1mica/' key.tsv");
     const Outcome made = shell.run(call + "--crystals break -o s.h5");
-    EXPECT_NE(made.err.find("rectangle of 34 crystals of 490 elements from labels"), std::string::npos) << made.err;
-    EXPECT_NE(made.err.find("  note: 4.1 crystals of the mean diameter across the smaller extent of 30 mm: "), std::string::npos)
+    EXPECT_NE(made.err.find("34 crystals, mean 7.33 mm; 490 triangles"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find(": warning: 4.1 crystals of the mean diameter across the smaller extent of 30 mm: "),
+              std::string::npos)
         << made.err;
     const std::string info = shell.must("graincrack-post info --check s.h5");
     EXPECT_NE(info.find("  crystals                 34\n"), std::string::npos) << info;

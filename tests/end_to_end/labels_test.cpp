@@ -8,8 +8,9 @@ namespace {
 
 TEST(Labels, ANotchThatCameOutDifferentlyIsSaidWhereTheToughnessIsRead) {
     const Shell shell;
-    const Outcome mesh = shell.run("graincrack-mesh rectangle --width 20mm --height 40mm --edge 2.5mm --notch 6mm -o notched.h5");
-    EXPECT_NE(mesh.err.find("notch of 6 mm requested, "), std::string::npos) << mesh.err;
+    const Outcome mesh =
+        shell.run("graincrack-mesh rectangle --width 20mm --height 40mm --edge 2.5mm --slit 6mm -v -o notched.h5");
+    EXPECT_NE(mesh.err.find("slit of 6 mm requested, "), std::string::npos) << mesh.err;
     shell.must("graincrack-solve tension notched.h5 -o tension.h5 --peak-drop 0.01" + past_peak);
     const Outcome outcome = shell.run("graincrack-post toughness tension.h5");
     EXPECT_EQ(cell(outcome.out, "requested_notch_mm"), "6");

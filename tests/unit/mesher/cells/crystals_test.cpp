@@ -306,7 +306,7 @@ TEST(Crystals, RefuseWhatTheyDoNotHave) {
         EXPECT_EQ(message.find('\n'), std::string::npos);
     };
     EXPECT_EQ(refused([](auto&) {}), "");
-    names("--notch", [](auto& r) { r.notch = 0.001; });
+    names("--slit", [](auto& r) { r.notch = 0.001; });
     names("slit", [](auto& r) { r.region.edges = {{{0, -0.0795}, {0.02, -0.0795}, {}, "slit"}}; });  // beside the boundary
     names("--grains", [](auto& r) { add_hole(r.region, {0, 0}, 0.003, "--hole"); });
     names("--elements-per-edge", [](auto& r) { r.fabric.elements_per_edge = 2; });

@@ -87,12 +87,11 @@ TEST(Assemble, PutsRightWhatFilesLeave) {
     std::vector<std::string> notes;
     const Specimen s = specimen_of(mesh, {}, &notes);
     EXPECT_EQ(s.n_contacts(), 1U);
-    EXPECT_EQ(notes,
-              (std::vector<std::string>{
-                  "1 point that no corner of a triangle lies at was left out",
-                  "1 of 7 points lie where others do and were joined with them; sides that were apart there are grain boundaries "
-                  "now (lines of the name crack make broken ones)",
-                  "1 of 4 triangles were clockwise and were turned"}));
+    EXPECT_EQ(notes, (std::vector<std::string>{"1 point that no corner of a triangle lies at was left out",
+                                               "warning: 1 of 7 points lie where others do and were joined with them; sides that "
+                                               "were apart there are grain boundaries "
+                                               "now (lines of the name crack make broken ones)",
+                                               "1 of 4 triangles were clockwise and were turned"}));
 }
 
 TEST(Assemble, PiecesOfAGrainAreGrains) {
@@ -154,7 +153,7 @@ TEST(Assemble, TellsBodiesThatDoNotTouch) {
     placement.shape = "rectangle";
     const Specimen s = specimen_of(mesh, placement, &notes);
     EXPECT_DOUBLE_EQ(s.height, 2.5);
-    EXPECT_EQ(notes.back(), "the grains make 2 bodies that share no sides");
+    EXPECT_EQ(notes.back(), "warning: the grains make 2 bodies that share no sides");
     const auto n_sides = [&](const std::string& part) {
         return std::count_if(s.boundary_part.begin(), s.boundary_part.end(),
                              [&](std::uint8_t number) { return s.part_names[number] == part; });
