@@ -315,13 +315,14 @@ constexpr Quantity event_time{"event_time", Dimension::time, 0, 1e6, "time withi
 void add_crack_label(OptionSet set, CrackLabelChoice& label) {
     std::vector<std::pair<std::string, std::optional<CrackEvent>>> events;
     for (const CrackEvent event : all_crack_events) events.emplace_back(name_of(event), event);
-    add_choice<std::optional<CrackEvent>>(set, "--crack-event", label.event, events,
-                                          "when a contact point counts as a micro-crack: it passed its peak (failed), less than "
-                                          "50 % (half-damaged) or less than 10 % (broken) of its cohesion is left; default: "
-                                          "half-damaged for laws with friction in addition to cohesion, failed for others");
+    add_choice<std::optional<CrackEvent>>(
+        set, "--crack-event", label.event, events,
+        "when a contact point counts as a micro-crack: it reached its strength (failed), less than "
+        "50 % (half-damaged) or less than 10 % (broken) of its cohesion is left; default: "
+        "half-damaged for laws with friction in addition to cohesion, failed for others");
     add_choice<CrackModeRule>(set, "--crack-mode", label.mode,
                               {{"traction", CrackModeRule::traction}, {"sign", CrackModeRule::sign}},
-                              "when a micro-crack is tensile: it passed its peak open and with more tensile than shear traction "
+                              "when a micro-crack is tensile: it was open and under more tension than shear when it failed "
                               "(traction), or it was open at the event (sign)");
 }
 

@@ -14,7 +14,7 @@ namespace graincrack {
 
 /// The criterion for the mode of a micro-crack.
 enum class CrackModeRule {
-    traction,  ///< tensile if the point passed its peak open, with a mode angle below 45°: |τ| < σn
+    traction,  ///< tensile if the point was open at failure, with a mode angle below 45°: |τ| < σn
     sign       ///< tensile if the point was open at the event that makes it a micro-crack
 };
 struct CrackLabel {
