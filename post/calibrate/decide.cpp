@@ -387,12 +387,15 @@ void Calibration::correct_elasticity() {
     decision.point = with_grains(point_at(problem_.parameters, at), modulus, ratio);
 }
 
-/// Within: the mean is within the bound, and its standard error no larger; outside: the whole 95 % interval is beyond the bound.
+/// Within: of a fitted target the mean is within the bound and its standard error no larger, of a predicted one the whole 95 %
+/// interval is within; outside: the whole interval is beyond the bound.
 std::string verdict_on(const Target& target, const Sample& ours) {
     const double off = std::abs(ours.mean.value - target.value);
     const double half = ours.mean.high ? *ours.mean.high - ours.mean.value : std::numeric_limits<double>::infinity();
     const double error = ours.deviation ? *ours.deviation / std::sqrt(static_cast<double>(ours.n)) : 0;
-    if (off <= target.deviation && error <= target.deviation) return "within";
+    const bool within =
+        target.use == Use::fit ? off <= target.deviation && error <= target.deviation : off + half <= target.deviation;
+    if (within) return "within";
     return off - half > target.deviation ? "outside" : "undecided";
 }
 
