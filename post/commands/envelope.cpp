@@ -48,9 +48,11 @@ void add_hoek_brown(RowBuilder& row, const std::string& name, const std::optiona
 }
 
 void add_tension(RowBuilder& row, const Envelope& envelope, const EnvelopeTests& tests) {
-    row.add("mohr_coulomb_tensile_strength", unit::megapascal, envelope.tensile_strength());
+    row.add("mohr_coulomb_tensile_strength", unit::megapascal,
+            envelope.is_determined() ? Cell(envelope.tensile_strength()) : Cell());
+    const auto& curve = envelope.hoek_brown;
     row.add("hoek_brown_tensile_strength", unit::megapascal,
-            envelope.hoek_brown ? std::optional(envelope.hoek_brown->tensile_strength()) : std::nullopt);
+            curve && determined(curve->mi) ? Cell(curve->tensile_strength()) : Cell());
     row.add("brazilian_tensile_strength", unit::megapascal, mean(tests.brazilian));
     row.add("direct_tensile_strength", unit::megapascal, mean(tests.direct_tension));
     const bool any = !tests.tensile().empty();
@@ -127,11 +129,10 @@ void write_to_terminal(std::ostream& out, const Envelope& envelope, const Envelo
     add("friction angle φ", unit::degree, "°", envelope.friction_angle);
     add("Hoek–Brown σci", unit::megapascal, "MPa", hoek_brown ? std::optional(hoek_brown->sigma_ci) : std::nullopt);
     add("Hoek–Brown mi", unit::none, " ", hoek_brown ? std::optional(hoek_brown->mi) : std::nullopt);
-    table.group("tensile strength");
+    const bool has_curve = hoek_brown && determined(hoek_brown->mi);
+    if (envelope.is_determined() || has_curve || !tests.tensile().empty()) table.group("tensile strength");
     if (envelope.is_determined()) add_value("where the line has σ1 = 0", envelope.tensile_strength());
-    if (hoek_brown && determined(hoek_brown->mi)) {
-        add_value("where the Hoek–Brown curve has σ1 = 0", hoek_brown->tensile_strength());
-    }
+    if (has_curve) add_value("where the Hoek–Brown curve has σ1 = 0", hoek_brown->tensile_strength());
     add_value("Brazilian tests", mean(tests.brazilian));
     add_value("direct tension", mean(tests.direct_tension));
     table.write(out);

@@ -114,7 +114,14 @@ Command properties_command() {
         },
         [](const Options& options, const Call& call) {
             const Material material = read_incomplete_material_of(call, options.material).material;
-            write_properties(call.out, measure_properties(read_runs(call.files), material, options.envelope), options.format);
+            const std::vector<RunData> runs = read_runs(call.files);
+            std::vector<std::string> left_out;
+            for (const RunData& run : runs) {
+                if (!measure_strength(run).reported(options.envelope.strength))
+                    left_out.push_back(run.name + ": " + did_not_fail);
+            }
+            write_properties(call.out, measure_properties(runs, material, options.envelope), options.format);
+            print_left_out(call.diagnostics(), "properties", left_out);
         });
 }
 

@@ -28,10 +28,13 @@ struct Run {
     LoadCurve curve;
     std::vector<double> lateral;  ///< widening negative in compression, narrowing negative in tension
     std::optional<FirstPeak> first_peak;
-    /// True if the first peak is another one than the largest stress, and has a marker of its own.
+    bool failed = false;  ///< it has a strength
+    /// True if the first peak is another one than the largest stress.
     [[nodiscard]] bool has_earlier_peak() const {
         return first_peak && first_peak->strain < curve.axial_strain[curve.peak] - smoothing_strain;
     }
+    /// True if the largest stress is not the strength.
+    [[nodiscard]] bool marks_largest() const { return !failed || has_earlier_peak(); }
     [[nodiscard]] bool has_residual() const { return first_peak && first_peak->residual_strength(); }
 };
 
@@ -50,6 +53,7 @@ std::vector<Run> prepare(const std::vector<RunData>& data) {
         }
         Run prepared{&run, load_curve(run), {}, {}};
         prepared.first_peak = measure_first_peak(run, prepared.curve);
+        prepared.failed = peak_kind(run, prepared.curve) == "drop" || prepared.first_peak;
         prepared.lateral = prepared.curve.lateral_strain;
         if (run.header.loading() != Loading::tension) {
             for (double& strain : prepared.lateral) strain = -strain;
@@ -82,10 +86,8 @@ std::string strength_label(const Run& run) {
     };
     const double largest_strain = run.curve.axial_strain[run.curve.peak];
     const std::string largest = label("largest stress", run.curve.peak_stress(), largest_strain);
-    if (!run.first_peak) {
-        const bool is_peak = peak_kind(*run.data, run.curve) == "drop";
-        return is_peak ? label("peak", run.curve.peak_stress(), largest_strain) : std::string(did_not_fail) + ": " + largest;
-    }
+    if (!run.failed) return std::string(did_not_fail) + ": " + largest;
+    if (!run.first_peak) return label("peak", run.curve.peak_stress(), largest_strain);
     return label("first peak", run.first_peak->stress, run.first_peak->strain) + (run.has_earlier_peak() ? "; " + largest : "");
 }
 
@@ -128,17 +130,22 @@ void draw_counts(Chart& chart, const Run& run) {
     chart.line(strain, run.data->history[HistoryColumn::tensile_cracks], tensile_stroke, Chart::Side::right);
 }
 
-constexpr Marker first_peak_marker{palette::ink, MarkerShape::triangle, 13};
+constexpr Marker largest_marker{palette::ink, MarkerShape::triangle, 13};
 constexpr Marker leaves_marker{palette::ink, MarkerShape::leaves, 18};
 constexpr Stroke residual_stroke{palette::rim, 5};
 
-/// The first peak as a triangle, the residual strength as a line over the strains that it is a mean of.
-void draw_first_peak(Chart& chart, const Run& run) {
-    const auto percent = [&](double beyond) { return 100 * (run.first_peak->strain + beyond); };
-    if (run.has_earlier_peak()) {
-        chart.points(std::vector<double>{percent(0)}, std::vector<double>{1e-6 * run.first_peak->stress}, first_peak_marker);
-    }
+/// The strength as a disc, a largest stress that is none as a triangle, the residual strength as a line over the strains that it
+/// is a mean of.
+void draw_strength(Chart& chart, const Run& run, const Colour& colour) {
+    const auto mark = [&](double strain, double stress, const Marker& marker) {
+        chart.points(std::vector<double>{100 * strain}, std::vector<double>{1e-6 * stress}, marker);
+    };
+    const double strain = run.curve.axial_strain[run.curve.peak];
+    if (run.marks_largest()) mark(strain, run.curve.peak_stress(), largest_marker);
+    if (run.failed && !run.first_peak) mark(strain, run.curve.peak_stress(), Marker{colour});
+    if (run.first_peak) mark(run.first_peak->strain, run.first_peak->stress, Marker{colour});
     if (run.has_residual()) {
+        const auto percent = [&](double beyond) { return 100 * (run.first_peak->strain + beyond); };
         chart.line(std::vector<double>{percent(residual_strains[0]), percent(residual_strains[1])},
                    std::vector<double>(2, 1e-6 * *run.first_peak->residual), residual_stroke);
     }
@@ -149,9 +156,7 @@ void draw_run(Chart& chart, const Run& run, std::size_t index) {
     const std::vector<double> stress = times(run.curve.stress, 1e-6);
     chart.line(times(run.lateral, 100), stress, series_stroke(index, 3));
     chart.line(times(run.curve.axial_strain, 100), stress, series_stroke(index, 4.5));
-    const std::vector<double> at{100 * run.curve.axial_strain[run.curve.peak]};
-    chart.points(at, std::vector<double>{1e-6 * run.curve.peak_stress()}, Marker{colour});
-    draw_first_peak(chart, run);
+    draw_strength(chart, run, colour);
 }
 
 void draw_laboratory_curve(Chart& chart, const LaboratoryCurve& curve, std::size_t index) {
@@ -176,10 +181,9 @@ void mark_cut_branches(Chart& chart, const std::vector<Run>& runs, const Extent&
 }
 
 std::string legend_label(const Run& run, const std::string& name) {
-    const Strength strength = measure_strength(*run.data);
-    const auto stress = strength.reported();
-    return stress ? fmt::format("{}: {:.4g} MPa", name, 1e-6 * *stress)
-                  : fmt::format("{}: {}, largest stress {:.4g} MPa", name, did_not_fail, 1e-6 * strength.value());
+    if (run.first_peak) return fmt::format("{}: first peak {:.4g} MPa", name, 1e-6 * run.first_peak->stress);
+    const std::string largest = run.failed ? "peak" : std::string(did_not_fail) + ", largest stress";
+    return fmt::format("{}: {} {:.4g} MPa", name, largest, 1e-6 * run.curve.peak_stress());
 }
 
 std::vector<double> strains(const TableFile& table, const std::string& name) {
@@ -220,9 +224,9 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
         chart.legend(tensile_stroke, "tensile cracks, right");
         chart.legend(shear_stroke, "shear cracks, right");
     }
-    if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_earlier_peak))) {
-        chart.legend(first_peak_marker, "first peak");
-        chart.legend(Marker{}, "largest stress");
+    if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::marks_largest))) {
+        chart.legend(Marker{}, is_compression(data.front().header) ? "first peak" : "peak");
+        chart.legend(largest_marker, "largest stress");
     }
     if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_residual))) {
         chart.legend(residual_stroke, "residual strength");

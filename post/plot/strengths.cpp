@@ -115,7 +115,7 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
                  plane_lines(group_strengths(runs)), caveats},
                 Axis{"", 0.5, static_cast<double>(rows.size()) + 0.5}, strength);
     if (std::any_of(runs.begin(), runs.end(), [](const RunData& run) { return is_compression(run.header); })) {
-        chart.add_note("compression: first peaks");
+        chart.add_note("strength in compression: first peak");
     }
     std::vector<std::pair<double, std::string>> names;
     std::size_t without_peak = 0;

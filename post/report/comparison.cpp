@@ -143,9 +143,9 @@ private:
         std::string text;
         if (counts_.count(Agreement::undecided) > 0) {
             text += html::paragraph(
-                "Within, outside: the whole 95 % interval of the mean is. Not decided: the interval reaches beyond the deviation "
-                "on "
-                "one side only, or one run has none; more seeds decide.");
+                "Within, outside: so is the whole 95 % interval of the mean. Not decided: a part of it is, or there is none, as "
+                "of "
+                "one run of a material that does not tell its scatter; more seeds decide.");
         }
         if (usual_deviation_) {
             text += html::paragraph("* The material gives no deviation of this value: the usual one of such a measurement.");

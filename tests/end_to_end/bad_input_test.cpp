@@ -199,7 +199,7 @@ const std::vector<BadInput> postprocessor{
      "\"SELECT count(*) FROM $(seq -f 'double d%g' -s , 40)\"",
      143, "stopped by signal 15"},
     {"MissingList", "graincrack-post strength --files-from none.txt", 3, "none.txt"},
-    {"SizeEffectOfOneSize", "graincrack-post size-effect run.h5 --capped accept", 3, "two or more edges"},
+    {"SizeEffectOfOneSize", "graincrack-post size-effect run.h5 --strength largest --capped accept", 3, "two or more edges"},
     {"DesignWithoutFactors", "graincrack-post ccd design", 2, "--factor"},
     {"FactorWithoutRange", "graincrack-post ccd design --factor cc=3", 2, "cc=3"},
     {"FitOfARun", "graincrack-post ccd fit run.h5 --response C_MPa", 3, "run.h5"},

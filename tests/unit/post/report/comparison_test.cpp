@@ -180,7 +180,8 @@ TEST_F(Comparison, ATestThatDidNotFailHasNoStrength) {
     strength.peak_kind = "cap";
     const std::vector<SeedGroup> groups = seed_groups(tests_);
     EXPECT_EQ(groups[0].sample_of(strength_of)->n, 1U);
-    expect_texts(group_table(groups), {"<th>did not fail</th>", "<td>uniaxial</td><td>strain</td><td>2</td><td>119.4</td>"});
+    expect_texts(group_table(groups),
+                 {"<th>did not fail</th>", "<td>uniaxial</td><td>strain</td><td>2</td><td>119.4</td><td>0.4708</td>"});
 }
 
 TEST_F(Comparison, TwoTestsDoNotDetermineALine) {
