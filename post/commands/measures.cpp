@@ -117,8 +117,8 @@ Command properties_command() {
             const std::vector<RunData> runs = read_runs(call.files);
             std::vector<std::string> left_out;
             for (const RunData& run : runs) {
-                if (!measure_strength(run).reported(options.envelope.strength))
-                    left_out.push_back(run.name + ": " + did_not_fail);
+                if (measure_strength(run).reported(options.envelope.strength)) continue;
+                left_out.push_back(run.name + ": " + did_not_fail);
             }
             write_properties(call.out, measure_properties(runs, material, options.envelope), options.format);
             print_left_out(call.diagnostics(), "properties", left_out);
