@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace graincrack {
 namespace {
@@ -49,6 +50,29 @@ TEST(MovingMean, SpreadsAStepOverItsWindowAndKeepsTheLastValue) {
 
 TEST(MovingMean, OfOneRowIsItsValue) {
     EXPECT_EQ(moving_mean(std::vector<double>{0.5}, std::vector<double>{7}, 1), std::vector<double>{7});
+}
+
+// Loading to 100 MPa at 0.4 % strain, then a fall within half of the window of smoothing, over which it is hidden.
+TEST(Strength, IsTheFirstPeakOrTheLargestStressWhoseFallEndedTheTest) {
+    const std::vector<double> strain{0, 0.002, 0.004, 0.00401};
+    std::vector<double> stress{0, 50e6, 100e6, 97e6};
+    std::vector<double> failed{0, 0, 1, 2};
+    RunHeader header;
+    const auto strength = [&](const std::string& test, const std::string& stop_reason) {
+        header.test = test;
+        header.stop_reason = stop_reason;
+        const std::optional<Peak> peak = find_strength(header, {strain, stress, failed});
+        return peak ? peak->stress : 0;
+    };
+    EXPECT_EQ(strength("uniaxial", "strain limit"), 0);  // a fall of 3 %
+    EXPECT_EQ(strength("uniaxial", "peak drop"), 100e6);
+    EXPECT_EQ(strength("brazilian", "strain limit"), 0);
+    stress.back() = 90e6;
+    EXPECT_EQ(strength("brazilian", "strain limit"), 100e6);
+    EXPECT_NEAR(strength("uniaxial", "strain limit"), 100e6, 3e6);  // less what smoothing takes
+    failed = {0, 0, 0, 0};
+    EXPECT_EQ(strength("brazilian", "strain limit"), 0);
+    EXPECT_EQ(strength("uniaxial", "strain limit"), 0);
 }
 
 }  // namespace
