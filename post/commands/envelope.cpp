@@ -6,6 +6,7 @@
 
 #include "post/fit/envelope.hpp"
 #include "post/options/command.hpp"
+#include "post/run/likeness.hpp"
 #include "post/table/column.hpp"
 
 namespace graincrack {
@@ -142,7 +143,7 @@ void write_to_terminal(std::ostream& out, const Envelope& envelope, const Envelo
 
 void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,
                           const EnvelopeOptions& options, std::ostream& diagnostics) {
-    const std::vector<RunData> runs = read_runs(paths);
+    const std::vector<RunData> runs = read_once_each(paths, "envelope", diagnostics);
     const EnvelopeTests tests = collect_envelope_tests(runs, options);
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     RowBuilder row;

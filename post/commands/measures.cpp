@@ -12,6 +12,7 @@
 #include "post/measure/toughness.hpp"
 #include "post/options/command.hpp"
 #include "post/report/properties.hpp"
+#include "post/run/likeness.hpp"
 #include "post/summary/summarize.hpp"
 #include "share/options/option_set.hpp"
 
@@ -114,7 +115,7 @@ Command properties_command() {
         },
         [](const Options& options, const Call& call) {
             const Material material = read_incomplete_material_of(call, options.material).material;
-            const std::vector<RunData> runs = read_runs(call.files);
+            const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
             std::vector<std::string> left_out;
             for (const RunData& run : runs) {
                 if (measure_strength(run).reported(options.envelope.strength)) continue;
@@ -138,7 +139,8 @@ Command size_effect_command() {
             add_envelope_options(set, options.strength);
         },
         [](const Options& options, const Call& call) {
-            write_size_effect_table(call.out, read_runs(call.files), options.format, options.strength, call.diagnostics());
+            write_size_effect_table(call.out, read_once_each(call.files, call.command, call.diagnostics()), options.format,
+                                    options.strength, call.diagnostics());
         });
 }
 

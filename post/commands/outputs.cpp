@@ -61,8 +61,8 @@ Command report_command() {
         [](const Options& options, const Call& call) {
             require_ending(options.page, ".html");
             ReportOptions report = options.report;
-            if (!options.material.empty()) report.material = read_material_of(call, options.material);
-            write_whole_file(options.page, make_report(call.files, report, call.verbosity));
+            if (!options.material.empty()) report.material = read_material(options.material);
+            write_whole_file(options.page, make_report(call.files, report, call.verbosity, call.diagnostics()));
         });
 }
 

@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-#include "post/run/comparable.hpp"
+#include "post/run/likeness.hpp"
 #include "post/run/test_label.hpp"
 #include "post/statistics/nonlinear_fit.hpp"
 #include "post/statistics/response_surface.hpp"
@@ -129,7 +129,9 @@ void require_comparable(const RunData& run, const RunData& first, const Envelope
         throw InputError(run.name + ": differs from " + first.name + " in " + what +
                          "; compression tests of an envelope differ in confining pressure and seed only");
     };
-    if (run.header.plane != first.header.plane) refuse("the plane condition");
+    const std::string found =
+        differences(run, first, {Aspect::test, Aspect::pressure, Aspect::loading, Aspect::rate, Aspect::end});
+    if (!found.empty()) refuse(found);
     if (options.strength == StrengthKind::largest && options.strain_limit_runs == StrainLimitRuns::accept &&
         run.header.max_strain != first.header.max_strain) {
         refuse("the strain limit");
@@ -237,9 +239,8 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
     EnvelopeTests tests;
     tests.kind = options.strength;
     const RunData* first_compression = nullptr;
-    require_same_settings(runs, "an envelope");
+    require_alike(runs, "an envelope");
     for (const RunData& run : runs) {
-        require_same_material(run, runs.front(), "an envelope");
         if (run.header.loading() == Loading::program) {
             throw InputError(
                 run.name +

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "post/measure/strength.hpp"
-#include "post/run/comparable.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/file/equilibrium.hpp"
@@ -80,9 +79,10 @@ void CaveatCount::add(const RunData& run, const std::vector<Caveat>& caveats) {
             ++known->second;
         }
     }
-    const bool known = std::any_of(headers_.begin(), headers_.end(),
-                                   [&](const RunHeader& h) { return material_difference(h, run.header).empty(); });
-    if (!known) headers_.push_back(run.header);
+    const std::vector<Trait> traits = traits_of(run);
+    const bool known = std::any_of(rocks_.begin(), rocks_.end(),
+                                   [&](const auto& each) { return differences(each, traits, of_the_test).empty(); });
+    if (!known) rocks_.push_back(traits);
 }
 
 std::vector<std::string> CaveatCount::lines() const {
@@ -107,20 +107,21 @@ std::optional<double> CaveatCount::mean_of(const std::string& test) const {
 std::string CaveatCount::tension_line() const {
     const std::optional<double> brazilian = mean_of("brazilian");
     const std::optional<double> direct = mean_of("tension");
-    if (!brazilian || !direct || !(*direct > *brazilian) || headers_.size() > 1) return "";
+    if (!brazilian || !direct || !(*direct > *brazilian) || rocks_.size() > 1) return "";
     return fmt::format(
         "direct tension is {:.2f} times the Brazilian strength; in rock it is 0.7 to 0.9 times (Perras & Diederichs 2014)",
         *direct / *brazilian);
 }
 
-std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, CaveatCount& count) {
-    std::vector<RunData> runs;
-    for (const std::string& path : paths) {
-        const RunReader reader(path);
-        runs.push_back(run_data(reader));
-        count.add(runs.back(), caveats_of(reader, runs.back()));
+std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, CaveatCount& count, const std::string& command,
+                                       std::ostream& diagnostics) {
+    std::vector<RunData> runs = read_runs(paths);
+    std::vector<RunData> kept;
+    for (const std::size_t i : once_each(list_of(runs), command, diagnostics)) {
+        count.add(runs[i], caveats_of(RunReader(paths[i]), runs[i]));
+        kept.push_back(std::move(runs[i]));
     }
-    return runs;
+    return kept;
 }
 
 }  // namespace graincrack

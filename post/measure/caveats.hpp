@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "post/measure/brazilian.hpp"
-#include "post/run/load_curve.hpp"
+#include "post/run/likeness.hpp"
 
 namespace graincrack {
 
@@ -27,7 +27,7 @@ public:
     /// "Brazilian: first cracks outside 0.5 R (9 of 9 runs)", a line for each test, pressure and kind; last the `tension_line`.
     [[nodiscard]] std::vector<std::string> lines() const;
     /// That direct tension is stronger than the Brazilian test, with what rock does; empty where it is not, without both tests,
-    /// and for runs of several materials.
+    /// and for runs of several materials or fabrics.
     [[nodiscard]] std::string tension_line() const;
 
 private:
@@ -41,10 +41,12 @@ private:
     Group& group(const RunData& run);
     [[nodiscard]] std::optional<double> mean_of(const std::string& test) const;
     std::vector<Group> groups_;
-    std::vector<RunHeader> headers_;  ///< the first of each material
+    std::vector<std::vector<Trait>> rocks_;  ///< the first of each material and fabric
 };
 
-/// Reads runs, and counts the caveats of their strengths. \throws InputError
-std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, CaveatCount& count);
+/// Reads runs, each test of a specimen once, and counts the caveats of their strengths. \param command as of `once_each`
+/// \throws InputError
+std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, CaveatCount& count, const std::string& command,
+                                       std::ostream& diagnostics);
 
 }  // namespace graincrack

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "post/measure/strength.hpp"
-#include "post/run/comparable.hpp"
+#include "post/run/likeness.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
@@ -37,12 +37,8 @@ struct RatePair {
 };
 
 void require_same_test(const RatePair& pair) {
-    RunHeader other = pair.slow->header;
-    const std::string rate = other.rate;
-    other.rate_tolerance = pair.fast->header.rate_tolerance;
-    other.rate_share = pair.fast->header.rate_share;
-    other.platen_speed = pair.fast->header.platen_speed;
-    const std::string difference = setting_difference(pair.fast->header, other);
+    const std::string& rate = pair.slow->header.rate;
+    const std::string difference = differences(*pair.slow, *pair.fast, {Aspect::rate});
     if (!difference.empty()) {
         throw InputError(pair.slow->name + ": differs from " + pair.fast->name + " in " + difference +
                          "; the limit of slow loading needs tests that differ in their rate only");
@@ -62,10 +58,8 @@ void require_same_test(const RatePair& pair) {
 /// The pairs of each test and pressure.
 std::map<std::pair<double, std::string>, std::vector<RatePair>> pairs_of(const std::vector<RunData>& runs) {
     std::map<RateKey, std::vector<const RunData*>> tests;
-    for (const RunData& run : runs) {
-        require_same_material(run, runs.front(), "the limit of slow loading");
-        tests[rate_key(run)].push_back(&run);
-    }
+    require_alike(runs, "the limit of slow loading", {Aspect::rate});
+    for (const RunData& run : runs) tests[rate_key(run)].push_back(&run);
     std::map<std::pair<double, std::string>, std::vector<RatePair>> pairs;
     for (auto& [key, members] : tests) {
         if (members.size() != 2) {

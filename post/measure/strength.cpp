@@ -7,6 +7,7 @@
 
 #include "post/measure/caveats.hpp"
 #include "post/run/crack_label.hpp"
+#include "post/run/likeness.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "post/statistics/statistics.hpp"
@@ -169,20 +170,26 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
     return columns;
 }
 
-/// Runs of one test under a title, in the order in which the tests first come, with their mean.
-void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRow>& rows) {
+/// Comparable runs under a title that says in what they differ from others of their test, with their mean, in which each test of
+/// a specimen counts once. \param diagnostics gets a line for what counts with another
+void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRow>& rows, std::ostream& diagnostics) {
     const Columns<StrengthRow> columns = strength_terminal_columns(rows);
     TerminalTable table(columns);
-    const auto title = [](const StrengthRow& r) {
-        const std::string kind = is_compression(r.header()) ? "; strength: " + label_of(r.kind) : "";
-        return series_label(r.run) + ", plane " + std::string(name_of(r.header().plane)) + kind;
-    };
-    for (const auto& [name, members] : grouped<StrengthRow>(rows, title)) {
-        table.group(name);
+    RunList runs, firsts;
+    for (const StrengthRow& row : rows) runs.push_back(&row.run);
+    const auto groups = groups_of_like(runs);
+    for (const auto& members : groups) firsts.push_back(runs[members.front()]);
+    const std::vector<std::string> told = distinctions(firsts, {Aspect::plane});
+    const std::vector<std::size_t> counted = once_each(runs, "strength", diagnostics);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const RunHeader& header = firsts[g]->header;
+        table.group(series_label(*firsts[g]) + ", plane " + std::string(name_of(header.plane)) + (told[g].empty() ? "" : ", ") +
+                    told[g] + (is_compression(header) ? "; strength: " + label_of(rows[groups[g].front()].kind) : ""));
         std::vector<double> strengths;
-        for (const StrengthRow* r : members) {
-            if (const auto strength = r->strength.reported(r->kind)) strengths.push_back(*strength);
-            table.row(cells_of(columns, *r));
+        for (const std::size_t i : groups[g]) {
+            table.row(cells_of(columns, rows[i]));
+            const auto strength = rows[i].strength.reported(rows[i].kind);
+            if (strength && std::find(counted.begin(), counted.end(), i) != counted.end()) strengths.push_back(*strength);
         }
         if (strengths.size() < 2) continue;
         const Sample all = sample(strengths);
@@ -259,7 +266,7 @@ void write_strength_table(std::ostream& out, const std::vector<std::string>& run
         count.add(row.run, caveats);
     }
     if (format == TableFormat::aligned) {
-        write_strengths_to_terminal(out, rows);
+        write_strengths_to_terminal(out, rows, diagnostics);
     } else {
         write_table(out, strength_columns(), rows, format);
     }

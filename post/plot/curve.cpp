@@ -15,6 +15,7 @@
 #include "post/measure/first_peak.hpp"
 #include "post/measure/strength.hpp"
 #include "post/options/command.hpp"
+#include "post/run/likeness.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
@@ -91,11 +92,10 @@ std::string strength_label(const Run& run) {
     return label("first peak", run.first_peak->stress, run.first_peak->strain) + (run.has_earlier_peak() ? "; " + largest : "");
 }
 
-ChartText curve_heading(const std::vector<Run>& runs, const std::string& definition) {
+/// \param title of several runs
+ChartText curve_heading(const std::vector<Run>& runs, const std::string& title, const std::string& definition) {
     const RunData& run = *runs[0].data;
-    if (runs.size() > 1) {
-        return {run.header.material.empty() ? "Stress and strain" : run.header.material, {fmt::format("{} runs", runs.size())}};
-    }
+    if (runs.size() > 1) return {title, {fmt::format("{} runs", runs.size())}};
     ChartText text{test_title(run.header),
                    {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", run.specimen.seed, run.specimen.grains,
                                 run.specimen.mean_edge * 1e3, name_of(run.header.plane)),
@@ -108,14 +108,14 @@ ChartText curve_heading(const std::vector<Run>& runs, const std::string& definit
 double drawn_lateral(const Extent& extent) { return std::max(extent.lateral, -0.75 * extent.strain); }
 
 /// \param definition of the cracks that are counted; empty if none are
-Chart curve_page(const std::vector<Run>& runs, const Extent& extent, const std::string& definition,
+Chart curve_page(const std::vector<Run>& runs, const std::string& title, const Extent& extent, const std::string& definition,
                  const std::vector<std::string>& caveats, const PictureStyle& style) {
     const double lateral = drawn_lateral(extent);
     const std::string stress = stress_name(*runs[0].data) + ", MPa";
     const std::string strain = lateral < -0.05 * extent.strain ? "strain, % (lateral left, axial right)" : "axial strain, %";
     std::optional<Axis> right;
     if (!definition.empty()) right = Axis{"micro-cracks (contacts)", 0, 1.1 * max_cracks(*runs[0].data)};
-    ChartText text = curve_heading(runs, definition);
+    ChartText text = curve_heading(runs, title, definition);
     text.notes.insert(text.notes.end(), caveats.begin(), caveats.end());
     return {style, text, Axis{strain, 1.1 * lateral, 1.05 * extent.strain}, Axis{stress, 0, 1.1 * extent.stress}, {right}};
 }
@@ -211,7 +211,7 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
     for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
     for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
     const bool counts = runs.size() == 1 && max_cracks(data.front()) > 0;
-    Chart chart = curve_page(runs, extent, counts ? definition : "", caveats, style);
+    Chart chart = curve_page(runs, common_material(data, "Stress and strain"), extent, counts ? definition : "", caveats, style);
     const std::vector<std::string> names = names_apart(data);
     if (counts) draw_counts(chart, runs[0]);
     for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "post/calibrate/target.hpp"
 #include "post/chart/axis.hpp"
@@ -94,9 +95,11 @@ std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
     std::vector<std::string> lines;
     for (const PlaneCondition plane : {PlaneCondition::stress, PlaneCondition::strain}) {
         std::string tests;
+        std::set<std::string> named;
         for (const StrengthGroup& group : groups) {
-            if (group.plane != plane) continue;
-            tests += (tests.empty() ? "" : ", ") + series_label(group.test, group.confining_pressure, group.shape);
+            const std::string test = series_label(group.test, group.confining_pressure, group.shape);
+            if (group.plane != plane || !named.insert(test).second) continue;
+            tests += (tests.empty() ? "" : ", ") + test;
         }
         if (!tests.empty()) lines.push_back(fmt::format("plane {}: {}", name_of(plane), tests));
     }
@@ -107,12 +110,10 @@ std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
 
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
                        const std::vector<std::string>& caveats, const PictureStyle& style) {
-    const std::vector<StrengthGroup> rows = group_strengths_by_size(runs);
+    const std::vector<StrengthGroup> rows = group_strengths(runs);
     const auto [low, high] = padded_range(all_values(runs, rows, material), 0);
     const Axis strength{"strength, MPa (logarithmic)", low / 1.6, high * 1.6, true};
-    Chart chart(style,
-                {runs.front().header.material.empty() ? "Strengths" : runs.front().header.material,
-                 plane_lines(group_strengths(runs)), caveats},
+    Chart chart(style, {common_material(runs, "Strengths"), plane_lines(rows), caveats},
                 Axis{"", 0.5, static_cast<double>(rows.size()) + 0.5}, strength);
     if (std::any_of(runs.begin(), runs.end(), [](const RunData& run) { return is_compression(run.header); })) {
         chart.add_note("strength in compression: first peak");
@@ -123,8 +124,9 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const StrengthGroup& group = rows[i];
         const double x = static_cast<double>(i) + 1;
-        names.emplace_back(
-            x, series_label(group.test, group.confining_pressure, group.shape) + (group.size.empty() ? "" : ",\n" + group.size));
+        std::string name = group.name();
+        for (std::size_t at = name.find(", "); at != std::string::npos; at = name.find(", ", at + 2)) name[at + 1] = '\n';
+        names.emplace_back(x, name);
         draw_row(chart, runs, group, x, material, strength.low);
         without_peak += group.without_peak;
         mean = mean || group.strength.n > 1;
@@ -157,7 +159,7 @@ Command strength_plot() {
             std::optional<Material> material;
             if (!options.material.empty()) material = read_material_of(call, options.material);
             CaveatCount doubts;
-            const std::vector<RunData> runs = read_doubted_runs(call.files, doubts);
+            const std::vector<RunData> runs = read_doubted_runs(call.files, doubts, call.command, call.diagnostics());
             return draw_strengths(runs, material, doubts.lines(), options.style);
         });
 }
@@ -349,7 +351,7 @@ Command envelope_plot() {
                       "table of measured strengths: confining_pressure_MPa, strength_MPa");
         },
         [](const Options& options, const Call& call) {
-            const std::vector<RunData> runs = read_runs(call.files);
+            const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
             std::vector<LaboratoryStrengths> laboratory;
             for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
             const EnvelopeTests tests = collect_envelope_tests(runs, options.envelope);
@@ -439,7 +441,8 @@ Command size_effect_plot() {
             add_envelope_options(set, options.strength);
         },
         [](const Options& options, const Call& call) {
-            const std::vector<SizeSeries> series = collect_sizes(read_runs(call.files), options.strength);
+            const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
+            const std::vector<SizeSeries> series = collect_sizes(runs, options.strength);
             for (const SizeSeries& s : series) print_left_out(call.diagnostics(), "size-effect", s.left_out);
             return draw_size_effect(series, options.style);
         });

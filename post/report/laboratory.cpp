@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "post/report/html.hpp"
+#include "post/run/likeness.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
@@ -108,6 +109,26 @@ std::optional<Material> material_of_run(const RunHeader& header, const std::vect
         }
     }
     return std::nullopt;
+}
+
+std::string difference_from(const Material& material, const RunHeader& run) {
+    RunHeader made = run;
+    made.material = material.name;
+    made.rock = material.rock;
+    made.contact = contact_parameters(material, run.plane, std::nullopt);
+    std::vector<std::string> phases;
+    for (std::size_t p = 0; p < run.fabric.phases.size(); ++p) {
+        const std::string& pair = run.class_names.at(contact_class(p, p));  // "quartz-quartz"
+        phases.push_back(pair.substr(0, pair.size() / 2));
+    }
+    try {
+        const Fabric fabric = fabric_of(material, run.plane, std::nullopt, phases);
+        std::copy(fabric.phases.begin(), fabric.phases.end(), made.fabric.phases.begin());
+        std::copy(fabric.contacts.begin(), fabric.contacts.end(), made.fabric.contacts.begin());
+    } catch (const InputError&) {
+        if (material.name == run.material) return "minerals";
+    }
+    return differences(material_traits(run), material_traits(made));
 }
 
 std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,

@@ -35,6 +35,10 @@ struct LaboratoryProperty {
 /// name, the elastic constants or density of its rock differ. \param words of the command line
 std::optional<Material> material_of_run(const RunHeader& header, const std::vector<std::string>& words);
 
+/// In what a run is of another material than this: its name, rock, contacts or phases, the values of the run first; "" if in
+/// nothing.
+std::string difference_from(const Material& material, const RunHeader& run);
+
 /// The targets of a material, and E, ν, strengths at the given pressures, crack thresholds and K_IC, in the order of
 /// `all_properties`. What [targets] lacks is filled from [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3,
 /// with b of the friction angle, or of cohesion and UCS. Without a material nothing has a value. \param pressures of tests, Pa

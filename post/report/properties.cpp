@@ -9,6 +9,7 @@
 #include "post/fit/paper_rock.hpp"
 #include "post/measure/property.hpp"
 #include "post/measure/strength_summary.hpp"
+#include "post/run/likeness.hpp"
 #include "post/table/column.hpp"
 
 namespace graincrack {
@@ -166,6 +167,7 @@ std::vector<PropertyRow> measure_properties(const std::vector<RunData>& runs, co
                                             const EnvelopeOptions& options) {
     const Known known(material);
     std::vector<PropertyRow> properties;
+    require_alike(runs, "a property");
     add_moduli(properties, runs, known);
     add_strengths(properties, runs, known, options.strength);
     if (have_two_pressures(runs, options.strength)) add_envelope(properties, collect_envelope_tests(runs, options), known);

@@ -187,25 +187,12 @@ const std::vector<Check>& checks() {
     return all;
 }
 
-/// Columns of the checks: runs of one test, confining pressure and, where there are several, grain size.
+/// Columns of the checks: comparable runs.
 std::vector<std::pair<std::string, Runs>> columns_of(const std::vector<TestReport>& tests) {
-    std::vector<double> edges;
-    for (const TestReport& t : tests) edges.push_back(t.data.specimen.mean_edge);
-    const std::vector<GrainSize> sizes = grain_sizes(edges);
     std::vector<std::pair<std::string, Runs>> columns;
-    for (std::size_t i = 0; i < tests.size(); ++i) {
-        const RunHeader& h = tests[i].data.header;
-        std::string head = series_label(h.test, h.confining_pressure);
-        for (const GrainSize& size : sizes) {
-            const bool holds = std::find(size.runs.begin(), size.runs.end(), i) != size.runs.end();
-            if (sizes.size() > 1 && holds) head += ", " + size.label;
-        }
-        auto column = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first == head; });
-        if (column == columns.end()) column = columns.insert(column, {head, {}});
-        column->second.push_back(&tests[i]);
-    }
-    for (auto& [head, runs] : columns) {
-        if (runs.size() > 1) head += fmt::format(" ({} runs)", runs.size());
+    for (const SeedGroup& group : seed_groups(tests)) {
+        columns.emplace_back(group.name(), group.runs);
+        if (group.runs.size() > 1) columns.back().first += fmt::format(" ({} runs)", group.runs.size());
     }
     return columns;
 }

@@ -15,14 +15,13 @@
 #include "post/cracks/rosette.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/moduli.hpp"
-#include "post/measure/strength_summary.hpp"
 #include "post/plot/plots.hpp"
 #include "post/report/comparison.hpp"
 #include "post/report/html.hpp"
 #include "post/report/quality_checks.hpp"
 #include "post/report/test_report.hpp"
-#include "post/run/comparable.hpp"
 #include "post/run/crystals.hpp"
+#include "post/run/likeness.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -92,6 +91,8 @@ private:
 
 /// Everything the page is made of.
 struct Content {
+    std::vector<std::string> files;  ///< each test of a specimen once
+    std::string other_material;      ///< that the runs are not of the material that was given; "" if they are
     std::vector<TestReport> tests;
     std::vector<SeedGroup> groups;  ///< of the tests
     std::vector<RunData> curves;    ///< the same runs, whose histories count the cracks of the label
@@ -133,24 +134,26 @@ std::vector<RunData> data_of(const Content& content) {
     return runs;
 }
 
-/// The envelopes of the compression tests of each grain size, if they are there and have peaks; else why not.
+/// The envelopes of the compression tests of each fabric, if they are there and have peaks; else why not.
 void add_envelopes(Content& content) {
-    const std::vector<RunData> runs = data_of(content);
-    const std::vector<GrainSize> sizes = grain_sizes(runs);
-    for (const GrainSize& size : sizes) {
-        const std::string name = sizes.size() > 1 ? size.label : "";
+    std::vector<RunData> runs = data_of(content);
+    runs.erase(std::remove_if(runs.begin(), runs.end(), [](const RunData& run) { return !distinct_shape(run).empty(); }),
+               runs.end());
+    const RunList list = list_of(runs);
+    const auto fabrics = groups_of_like(list, of_the_test);
+    RunList firsts;
+    for (const auto& members : fabrics) firsts.push_back(list[members.front()]);
+    const std::vector<std::string> names = distinctions(firsts, of_the_test);
+    for (std::size_t f = 0; f < fabrics.size(); ++f) {
         std::vector<RunData> own;
-        for (const std::size_t i : size.runs) {
-            if (distinct_shape(runs[i]).empty()) own.push_back(runs[i]);
-        }
-        if (own.empty()) continue;
+        for (const std::size_t i : fabrics[f]) own.push_back(runs[i]);
         try {
             EnvelopeTests tests = collect_envelope_tests(own, {});
             const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
-            content.envelopes.push_back({name, std::move(tests), envelope});
+            content.envelopes.push_back({names[f], std::move(tests), envelope});
         } catch (const InputError& error) {
             content.envelope_note +=
-                html::paragraph(fmt::format("No envelope{}: {}.", name.empty() ? "" : " of " + name, error.what()));
+                html::paragraph(fmt::format("No envelope{}: {}.", names[f].empty() ? "" : " of " + names[f], error.what()));
         }
     }
 }
@@ -168,15 +171,15 @@ std::string grains_paragraph(const H5Input& file, const Specimen& specimen, cons
                                        crystals ? ", " + format_number(crystals->elements, 3) + " elements each" : ""));
 }
 
-/// Pictures of the first run of each kind, and of the first specimen of each shape and grain size: no map stands there twice.
-void add_maps(Content& content, const std::vector<std::string>& runs, const ReportOptions& options) {
+/// Pictures of the first run of each kind, and of the first specimen of each shape and distinction: no map stands there twice.
+void add_maps(Content& content, const ReportOptions& options) {
     std::set<std::string> seen;
-    for (const StrengthGroup& row : group_strengths_by_size(data_of(content))) {
-        const std::size_t first = row.runs.front();
-        const RunReader run(runs[first]);
+    for (const SeedGroup& row : content.groups) {
+        const auto first = static_cast<std::size_t>(&row.first() - content.tests.data());
+        const RunReader run(content.files[first]);
         const TestReport& t = content.tests[first];
         const Specimen specimen = run.specimen();
-        const std::string kind = specimen.shape + (row.size.empty() ? "" : ", " + row.size);
+        const std::string kind = row.with_specimen(specimen.shape);
         if (seen.insert(kind).second) {
             content.mesh.add_map(kind + ", of " + t.data.name,
                                  draw_specimen(specimen, t.data.name, SpecimenColour::phase, html::figure_style()));
@@ -188,9 +191,48 @@ void add_maps(Content& content, const std::vector<std::string>& runs, const Repo
     }
 }
 
-/// \param options gets the material of the first run unless it has one
-Content read_content(const std::vector<std::string>& runs, ReportOptions& options, Verbosity verbosity) {
+/// Drops what is there twice. \param diagnostics gets a line for each
+void count_once(Content& content, std::ostream& diagnostics) {
+    RunList runs;
+    for (const TestReport& t : content.tests) runs.push_back(&t.data);
+    Content whole;
+    std::swap(whole, content);
+    content.other_material = whole.other_material;
+    for (const std::size_t i : once_each(runs, "report", diagnostics)) {
+        content.files.push_back(whole.files[i]);
+        content.tests.push_back(std::move(whole.tests[i]));
+        content.curves.push_back(std::move(whole.curves[i]));
+    }
+}
+
+/// Drops a material that the first run is not of. \return what is to be said of that
+std::string drop_other_material(ReportOptions& options, const RunHeader& run, std::ostream& diagnostics) {
+    if (!options.material) return "";
+    const std::string found = difference_from(*options.material, run);
+    if (found.empty()) {
+        write_notes(diagnostics, "report", *options.material);
+        return "";
+    }
+    options.material.reset();
+    return "the runs are of another material than the one given: they differ from it in " + found +
+           "; nothing is compared with its laboratory";
+}
+
+/// \throws InputError if they differ
+void require_one_material(const RunData& run, const RunData& first) {
+    Aspects except = of_the_test;
+    except.insert({Aspect::grain_size, Aspect::fabric});
+    const std::string found = differences(run, first, except);
+    if (found.empty()) return;
+    throw InputError(run.name + ": differs from " + first.name + " in " + found + "; a report needs tests of one material");
+}
+
+/// \param options gets the material of the first run unless one is given
+Content read_content(const std::vector<std::string>& runs, ReportOptions& options, Verbosity verbosity,
+                     std::ostream& diagnostics) {
     Content content;
+    content.files = runs;
+    const bool is_given = options.material.has_value();
     Progress progress("report", verbosity);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         throw_if_interrupted();
@@ -198,14 +240,17 @@ Content read_content(const std::vector<std::string>& runs, ReportOptions& option
         content.tests.push_back(read_test_report(run, options.label));
         content.curves.push_back(run_data(run, options.label));
         const TestReport& t = content.tests.back();
-        require_same_material(t.data, content.tests.front().data, "a report");
+        if (i == 0) content.other_material = drop_other_material(options, t.data.header, diagnostics);
+        if (i == 0 && !content.other_material.empty()) diagnostics << "report: " << content.other_material << '\n';
+        require_one_material(t.data, content.tests.front().data);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
     }
     progress.finish();
+    count_once(content, diagnostics);
     content.groups = seed_groups(content.tests);
     const TestReport& first = content.tests.front();
-    if (!options.material) options.material = material_of_run(first.data.header, first.command_line);
-    add_maps(content, runs, options);
+    if (!is_given) options.material = material_of_run(first.data.header, first.command_line);
+    add_maps(content, options);
     add_envelopes(content);
     return content;
 }
@@ -316,7 +361,7 @@ std::vector<std::size_t> runs_of_first_chart(const Content& content) {
 }
 
 /// The curve, the cracks and the envelope at a glance.
-std::string first_figures(const Content& content, const std::vector<std::string>& runs, const ReportOptions& options) {
+std::string first_figures(const Content& content, const ReportOptions& options) {
     html::FirstFigures figures;
     const std::vector<std::size_t> shown = runs_of_first_chart(content);
     figures.add(shown.size() < content.tests.size() ? "stress and strain of the first run of each kind" : "stress and strain",
@@ -325,7 +370,7 @@ std::string first_figures(const Content& content, const std::vector<std::string>
                     for (const std::size_t i : shown) curves.push_back(content.curves[i]);
                     return draw_curves(curves, {}, definition_of(options.label.of(curves.front().header)), {}, style);
                 });
-    const RunReader run(runs[shown.front()]);
+    const RunReader run(content.files[shown.front()]);
     if (run.n_frames() > 0) {
         figures.add("micro-cracks by the end of " + content.tests[shown.front()].data.name, "maps",
                     [&](const PictureStyle& style) {
@@ -422,17 +467,19 @@ std::string provenance(const Content& content) {
 
 }  // namespace
 
-std::string make_report(const std::vector<std::string>& runs, const ReportOptions& given, Verbosity verbosity) {
+std::string make_report(const std::vector<std::string>& runs, const ReportOptions& given, Verbosity verbosity,
+                        std::ostream& diagnostics) {
     ReportOptions options = given;
-    const Content content = read_content(runs, options, verbosity);
+    const Content content = read_content(runs, options, verbosity, diagnostics);
     const std::optional<Material>& material = options.material;
     const RunHeader& header = content.tests.front().data.header;
     const std::string title =
-        runs.size() == 1 ? test_title(header) : fmt::format("{}: {} tests", header.material, content.tests.size());
+        content.tests.size() == 1 ? test_title(header) : fmt::format("{}: {} tests", header.material, content.tests.size());
     std::string body = "<h1>" + html::escaped(title) + "</h1>\n<p class=\"lead\">Numerical tests by Graincrack; contact law " +
                        html::escaped(header.contact_law) +
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
-    body += first_figures(content, runs, options);
+    if (!content.other_material.empty()) body += html::paragraph("Note: " + content.other_material + ".", "lead");
+    body += first_figures(content, options);
     body += html::section("laboratory", material ? "Against the laboratory" : "Properties",
                           comparison(content.groups, content.envelopes, material, caveat_paragraph(content)));
     body +=

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,11 @@ struct ReportOptions {
 
 /// The page: curve, crack map and envelope at a glance; properties against the laboratory; means over seeds; curves, quality
 /// checks, envelope, maps, energy balance, parameters, provenance. Runs are read one after the other; of each test and confining
-/// pressure the first run has maps. An envelope is drawn only of runs with first peaks. \throws InputError if a run cannot be
-/// read or evaluated, or if the runs are not of one material
-std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity);
+/// pressure the first run has maps. An envelope is drawn only of runs with first peaks. A test of a specimen that is given twice
+/// counts once. Values of another material than that of the runs are not shown. \param diagnostics gets a line on each of these
+/// two, and the notes on the material \throws InputError if a run cannot be read or evaluated, or if the runs are not of one
+/// material
+std::string make_report(const std::vector<std::string>& runs, const ReportOptions& options, Verbosity verbosity,
+                        std::ostream& diagnostics);
 
 }  // namespace graincrack

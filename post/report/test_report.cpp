@@ -9,10 +9,9 @@
 #include <numbers>
 
 #include "post/measure/caveats.hpp"
-#include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
 #include "post/report/html.hpp"
-#include "post/run/comparable.hpp"
+#include "post/run/likeness.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
@@ -90,56 +89,20 @@ namespace {
 
 using html::number;
 
-bool is_same_length(double a, double b) { return !(std::abs(a - b) > 1e-6 * std::abs(b)); }
-
-bool differ_by_seed_alone(const TestReport& a, const TestReport& b) {
-    const SpecimenSummary& first = a.data.specimen;
-    const SpecimenSummary& second = b.data.specimen;
-    return a.data.header.test == b.data.header.test && a.data.header.confining_pressure == b.data.header.confining_pressure &&
-           first.shape == second.shape && distinct_shape(a.data) == distinct_shape(b.data) &&
-           is_same_length(first.width, second.width) && is_same_length(first.height, second.height) &&
-           material_difference(a.data.header, b.data.header).empty() && setting_difference(a.data.header, b.data.header).empty();
-}
-
-std::string lengths_label(const SpecimenSummary& specimen) {
-    const std::string width = number(specimen.width * 1e3);
-    const std::string height = number(specimen.height * 1e3);
-    return width == height ? width + " mm" : width + " × " + height + " mm";
-}
-
-/// Brazilian, tension, compression by rising pressure.
-std::pair<int, double> place_of(const SeedGroup& group) {
-    const RunHeader& header = group.first().data.header;
-    return {header.loading() == Loading::splitting ? 0 : is_compression(header) ? 2 : 1, header.confining_pressure};
-}
-
-/// Names the lengths of specimens where groups of one test and grain size differ in them.
-void tell_apart(std::vector<SeedGroup>& groups) {
-    std::vector<std::string> names;
-    for (const SeedGroup& group : groups) names.push_back(group.name());
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (std::count(names.begin(), names.end(), names[i]) < 2) continue;
-        groups[i].lengths = lengths_label(groups[i].first().data.specimen);
-    }
-}
-
-/// Mean strength over that of the discs of the same grain size.
+/// Mean strength over that of the discs of the same material and fabric.
 std::string ratio_to_brazilian(const std::vector<SeedGroup>& groups, const SeedGroup& group) {
-    const auto disc = std::find_if(groups.begin(), groups.end(), [&](const SeedGroup& each) {
+    const auto is_of_its_rock = [&](const SeedGroup& each) {
         return each.first().data.header.loading() == Loading::splitting && distinct_shape(each.first().data).empty() &&
-               each.grain_size == group.grain_size;
-    });
-    if (disc == groups.end() || &*disc == &group) return "";
+               differences(each.first().data, group.first().data, of_the_test).empty();
+    };
+    const auto disc = std::find_if(groups.begin(), groups.end(), is_of_its_rock);
+    if (disc == groups.end() || is_of_its_rock(group) || std::count_if(disc, groups.end(), is_of_its_rock) > 1) return "";
     const auto own = group.sample_of(strength_of);
     const auto brazilian = disc->sample_of(strength_of);
     return own && brazilian ? number(own->mean.value / brazilian->mean.value, 3) : "";
 }
 
 }  // namespace
-
-std::string SeedGroup::with_specimen(const std::string& text) const {
-    return text + (grain_size.empty() ? "" : ", " + grain_size) + (lengths.empty() ? "" : ", " + lengths);
-}
 
 std::optional<Sample> SeedGroup::sample_of(const ValueOfTest& value) const {
     std::vector<double> values;
@@ -150,24 +113,18 @@ std::optional<Sample> SeedGroup::sample_of(const ValueOfTest& value) const {
 }
 
 std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests) {
-    std::vector<double> edges;
-    for (const TestReport& test : tests) edges.push_back(test.data.specimen.mean_edge);
-    const std::vector<GrainSize> sizes = grain_sizes(edges);
+    RunList runs, firsts;
+    for (const TestReport& test : tests) runs.push_back(&test.data);
     std::vector<SeedGroup> groups;
-    for (const GrainSize& size : sizes) {
-        const auto first_of_size = static_cast<std::ptrdiff_t>(groups.size());
-        for (const std::size_t i : size.runs) {
-            auto group = std::find_if(groups.begin() + first_of_size, groups.end(),
-                                      [&](const SeedGroup& each) { return differ_by_seed_alone(tests[i], each.first()); });
-            if (group == groups.end()) {
-                group = groups.insert(group, {series_label(tests[i].data), sizes.size() > 1 ? size.label : "", "", {}});
-            }
-            group->runs.push_back(&tests[i]);
-        }
+    for (const auto& members : groups_of_like(runs)) {
+        firsts.push_back(runs[members.front()]);
+        SeedGroup& group = groups.emplace_back(SeedGroup{series_label(*firsts.back()), "", {}});
+        for (const std::size_t i : members) group.runs.push_back(&tests[i]);
     }
+    const std::vector<std::string> told = distinctions(firsts);
+    for (std::size_t g = 0; g < groups.size(); ++g) groups[g].distinction = told[g];
     std::stable_sort(groups.begin(), groups.end(),
-                     [](const SeedGroup& a, const SeedGroup& b) { return place_of(a) < place_of(b); });
-    tell_apart(groups);
+                     [](const SeedGroup& a, const SeedGroup& b) { return place_of(a.first().data) < place_of(b.first().data); });
     return groups;
 }
 

@@ -37,16 +37,17 @@ TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label 
 /// A value of a run, SI; empty if the test does not measure it.
 using ValueOfTest = std::function<std::optional<double>(const TestReport&)>;
 
-/// Runs of one test at one confining pressure, on specimens of one shape, size and grain size, with the same settings.
+/// Comparable runs: of one test at one confining pressure, different in their seeds alone.
 struct SeedGroup {
-    std::string test;        ///< "uniaxial", "σ3 = 8 MPa"
-    std::string grain_size;  ///< "edge 5 mm"; empty if all runs are of one size
-    std::string lengths;     ///< "40 × 80 mm" where groups of one test and grain size differ in them
+    std::string test;         ///< "uniaxial", "σ3 = 8 MPa"
+    std::string distinction;  ///< from other groups of the test: "diameter 60 mm"; "" if there are none
     std::vector<const TestReport*> runs;
 
     [[nodiscard]] const TestReport& first() const { return *runs.front(); }
-    /// A text with what tells the group from others of its test: "uniaxial, edge 5 mm".
-    [[nodiscard]] std::string with_specimen(const std::string& text) const;
+    /// A text with what tells the group from others of its test: "uniaxial, grain diameter 5 mm".
+    [[nodiscard]] std::string with_specimen(const std::string& text) const {
+        return text + (distinction.empty() ? "" : ", ") + distinction;
+    }
     [[nodiscard]] std::string name() const { return with_specimen(test); }
     /// Over the runs that have the value; empty if none has.
     [[nodiscard]] std::optional<Sample> sample_of(const ValueOfTest& value) const;

@@ -44,24 +44,20 @@ std::string grains_label(const Specimen& specimen) {
     return fmt::format("{} crystals of {} elements", n_crystals(specimen), specimen.n_grains());
 }
 
-namespace {
-
-/// The options of a specimen by their keys; none if they cannot be read.
 std::map<std::string, std::string> specimen_options(const H5Input& file) {
     std::map<std::string, std::string> options;
     try {
         const char* name = file.kind() == "run" ? "specimen_configuration" : "configuration";
         const auto text = file.attribute_or<std::string>(schema::provenance_group, name, "");
         for (const TomlEntry& entry : parse_toml(text, name).entries) {
-            if (entry.values.size() == 1) options[entry.key] = entry.values.front().text;
+            std::string& option = options[entry.key];
+            for (const TomlValue& value : entry.values) option += (option.empty() ? "" : "; ") + value.text;
         }
     } catch (const Error&) {
         options.clear();
     }
     return options;
 }
-
-}  // namespace
 
 std::optional<std::string> specimen_option(const H5Input& file, const std::string& key) {
     const auto options = specimen_options(file);
@@ -89,7 +85,11 @@ std::string asked_grains(const H5Input& file) {
 std::optional<CrystalSizes> crystal_sizes(const H5Input& file) {
     const auto tessellation = file.attribute_or<std::string>(schema::specimen_group, "tessellation", "");
     const bool has_crystals = tessellation == "voronoi" || tessellation == "trigon" || file.has(schema::grain_crystal.path);
-    if (!has_crystals || !file.has(schema::grain_area.path)) return std::nullopt;
+    return has_crystals ? sizes_of_grains(file) : std::nullopt;
+}
+
+std::optional<CrystalSizes> sizes_of_grains(const H5Input& file) {
+    if (!file.has(schema::grain_area.path)) return std::nullopt;
     const auto areas = file.read<double>(schema::grain_area.path);
     std::vector<std::int32_t> crystals;
     if (file.has(schema::grain_crystal.path)) crystals = file.read<std::int32_t>(schema::grain_crystal.path);
@@ -105,6 +105,7 @@ std::optional<CrystalSizes> crystal_sizes(const H5Input& file) {
     for (const auto& [crystal, a] : area) {
         const double diameter = std::sqrt(4 * a / std::numbers::pi);
         sizes.mean_diameter += diameter / n;
+        sizes.area += a;
         squares += diameter * diameter / n;
     }
     sizes.variation = std::sqrt(std::max(0.0, squares - sizes.mean_diameter * sizes.mean_diameter)) / sizes.mean_diameter;

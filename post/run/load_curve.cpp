@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "post/run/crack_label.hpp"
+#include "post/run/crystals.hpp"
 #include "share/base/error.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
@@ -40,6 +41,21 @@ double bending_factor(const RunData& run) {
     return 1.5 * s.width * run.header.span / (s.height * s.height);
 }
 
+/// Sizes, phases and scatter of the grains.
+void summarize_grains(const H5Input& file, SpecimenSummary& summary) {
+    summary.tessellation = file.attribute_or<std::string>(schema::specimen_group, "tessellation", "");
+    if (const std::optional<CrystalSizes> sizes = sizes_of_grains(file)) {
+        summary.crystals = static_cast<std::int64_t>(sizes->n);
+        summary.grain_diameter = sizes->mean_diameter;
+        summary.elements_per_crystal = sizes->elements;
+        summary.area = sizes->area;
+    }
+    const auto names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", {});
+    const auto fractions = file.attribute_or<std::vector<double>>(schema::grain_phase.path, "fractions", {});
+    for (std::size_t p = 0; p < std::min(names.size(), fractions.size()); ++p) summary.phases[names[p]] = fractions[p];
+    summary.has_strength_factors = file.has(schema::contact_strength_factor.path);
+}
+
 /// A NaN in the stress would make the search for the largest stress end there. \throws InputError
 void require_numbers(const LoadCurve& curve, const std::string& name) {
     for (std::size_t row = 0; row < curve.stress.size(); ++row) {
@@ -63,11 +79,23 @@ SpecimenSummary specimen_summary(const H5Input& file) {
     summary.seed = file.attribute_or<std::int64_t>(schema::specimen_group, "seed", 0);
     summary.mean_edge = file.attribute_or<double>(schema::specimen_group, "mean_edge", unknown);
     summary.grains = static_cast<std::int64_t>(rows_of(file, schema::grain_phase.path));
+    const auto parts = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", {});
+    summary.holes = static_cast<std::size_t>(
+        std::count_if(parts.begin(), parts.end(), [](const std::string& part) { return part.starts_with("hole_"); }));
+    summarize_grains(file, summary);
+    summary.options = specimen_options(file);
     return summary;
 }
 
 RunData run_data(const RunReader& run, const CrackLabelChoice& label) {
-    RunData data{run.name(), run.header(), run.history(), specimen_summary(run.file()), run.wall_time()};
+    const H5Input& file = run.file();
+    RunData data{run.name(),
+                 run.header(),
+                 run.history(),
+                 specimen_summary(file),
+                 run.wall_time(),
+                 file.attribute_or<std::string>(schema::provenance_group, "input_digest", ""),
+                 file.attribute_or<std::string>(schema::program_group, "text", "")};
     count_in_history(labelled(run.cracks(), label.of(run.header())), data.history);
     return data;
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,15 @@ struct SpecimenSummary {
     double mean_edge = 0;  ///< m
     std::string shape = {};
     bool is_cracked = false;  ///< there are pre-existing cracks; open boundaries are none
+    std::size_t holes = 0;
+    double area = 0;  ///< of all grains, m²
+    std::string tessellation = {};
+    std::int64_t crystals = 0;        ///< grains, or what several of them are
+    double grain_diameter = 0;        ///< mean of the crystals' equal-area diameters, m
+    double elements_per_crystal = 0;  ///< mean
+    bool has_strength_factors = false;
+    std::map<std::string, double> phases = {};        ///< fractions of the area
+    std::map<std::string, std::string> options = {};  ///< by which it was made (`specimen_options`)
 };
 SpecimenSummary specimen_summary(const H5Input& file);
 
@@ -35,7 +45,9 @@ struct RunData {
     RunHeader header;
     History history;
     SpecimenSummary specimen;
-    double wall_time = 0;  ///< s
+    double wall_time = 0;              ///< s
+    std::string specimen_digest = {};  ///< of the file of its specimen; "" if unknown
+    std::string program = {};          ///< text of a loading program; "" of a standard test
 };
 /// \param path a run file or "-" \throws InputError
 RunData read_run_data(const std::string& path);

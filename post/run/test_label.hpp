@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "post/run/load_curve.hpp"
 
@@ -14,8 +13,8 @@ std::string test_title(const RunHeader& header);
 
 /// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension", "bending"; with a shape "Brazilian, ring".
 std::string series_label(const std::string& test, double confining_pressure, const std::string& shape = "");
-/// The shape by which the strengths of a run are told apart from others of its test: "ring" or "cracked disc" of a Brazilian
-/// test, "beam", "notched beam" or "half-disc" of bending; else "".
+/// The shape by which the strengths of a run are told apart from others of its test: "ring", "disc with a hole" or "cracked
+/// disc" of a Brazilian test, "beam", "notched beam" or "half-disc" of bending; else "".
 std::string distinct_shape(const RunData& run);
 inline std::string series_label(const RunData& run) {
     return series_label(run.header.test, run.header.confining_pressure, distinct_shape(run));
@@ -23,10 +22,6 @@ inline std::string series_label(const RunData& run) {
 
 /// "peak", or for a run without one "largest stress".
 std::string peak_label(const RunData& run);
-
-/// A short name for each run of a set: its test, and what else differs between those of one test (seed, mean edge, law, plane,
-/// platen speed); the name of its file where nothing does.
-std::vector<std::string> names_apart(const std::vector<RunData>& runs);
 
 /// Contacts as a whole number: one of whose two points only one has failed counts as one.
 std::string whole_contacts(double contacts);

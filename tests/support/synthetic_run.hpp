@@ -90,6 +90,7 @@ struct Recipe {
     CrackEvent crack_event = CrackEvent::failed;
     double platen_speed = 0.005;  ///< m/s
     double span = 0;              ///< of a test in bending, m
+    std::string material = "Augig granite";
 };
 
 /// Elastic loading in equal steps of stress up to the peak at time 1 s, then a straight fall until 1.25 s. A triaxial
@@ -157,18 +158,13 @@ inline void widen(History& history, const Recipe& r, double extra) {
 inline RunHeader synthetic_header(const Recipe& r) {
     RunHeader header;
     header.test = r.test;
-    header.material = "Augig granite";
+    header.material = r.material;
     header.contact_law = "literal";
     header.crack_event = r.crack_event;
     header.fracture_energy_choice = "mode-i";
     header.plane = r.plane;
     header.rock = {25.8e9, 0.23, 2650, 1.5e6, 3.0e6, 8.8e6};
-    header.contact.normal_stiffness = 6.87e14;
-    header.contact.shear_stiffness = 6.98e13;
-    header.contact.tensile_strength = 24.15e6;
-    header.contact.cohesion = 74.57e6;
-    header.contact.friction_angle = 0.851;
-    header.contact.fracture_energy = 82.6;
+    header.contact = contact_parameters(read_material("augig-granite"), r.plane, std::nullopt);
     header.confining_pressure = r.confining_pressure;
     header.platen_speed = r.platen_speed;
     header.span = r.span;

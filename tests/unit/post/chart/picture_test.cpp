@@ -211,6 +211,14 @@ TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStr
     EXPECT_EQ(hardens.find("residual strength"), std::string::npos);
 }
 
+TEST_F(Picture, CurvesOfSeveralMaterialsNameThem) {
+    std::vector<RunData> runs(2, read_run_data(path("run.h5")));
+    runs[1].header.material = "Gabbro";
+    const std::string words = draw_curves(runs, {}, "").words();
+    EXPECT_NE(words.find("Stress and strain"), std::string::npos) << words;
+    for (const RunData& run : runs) EXPECT_NE(words.find("uniaxial, " + run.header.material + ":"), std::string::npos) << words;
+}
+
 TEST_F(Picture, LaboratoryCurvesStandBesideRuns) {
     std::ofstream(path("lab.tsv")) << "axial_strain_percent\tlateral_strain_percent\tstress_MPa\n0\t0\t0\n0.3\t-0.1\t80\n";
     const LaboratoryCurve curve = read_laboratory_curve(path("lab.tsv"));

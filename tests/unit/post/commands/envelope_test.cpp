@@ -198,7 +198,7 @@ TEST_F(EnvelopeTable, OfFirstPeaksIsTheUsualOneAndTakesEachRunThatHasOne) {
     // The last two never fall: one stopped at the strain limit, one by a signal.
     const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.1, "strain limit"),
                                         run("8", 8e6, "", 0, 0.5, "signal"), run("12", 12e6, "", 0, 0, "strain limit"),
-                                        run("13", 12e6, "", 0, 0, "signal")};
+                                        run("13", 13e6, "", 0, 0, "signal")};
     const std::string usual = table(runs, {});
     EXPECT_EQ(field(usual, "strength"), "first-peak");
     EXPECT_EQ(field(usual, "runs"), "3");
@@ -262,7 +262,19 @@ TEST_F(EnvelopeTable, OtherTestsOnePressureAndAnotherPlaneConditionAreRefused) {
     recipe.confining_pressure = 4e6;
     recipe.plane = PlaneCondition::stress;
     test::write_run(folder_.file("stress"), recipe);
-    test::expect_one_line<InputError>([&] { table({run("0", 0), folder_.file("stress")}, of_largest_); }, {"plane condition"});
+    test::expect_one_line<InputError>(
+        [&] {
+            table({run("0", 0), folder_.file("stress")}, of_largest_);
+        },
+        {"plane (stress, strain)"});
+    recipe.plane = PlaneCondition::strain;
+    recipe.specimen = test::grid_specimen(4, 8, 0.04, 0.08);
+    test::write_run(folder_.file("small"), recipe);
+    test::expect_one_line<InputError>(
+        [&] {
+            table({run("0", 0), folder_.file("small")}, of_largest_);
+        },
+        {"width (40 mm, 80 mm), height (80 mm, 160 mm)"});
 }
 
 }  // namespace

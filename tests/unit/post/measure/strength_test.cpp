@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <iterator>
 #include <numbers>
 #include <sstream>
@@ -66,7 +67,7 @@ TEST_F(StrengthTable, UniaxialRow) {
     EXPECT_EQ(field(table, "achieved_confining_pressure_MPa"), "");
     EXPECT_EQ(field(table, "contact_law"), "literal");
     EXPECT_EQ(field(table, "contact_cohesion_MPa"), "74.57");
-    EXPECT_NEAR(std::stod(field(table, "contact_friction_angle_deg")), 0.851 * 180 / std::numbers::pi, 1e-5);
+    EXPECT_NEAR(std::stod(field(table, "contact_friction_angle_deg")), 48.76, 1e-5);
     EXPECT_NEAR(std::stod(field(table, "ns_per_grain_step")), 12.8e9 / (200000.0 * 256), 1e-4);
 }
 
@@ -294,6 +295,30 @@ TEST_F(StrengthTable, DirectTensionAboveTheBrazilianStrengthIsSaid) {
     EXPECT_NE(said(12e6, 8e6).find("direct tension is 1.50 times the Brazilian strength; in rock it is 0.7 to 0.9 times (Perras"),
               std::string::npos);
     EXPECT_EQ(said(7e6, 8e6).find("direct tension"), std::string::npos);
+}
+
+TEST_F(StrengthTable, ForTheTerminalHasMeansOfComparableRunsAndCountsATestOnce) {
+    Recipe recipe;
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& name, double peak) {
+        recipe.peak = peak;
+        recipe.specimen.seed = static_cast<std::int64_t>(files.size() + 1);
+        files.push_back(folder_.file(name));
+        test::write_run(files.back(), recipe);
+    };
+    add("a.h5", 100e6);
+    add("b.h5", 110e6);
+    recipe.material = "Gabbro";
+    add("c.h5", 285e6);
+    files.push_back(folder_.file("again.h5"));
+    std::filesystem::copy(files[0], files.back());
+    std::ostringstream out;
+    write_strength_table(out, files, TableFormat::aligned, notes_);
+    for (const char* words : {"uniaxial, plane strain, Augig granite", "uniaxial, plane strain, Gabbro", "mean of 2, s.d. 7.1"}) {
+        EXPECT_NE(out.str().find(words), std::string::npos) << words << out.str();
+    }
+    const std::string note = "again.h5 is the same test of the same specimen as " + files[0] + ", and counts once\n";
+    EXPECT_NE(notes_.str().find(note), std::string::npos) << notes_.str();
 }
 
 }  // namespace

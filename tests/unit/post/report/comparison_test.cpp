@@ -200,12 +200,12 @@ TEST_F(Comparison, SpecimensOfAnotherWidthAreAnotherGroup) {
     add("triaxial", 1, 200e6, 8e6);
     const std::vector<SeedGroup> groups = seed_groups(tests_);
     ASSERT_EQ(groups.size(), 3U);
-    EXPECT_EQ(groups[0].name(), "uniaxial, 80 × 160 mm");
+    EXPECT_EQ(groups[0].name(), "uniaxial, width 80 mm");
     EXPECT_NEAR(groups[0].sample_of(strength_of)->mean.value, 125e6, 1e6);
     EXPECT_EQ(groups[0].sample_of([](const TestReport&) { return std::nullopt; }), std::nullopt);
-    EXPECT_EQ(groups[1].name(), "uniaxial, 40 × 160 mm");
+    EXPECT_EQ(groups[1].name(), "uniaxial, width 40 mm");
     EXPECT_EQ(groups[2].name(), "σ3 = 8 MPa");
-    expect_texts(table(std::nullopt), {"<td>UCS, 80 × 160 mm</td>", "<td>UCS, 40 × 160 mm</td>"});
+    expect_texts(table(std::nullopt), {"<td>UCS, width 80 mm</td>", "<td>UCS, width 40 mm</td>"});
 }
 
 }  // namespace

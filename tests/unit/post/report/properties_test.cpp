@@ -7,6 +7,8 @@
 #include <map>
 #include <sstream>
 
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -40,6 +42,15 @@ protected:
     std::vector<std::string> files_;
     Material material_ = read_material("augig-granite");
 };
+
+TEST_F(Properties, OfRunsThatAreNotComparableAreRefused) {
+    add("uniaxial", 1, 120e6);
+    Recipe recipe;
+    recipe.specimen = test::grid_specimen(16, 32, 0.08, 0.16);
+    files_.push_back(folder_.file("fine.h5"));
+    test::write_run(files_.back(), recipe);
+    test::expect_one_line<InputError>([&] { (void)measured(); }, {"fine.h5: differs from", "grain diameter (4 mm, 8 mm)"});
+}
 
 TEST_F(Properties, MeansStandBesideTheLaboratorysAndThePapers) {
     add("uniaxial", 1, 120e6);

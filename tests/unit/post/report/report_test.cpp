@@ -28,7 +28,8 @@ protected:
         return r;
     }
     std::string page(const std::vector<std::string>& runs, const ReportOptions& options = {}) {
-        return make_report(runs, options, Verbosity::quiet);
+        diagnostics_.str("");
+        return make_report(runs, options, Verbosity::quiet, diagnostics_);
     }
     static void expect_texts(const std::string& page, const std::vector<std::string>& words) {
         for (const std::string& each : words) EXPECT_NE(page.find(each), std::string::npos) << each;
@@ -46,6 +47,7 @@ protected:
         }
     }
     test::TemporaryFolder folder_;
+    std::ostringstream diagnostics_;
 };
 
 TEST(Figures, LeaveNoColumnEmpty) {
@@ -114,6 +116,21 @@ TEST_F(Report, WhatWasFittedIsWhatTheMaterialSays) {
     EXPECT_TRUE(row_of(html, "UCS").ends_with("<td>predicted</td>")) << row_of(html, "UCS");
 }
 
+TEST_F(Report, OfAnotherMaterialSaysSoFirstAndComparesNothing) {
+    test::Recipe gabbro = recipe("uniaxial", 120e6);
+    gabbro.material = "Gabbro";
+    const std::string words =
+        "the runs are of another material than the one given: they differ from it in material (Gabbro, Augig granite)";
+    const std::string html = page({run("u.h5", gabbro)}, {read_material("augig-granite")});
+    EXPECT_TRUE(diagnostics_.str().starts_with("report: " + words)) << diagnostics_.str();
+    expect_texts(html, {words});
+    EXPECT_EQ(html.find("<th>laboratory"), std::string::npos);
+    Material other = read_material("augig-granite");
+    other.contact.cohesion = 80e6;
+    (void)page({run("u.h5", recipe("uniaxial", 120e6))}, {other});
+    EXPECT_NE(diagnostics_.str().find("contact cohesion (74.57 MPa, 80 MPa)"), std::string::npos) << diagnostics_.str();
+}
+
 TEST_F(Report, BeginsWithACurveCracksAndTheEnvelopeIfThereIsOne) {
     const std::vector<std::string> runs{run("b.h5", recipe("brazilian", 9e6)), run("u.h5", recipe("uniaxial", 120e6)),
                                         run("u2.h5", recipe("uniaxial", 130e6)), run("t.h5", recipe("triaxial", 160e6, 8e6))};
@@ -134,6 +151,7 @@ TEST_F(Report, MineralsStandByPhaseAndClass) {
     for (std::size_t g = 0; g < r.specimen.n_grains(); ++g) r.specimen.grain_phase[g] = g % 4 == 0 ? 1 : 0;
     Material material = read_material("augig-granite");
     material.fabric.phases["quartz"].fraction = 0.745;
+    material.fabric.phases["mica"].fraction = 0.255;
     const std::string html = page({run("two.h5", r)}, {.material = material});
     expect_texts(html, {"id=\"minerals\"", "<td>quartz</td><td>74.5</td><td>75</td><td>192</td><td>25.8</td><td>0.23</td>",
                         "<td>all, Reuss to Voigt</td>", "<h3>Contacts and micro-cracks by class</h3>", "<td>quartz–mica</td>",
@@ -161,11 +179,10 @@ TEST_F(Report, GrainSizesHaveRowsAndColumnsOfTheirOwnAndWhatIsTheSameStandsOnce)
     coarse.specimen = test::grid_specimen(4, 8, 0.08, 0.16);
     const std::string html = page(
         {run("fine.h5", recipe("uniaxial", 120e6)), run("coarse.h5", coarse), run("fine4.h5", recipe("triaxial", 160e6, 4e6))});
-    const auto edge = [](double length) { return fmt::format("uniaxial, edge {:.2g} mm", 1e3 * length); };
-    const std::string fine = edge(recipe("uniaxial", 1e6).specimen.statistics.mean_edge);
-    const std::string twice = edge(coarse.specimen.statistics.mean_edge);
-    expect_texts(html, {"<td>" + fine + "</td>", "<td>" + twice + "</td>", "<th>" + fine + "</th><th>" + twice + "</th>",
-                        "<td>UCS, edge ", "(not resolved: below one edge)</td>", "<td>contact law</td><td colspan=\"3\">"});
+    const std::string fine = "uniaxial, grain diameter 8 mm", twice = "uniaxial, grain diameter 16 mm";  // half squares
+    expect_texts(
+        html, {"<td>" + fine + "</td>", "<td>" + twice + "</td>", "<th>" + fine + "</th><th>" + twice + "</th>",
+               "<td>UCS, grain diameter 8 mm", "(not resolved: below one edge)</td>", "<td>contact law</td><td colspan=\"3\">"});
     std::size_t maps = 0;
     for (std::size_t i = html.find("cracks before, at and after"); i != std::string::npos;
          i = html.find("cracks before, at and after", i + 1)) {
