@@ -125,6 +125,7 @@ std::vector<std::string> load(sqlite3* database, const std::vector<const NamedTa
                                                      : std::vector(part->file.n_rows(), column == label ? part->stem : ""));
         }
         for (std::size_t row = 0; row < part->file.n_rows(); ++row) {
+            throw_if_interrupted();
             for (std::size_t i = 0; i < entries.size(); ++i) bind_entry(insert.get(), static_cast<int>(i + 1), entries[i][row]);
             sqlite3_step(insert.get());
             sqlite3_reset(insert.get());
