@@ -68,7 +68,7 @@ void tell(const MeshOptions& options, const Specimen& specimen, std::vector<std:
 
 int run(int argc, char** argv) {
     const auto start = std::chrono::steady_clock::now();
-    catch_stop_signals();
+    catch_stop_signals(1);
 
     // Options
     auto options = read_options(argc, argv);

@@ -18,7 +18,9 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double same_place = 1e-9;  ///< over the extent: as contacts of a specimen must conform
-constexpr double on_side = 1e-6;     ///< distance of a point from a side over the side's length: far below any angle of a grain
+/// Unit vector along which sides and points are compared with the next: in no lattice many lie at one place along it.
+constexpr Point oblique{0.8506508083520400, 0.5257311121191336};
+constexpr double on_side = 1e-6;  ///< distance of a point from a side over the side's length: far below any angle of a grain
 
 std::string position_text(Point p) { return fmt::format("({}, {})", format_number(p.x, 6), format_number(p.y, 6)); }
 
@@ -110,12 +112,12 @@ private:
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::vector<std::size_t> first = order;
         std::sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) {
-            return std::pair(mesh_.points[p].x, p) < std::pair(mesh_.points[q].x, q);
+            return std::pair(dot(mesh_.points[p], oblique), p) < std::pair(dot(mesh_.points[q], oblique), q);
         });
         for (std::size_t i = 0; i < order.size(); ++i) {
             for (std::size_t k = i + 1; k < order.size(); ++k) {
                 const Point off = mesh_.points[order[k]] - mesh_.points[order[i]];
-                if (off.x > tolerance) break;
+                if (dot(off, oblique) > tolerance) break;
                 if (length(off) > tolerance) continue;
                 first[order[i]] = first[order[k]] = std::min(first[order[i]], first[order[k]]);
             }
@@ -207,13 +209,17 @@ private:
     /// Open sides must not cross, nor hold points that are not their ends: there neighbours do not conform.
     void check_boundary() {
         std::vector<OpenSide> sides = open_sides(mesh_.triangles);
-        const auto low = [&](const OpenSide& s) { return std::min(at(s.from).x, at(s.to).x); };
+        const auto along = [&](const OpenSide& s) { return std::minmax({dot(at(s.from), oblique), dot(at(s.to), oblique)}); };
+        const auto across = [&](const OpenSide& s) {
+            return std::minmax({cross(oblique, at(s.from)), cross(oblique, at(s.to))});
+        };
+        const auto low = [&](const OpenSide& s) { return along(s).first; };
         std::sort(sides.begin(), sides.end(), [&](const OpenSide& s, const OpenSide& t) { return low(s) < low(t); });
         for (std::size_t i = 0; i < sides.size(); ++i) {
-            const auto [bottom, top] = std::minmax({at(sides[i].from).y, at(sides[i].to).y});
-            const double right = std::max(at(sides[i].from).x, at(sides[i].to).x);
-            for (std::size_t k = i + 1; k < sides.size() && low(sides[k]) <= right; ++k) {
-                const auto [below, above] = std::minmax({at(sides[k].from).y, at(sides[k].to).y});
+            const auto [bottom, top] = across(sides[i]);
+            const double high = along(sides[i]).second;
+            for (std::size_t k = i + 1; k < sides.size() && low(sides[k]) <= high; ++k) {
+                const auto [below, above] = across(sides[k]);
                 if (below <= top && above >= bottom) check_pair(sides[i], sides[k]);
             }
         }

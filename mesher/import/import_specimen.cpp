@@ -61,7 +61,6 @@ std::string name_of_file(const ImportRequest& request) { return request.file == 
 
 MeshFormat known_format(std::string_view bytes, const ImportRequest& request) {
     const std::string name = name_of_file(request);
-    if (bytes.size() > std::numeric_limits<std::int32_t>::max()) throw InputError(name + ": larger than 2 GB, which is not read");
     const auto format = request.format ? request.format : format_of(bytes);
     if (!format) throw InputError(fmt::format("{}: begins with \"{}\"; {}", name, beginning(bytes), known_formats));
     return *format;

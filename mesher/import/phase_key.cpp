@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fstream>
+#include <sstream>
 #include <system_error>
 
 #include "share/base/error.hpp"
@@ -61,8 +61,7 @@ std::optional<int> colour_of_text(std::string_view text) {
 std::string colour_text(int colour) { return fmt::format("#{:06x}", colour); }
 
 PhaseKey::PhaseKey(const std::string& path) : path_(path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(path + ": cannot be read; a table with the columns key and phase is needed");
+    std::istringstream file(text_of_file(path));
     std::size_t phase_column = 1;
     bool has_names = false;  // of columns
     std::string line;

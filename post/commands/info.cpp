@@ -75,7 +75,7 @@ void write_crystals(std::ostream& out, const H5Input& file) {
     const auto sizes = crystal_sizes(file);
     if (!sizes) return;
     line(out, "crystals", std::to_string(sizes->n));
-    line(out, "crystal_diameter", format_quantity(sizes->mean_diameter, Dimension::length));
+    line(out, "grain_size", format_quantity(sizes->mean_diameter, Dimension::length));
     line(out, "crystal_variation", format_number(sizes->variation, 4));
     line(out, "elements_per_crystal", format_number(sizes->elements, 4));
 }

@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -10,6 +12,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 #include "share/base/text.hpp"
 
@@ -17,6 +20,21 @@ namespace graincrack {
 namespace {
 
 volatile std::sig_atomic_t caught_signal = 0;
+unsigned patience = 0;                             // s, of `catch_stop_signals`
+const char* name_of_tool = "";                     // of `run_tool`
+std::array<std::array<char, 5000>, 2> unfinished;  // paths of `hold_output`
+
+/// Ends a tool that did not come to a safe point, with the message of `run_tool`. Calls nothing that a signal must not.
+void end_at_once(int /*alarm*/) {
+    for (const auto& path : unfinished) ::unlink(path.data());
+    const std::array<char, 3> number{static_cast<char>('0' + caught_signal / 10), static_cast<char>('0' + caught_signal % 10),
+                                     '\n'};
+    const std::string_view digits(number.data() + (caught_signal < 10 ? 1 : 0), caught_signal < 10 ? 2 : 3);
+    for (const std::string_view part : {std::string_view(name_of_tool), std::string_view(": stopped by signal "), digits}) {
+        static_cast<void>(!::write(STDERR_FILENO, part.data(), part.size()));
+    }
+    ::_exit(128 + caught_signal);
+}
 
 /// The second signal ends the tool at once; but for SIGHUP, which both the shell and the system send when a terminal is closed.
 void remember_signal(int signal) {
@@ -25,6 +43,7 @@ void remember_signal(int signal) {
         std::raise(signal);
     }
     caught_signal = signal;
+    if (patience > 0) ::alarm(patience);
 }
 
 constexpr std::size_t longest_message = 1500;  // bytes; a list of all columns of a table has some thousand
@@ -58,6 +77,7 @@ void flush_stdout() {
 }  // namespace
 
 int run_tool(const std::string& tool, const std::function<int()>& body) {
+    name_of_tool = tool.c_str();
     open_closed_streams();
     std::signal(SIGPIPE, SIG_DFL);  // a reader that closes the pipe ends the tool without a message
     std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size cannot be written, as on a full disk
@@ -77,11 +97,22 @@ int run_tool(const std::string& tool, const std::function<int()>& body) {
     }
 }
 
-void catch_stop_signals() {
+void catch_stop_signals(unsigned patience_) {
+    patience = patience_;
+    std::signal(SIGALRM, end_at_once);
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
     if (std::signal(SIGHUP, remember_signal) == SIG_IGN) {
         std::signal(SIGHUP, SIG_IGN);  // of nohup
+    }
+}
+
+void hold_output(const std::string& path) {
+    const std::array endings{".part", ".lock"};
+    for (std::size_t i = 0; i < unfinished.size(); ++i) {
+        const std::string name = path.empty() ? "" : path + endings[i];
+        unfinished[i].fill(0);
+        if (name.size() < unfinished[i].size()) std::copy(name.begin(), name.end(), unfinished[i].begin());
     }
 }
 

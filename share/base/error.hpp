@@ -53,7 +53,10 @@ private:
 int run_tool(const std::string& tool, const std::function<int()>& body);
 
 /// Catches SIGINT, SIGTERM and SIGHUP from here on, so that work ends at the next safe point.
-void catch_stop_signals();
+/// \param patience s after which the tool ends wherever it is, without what `hold_output` names; 0: it is waited for
+void catch_stop_signals(unsigned patience = 0);
+/// Names the output whose unfinished file and lock, PATH.part and PATH.lock, are removed where a tool ends at once; "" for none.
+void hold_output(const std::string& path);
 /// The signal that asked to stop, or 0.
 int stop_signal() noexcept;
 /// Throws `Interrupted` if a signal asked to stop.

@@ -114,6 +114,7 @@ OutputFile::OutputFile(const std::string& output) : name_(output == "-" ? "stdou
     path_ = target.string();
     part_ = path_ + ".part";
     lock_ = std::make_unique<OutputLock>(path_);
+    hold_output(path_);
 }
 
 std::unique_ptr<OutputFile> OutputFile::covered(const std::string& path) {
@@ -124,6 +125,7 @@ std::unique_ptr<OutputFile> OutputFile::covered(const std::string& path) {
 }
 
 OutputFile::~OutputFile() {
+    hold_output("");
     if (!is_stream() && file_ >= 0) ::unlink(part_.c_str());
     if (file_ > STDERR_FILENO) ::close(file_);
 }

@@ -117,5 +117,29 @@ TEST(MeshOptions, TwoLinesAreSaidAndWhatIsWrong) {
     EXPECT_GE(std::count(s.boundary_part.begin(), s.boundary_part.end(), 5), 16);
 }
 
+TEST(MeshOptions, WorkEndsAtTheFirstSignalWhereverItIs) {
+    const Shell shell;
+    const std::string stopped = " -o s.h5 & sleep 0.5; kill -TERM $!; SECONDS=0; wait $!; code=$?; ((SECONDS < 4)) && exit $code";
+    for (const std::string call : {"mkfifo pipe; graincrack-mesh import pipe",
+                                   "graincrack-mesh rectangle --width 1m --height 1m --grains 900000 --tessellation trigon"}) {
+        const Outcome outcome = shell.run(call + stopped);
+        EXPECT_EQ(outcome.exit_code, 128 + 15) << call;
+        EXPECT_EQ(outcome.err, "graincrack-mesh: stopped by signal 15\n") << call;
+        EXPECT_EQ(shell.names(), "pipe\n") << call;
+    }
+}
+
+TEST(MeshOptions, PipesAndLongPicturesAreRead) {
+    const Shell shell;
+    shell.must(
+        "yes 7 | head -100000 >long.txt\n"
+        "timeout 100 graincrack-mesh import long.txt --pixel-size 0.1mm --quiet -o long.h5\n"
+        "printf '1 1 2\\n1 3 2\\n3 3 2\\n' >s.txt; printf '1\\ta\\n2\\tb\\n3\\tc\\n' >key.tsv\n"
+        "import='--smallest-piece 1 --pixel-size 1mm --quiet -o'\n"
+        "graincrack-mesh import s.txt --phase-key key.tsv $import a.h5\n"
+        "graincrack-mesh import <(cat s.txt) --phase-key <(cat key.tsv) $import b.h5");
+    EXPECT_EQ(hash_of(shell, "a.h5"), hash_of(shell, "b.h5"));
+}
+
 }  // namespace
 }  // namespace graincrack::test

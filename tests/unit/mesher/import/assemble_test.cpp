@@ -259,11 +259,12 @@ TEST(Outline, NamesOfLinesAreParts) {
     EXPECT_EQ(outline.part_names[5], "punch");
     EXPECT_EQ(outline.sides.size(), 7U);
     EXPECT_EQ(outline.sides.back().kind, (FlawKind{ContactKind::grain_boundary, "joint"}));  // the first name of a side counts
-    EXPECT_EQ(notes,
-              (std::vector<std::string>{
-                  "1 lines of cracks and flaws lie between no two grains and were passed over",
-                  "lines \"strange\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
-                  "flaw-NAME-broken are cracks or of a class of flaws"}));
+    EXPECT_EQ(
+        notes,
+        (std::vector<std::string>{
+            "warning: 1 lines of cracks and flaws lie between no two grains and were passed over",
+            "warning: lines \"strange\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
+            "flaw-NAME-broken are cracks or of a class of flaws"}));
 }
 
 TEST(Outline, NamesOfFlaws) {
