@@ -35,6 +35,7 @@ std::optional<double> rehardening_of(const MeanOverStrain& curve, double peak_st
 
 FirstPeak with_residual(const Peak& at, const CurveColumns& curve, double confining_pressure) {
     FirstPeak peak;
+    peak.row = at.row;
     peak.strain = curve.strain[at.row];
     peak.stress = at.stress;
     const MeanOverStrain mean(curve.strain, curve.stress);

@@ -16,8 +16,9 @@ inline constexpr double least_rehardening_strain = 0.001;
 
 /// Stresses are σ1, confinement included, so that they compare with the largest axial stress; Pa.
 struct FirstPeak {
-    double strain = 0;  ///< platen approach over height
-    double stress = 0;  ///< of the smoothed curve
+    std::size_t row = 0;  ///< of the columns
+    double strain = 0;    ///< platen approach over height
+    double stress = 0;    ///< of the smoothed curve
     /// Mean over `residual_strains` beyond the first peak; empty if the test ends before.
     std::optional<double> residual;
     /// Fall from the first peak to the residual strength, as a share of σ1 − σ3 at the first peak; empty without a residual

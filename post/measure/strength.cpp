@@ -231,6 +231,7 @@ Strength measure_strength(const RunData& run) {
     strength.strain_at_peak = curve.axial_strain[curve.peak];
     strength.first_yield = first_yield(curve);
     strength.first_peak = measure_first_peak(run, curve);
+    strength.row = strength.first_peak ? curve.start + strength.first_peak->row : curve.peak;
     std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),
                    [&](double strain) { return stress_at_strain(curve, strain); });
     strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];

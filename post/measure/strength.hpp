@@ -51,6 +51,7 @@ struct Strength {
     std::string peak_kind;                ///< see `peak_kind`
     std::optional<double> first_yield;    ///< see `first_yield`
     std::optional<FirstPeak> first_peak;  ///< uniaxial, triaxial
+    std::size_t row = 0;                  ///< of the history: of the strength, or of the largest stress if it did not fail
     /// Stress where the platen strain first reaches `strain_marks`, before or after the peak; empty if the test ended earlier.
     std::array<std::optional<double>, 3> stress_at_marks;
     double tensile_cracks = 0;  ///< contacts (points ÷ 2) by the time of the peak, as the history of the run counts them

@@ -169,7 +169,7 @@ const std::vector<Check>& checks() {
         {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunHeader::platen_force_difference), "\u00a0%"},
         {"confinement achieved, mean ± s.d.", confinement_label},
         {.name = "contact zone over mean edge", .of_all = contact_zone_label},
-        {.name = "tensile : shear cracks at the peak", .contacts = [](const TestReport& t) { return modes(t.at_peak); }},
+        {.name = "tensile : shear cracks at the strength", .contacts = [](const TestReport& t) { return modes(t.at_peak); }},
         {.name = "tensile : shear cracks by the end", .contacts = [](const TestReport& t) { return modes(t.at_end); }},
         {"what counts as a crack", [](const TestReport& t) { return t.crack_definition; }},
         {"separated by the end", nullptr, [](const TestReport& t) { return std::ceil(t.at_end.separated); }},

@@ -22,7 +22,7 @@ struct TestReport : MeasuredRun {
     GrainModuli grains;
     std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunHeader::fabric`
     std::vector<Caveat> caveats;           ///< caveats of the strength
-    CrackBalance at_peak;                  ///< by the label of the page
+    CrackBalance at_peak;                  ///< by the label of the page, at the strength
     CrackBalance at_end;
     std::string crack_definition;             ///< that label in words
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity

@@ -257,6 +257,7 @@ TEST_F(StrengthTable, ATestThatHardensHasTheStrengthOfItsFirstPeak) {
         const Strength strength = measure_strength(run);
         EXPECT_NEAR(strength.reported().value(), 200e6, 1e6);  // less what smoothing takes
         EXPECT_EQ(strength.reported(), strength.value(StrengthKind::first_peak));
+        EXPECT_NEAR(-stress[strength.row], 200e6, 1e6);
         EXPECT_TRUE(strength.has_peak());
         EXPECT_EQ(strength.reported(StrengthKind::largest), strength.value());
         EXPECT_NEAR(strength.value(), 220e6, 1e3);

@@ -208,7 +208,7 @@ TEST_F(Report, CountsCracksByOneRule) {
     for (const char* rule : {"open : closed", "traction angle", "tensile share of cracks"}) {
         EXPECT_EQ(html.find(rule), std::string::npos) << rule;
     }
-    const auto counts = [](const std::string& whole) { return row_of(whole, "tensile : shear cracks at the peak"); };
+    const auto counts = [](const std::string& whole) { return row_of(whole, "tensile : shear cracks at the strength"); };
     const std::string by_sign = page({folder_.file("u.h5")}, {.label = {std::nullopt, CrackModeRule::sign}});
     EXPECT_NE(counts(html), counts(by_sign));
     EXPECT_NE(row_of(html, "what counts as a crack"), row_of(by_sign, "what counts as a crack"));
