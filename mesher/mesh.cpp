@@ -98,7 +98,7 @@ void round_holes(const Region& region, PlaneMesh& mesh) {
     for (const Loop& loop : region.loops) {
         const int part = loop.parts.front();
         if (!loop.circle || &loop == &region.loops.front() || meets_flaw(mesh, part)) continue;
-        const auto [centre, radius] = std::pair(loop.circle->centre, loop.circle->radius);
+        const Point centre = loop.circle->centre;
         const auto from_centre = [&](int p) { return unit(mesh.points[static_cast<std::size_t>(p)] - centre); };
         double doubled_area = 0;  // of the polygon at radius 1
         for (const Side& side : mesh.sides) {
@@ -106,7 +106,7 @@ void round_holes(const Region& region, PlaneMesh& mesh) {
         }
         const double angle_before = smallest_angle_at(mesh, part);
         const std::vector<Point> before = mesh.points;
-        const double corners = radius * std::sqrt(2 * std::numbers::pi / doubled_area);
+        const double corners = loop.circle->radius * std::sqrt(2 * std::numbers::pi / doubled_area);
         for (const Side& side : mesh.sides) {
             if (side.part == part) mesh.points[static_cast<std::size_t>(side.from)] = centre + corners * from_centre(side.from);
         }
