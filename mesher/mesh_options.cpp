@@ -99,7 +99,7 @@ const Kind kinds[] = {
          add_width(set, options, "--width");
          add_height(set, options);
          add_quantity(
-             set, "--slit", options.notch, quantity::notch,
+             set.usual(), "--slit", options.notch, quantity::notch,
              "length of a slit through the centre, across the load, whose grain boundaries are broken from the start; the "
              "width of the specimen makes it a joint");
          add_quantity(
@@ -131,7 +131,7 @@ const Kind kinds[] = {
          Option flats = add_quantity(set, "--flats", options.flats, quantity::flats,
                                      "angle under which flat poles, the parts top and bottom, are seen from the centre");
          for (Option other : {pole, diameters, loaded}) flats.excludes(other);
-         add_quantity(set, "--slit", options.notch, quantity::slit, "length of a straight crack through the centre");
+         add_quantity(set.usual(), "--slit", options.notch, quantity::slit, "length of a straight crack through the centre");
          add_quantity(set, "--slit-angle", options.angle, quantity::direction,
                       "direction of the crack from x; 90deg along the load; default: 90deg");
      },
@@ -157,7 +157,8 @@ const Kind kinds[] = {
      [](OptionSet set, KindOptions& options) {
          add_width(set, options, "--length");
          add_height(set, options);
-         add_quantity(set, "--slit", options.notch, quantity::slit, "length of a straight crack from below at mid-length");
+         add_quantity(set.usual(), "--slit", options.notch, quantity::slit,
+                      "length of a straight crack from below at mid-length");
      },
      [](const KindOptions& options, Request& request) {
          request.region = rectangle(options.width, options.height);
@@ -167,7 +168,7 @@ const Kind kinds[] = {
     {"half-disc", "half a disc on its flat side, to be bent",
      [](OptionSet set, KindOptions& options) {
          add_diameter(set, options);
-         add_quantity(set, "--slit", options.notch, quantity::slit,
+         add_quantity(set.usual(), "--slit", options.notch, quantity::slit,
                       "length of a straight crack from the middle of the flat side");
      },
      [](const KindOptions& options, Request& request) {
@@ -262,7 +263,7 @@ constexpr Quantity spread_of_grains = [] {
 /// Options of the grains that are made.
 void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
     add_choice<Tessellation>(
-        set, "--tessellation", fabric.tessellation,
+        set.usual(), "--tessellation", fabric.tessellation,
         {{"delaunay", Tessellation::delaunay}, {"voronoi", Tessellation::voronoi}, {"trigon", Tessellation::trigon}},
         "grains: triangles (delaunay), crystals of elements that do not break (voronoi), or crystals whose triangles are grains, "
         "so that they break (trigon)");
@@ -277,12 +278,12 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
                                           {{"normal", SizeDistribution::normal}, {"lognormal", SizeDistribution::lognormal}},
                                           "distribution of the equal-area diameters of crystals; default: normal");
     Option edge = add_quantity(
-        set, "--edge", fabric.edge, quantity::mean_edge,
+        set.usual(), "--edge", fabric.edge, quantity::mean_edge,
         "requested mean edge over all grain edges, rim included; of crystals the edge of the equilateral triangle of their "
         "mean area");
-    Option grains = add_integer<std::int64_t>(set, "--grains", fabric.grains,
+    Option grains = add_integer<std::int64_t>(set.usual(), "--grains", fabric.grains,
                                               "exact number of triangles, or of crystals, instead of --edge", 1);
-    Option grain_size = add_quantity(set, "--grain-size", kind.grain_size, quantity::grain_size,
+    Option grain_size = add_quantity(set.usual(), "--grain-size", kind.grain_size, quantity::grain_size,
                                      "mean equal-area diameter of triangles or crystals, instead of --edge; with --grade as many "
                                      "as without it");
     edge.excludes(grains).excludes(grain_size);
@@ -311,7 +312,7 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
 /// Options of all kinds: phases, strengths, and where the specimen goes.
 void add_fabric_options(OptionSet set, MeshOptions& options) {
     Fabric& fabric = options.request.fabric;
-    add_integer<std::uint64_t>(set, "--seed", options.request.seed, "seed of the random numbers", 0);
+    add_integer<std::uint64_t>(set.usual(), "--seed", options.request.seed, "seed of the random numbers", 0);
     add_value(
         set, "--phases", [&fabric](const std::string& text) { fabric.phases.fractions = parse_phases(text); },
         "phases of the grains with their fractions of the area, whose sum is 1: quartz=0.32,feldspar=0.62,mica=0.06; reached to "
@@ -331,11 +332,11 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
                  "random, without tension or cohesion, with friction; default: none");
     add_integer<std::uint64_t>(set, "--open-seed", fabric.open.seed, "seed of the open boundaries; default: that of --seed", 0);
     add_value(
-        set, "--material", [&options](const std::string& text) { options.material = read_material(text); },
+        set.usual(), "--material", [&options](const std::string& text) { options.material = read_material(text); },
         "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose "
         "contact zones elements must resolve",
         "NAME|FILE", "");
-    add_string(set, "-o,--output", options.output, "specimen file to write; - for stdout", "FILE|-");
+    add_string(set.usual(), "-o,--output", options.output, "specimen file to write; - for stdout", "FILE|-");
 }
 
 /// A mesh or a picture from elsewhere.
@@ -345,32 +346,32 @@ void add_import(OptionSet set, ImportRequest& request) {
              "text); - for stdin")
         .type_name("FILE|-")
         .required();
-    add_optional_choice<MeshFormat>(set, "--format", request.format,
+    add_optional_choice<MeshFormat>(set.usual(), "--format", request.format,
                                     {{"gmsh", MeshFormat::gmsh},
                                      {"neper", MeshFormat::neper},
                                      {"abaqus", MeshFormat::abaqus},
                                      {"labels", MeshFormat::labels}},
                                     "format of the file; default: told by its content");
     add_optional_choice<GrainChoice>(
-        set, "--grain", request.grains,
+        set.usual(), "--grain", request.grains,
         {{"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}},
         "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus, piece of a picture), or what is connected "
         "of a physical group; default: entity, or element where there is one entity only");
     add_optional_choice<CrystalChoice>(
-        set, "--crystals", request.crystals, {{"elastic", CrystalChoice::elastic}, {"break", CrystalChoice::breaking}},
+        set.usual(), "--crystals", request.crystals, {{"elastic", CrystalChoice::elastic}, {"break", CrystalChoice::breaking}},
         "crystals of several elements: elastic (the elements deform together, as those of voronoi crystals), or break (the "
         "elements are grains within their crystal, as those of trigon crystals); default: elastic");
-    add_string(set, "--phase-key", request.phase_key,
+    add_string(set.usual(), "--phase-key", request.phase_key,
                "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset; number or "
                "colour as #c03020 of a label) and phase; default: names of physical groups and elsets",
                "FILE");
     add_string(
-        set, "--write-key", request.new_key,
+        set.usual(), "--write-key", request.new_key,
         "write a key with all labels of a picture, their colours, areas and pieces, whose phases are to be named, and make "
         "no specimen; - for stdout",
         "FILE|-");
     add_value(
-        set, "--pixel-size",
+        set.usual(), "--pixel-size",
         [&request](const std::string& text) {
             request.labels.pixel_size = parse_quantity(text, quantity::pixel_size, "--pixel-size");
         },
@@ -380,7 +381,7 @@ void add_import(OptionSet set, ImportRequest& request) {
                  "grains, at least 2 pixels");
     add_integer<int>(set, "--smallest-piece", request.labels.smallest_piece,
                      "pieces of fewer pixels of a picture join the neighbour with the longest common border", 1);
-    add_quantity(set, "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m");
+    add_quantity(set.usual(), "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m");
     add_value(
         set, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
         "point of the file that becomes the origin, as 40mm,80mm; default: the middle of the extent", "X,Y", "");

@@ -81,7 +81,7 @@ void add(OptionSet parent, const Command& command, const std::string& prefix, Re
         add_files(set, command.files->name, own.files, std::string(command.files->help) + " (- is stdin)")
             .type_name("FILE")
             .only_on_command_line();
-        add_text(set, "--files-from", own.files_from,
+        add_text(set.seldom(), "--files-from", own.files_from,
                  "file with a list of files, one per line or with a NUL behind each (- is stdin)")
             .type_name("FILE")
             .only_on_command_line();

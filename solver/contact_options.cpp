@@ -102,7 +102,8 @@ void add_contact_options(OptionSet command, ContactOptions& o) {
         command, "--contact-law", o.law, laws,
         fmt::format("contact law; see share/doc/laws.md; default: the material's, else {}", name_of(SimulationRequest{}.law)));
     add_parameters(command, o);
-    add_choice(command, "--plane", o.plane, {"strain", "stress"}, "plane condition; default: strain, in Brazilian tests stress");
+    add_choice(command.usual(), "--plane", o.plane, {"strain", "stress"},
+               "plane condition; default: strain, in Brazilian tests stress");
 }
 
 void apply_contact_options(const ContactOptions& o, SimulationRequest& request) {

@@ -60,7 +60,7 @@ void add_rate_options(OptionSet command, LoadingRequest& loading, RawOptions& ra
         "speed of each platen; auto: as fast as quasi-static equilibrium allows; blocks: loading and equilibration alternate",
         "auto|blocks|SPEED", "auto");
     add_quantity(
-        command, "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
+        command.usual(), "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
         fmt::format(
             "tolerance of quasi-static loading: relative load increase per wave transit (auto; default {}, in Brazilian "
             "tests, direct tension and bending {}), or unbalanced-force ratio regarded as equilibrium (blocks; default {})",
@@ -111,11 +111,11 @@ void add_method_options(OptionSet command, SimulationRequest& request, RawOption
                  "0.7");
     add_flag(command, "--save-state", request.save_state,
              "store the final state in the run file, so that a program can start from it");
-    add_integer(command, "--frames", request.frames,
+    add_integer(command.usual(), "--frames", request.frames,
                 "number of frames to store, evenly spaced (at most twice as many), besides those at the peak and the end; 0: the "
                 "end only",
                 0);
-    add_threads(command, request.threads);
+    add_threads(command.usual(), request.threads);
     add_choice<std::optional<VectorTarget>>(
         command, "--vector", request.vector_target,
         {{"auto", std::nullopt}, {"plain", VectorTarget::plain}, {"avx2", VectorTarget::avx2}, {"avx512", VectorTarget::avx512}},
@@ -126,7 +126,7 @@ void add_checkpoint_options(OptionSet command, SimulationRequest& request, RawOp
     static constexpr Quantity walltime{"walltime", Dimension::time, 0, 1e7, "wall time of a run", true};
     add_quantity(command, "--walltime", raw.walltime, walltime,
                  "stop after this wall-clock time as on SIGTERM: write RUN.checkpoint and end with exit code 143");
-    add_quantity(command, "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
+    add_quantity(command.usual(), "--checkpoint-every", request.checkpoint_interval, quantity::checkpoint_interval,
                  "wall-clock interval between checkpoints (RUN.checkpoint, removed when the run is complete)");
     add_flag(command, "--discard-checkpoint", request.discard_checkpoint,
              "start again although RUN.checkpoint exists, and remove it; without this option such a start is refused");
@@ -143,7 +143,7 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
     LoadingRequest& loading = request.loading;
     const bool rolls = test.loading == Loading::bending;
     if (rolls) {
-        add_quantity(command, "--span", loading.span, quantity::span,
+        add_quantity(command.usual(), "--span", loading.span, quantity::span,
                      "distance of the lower rollers, which stand at the nodes next to its ends; default: four heights of a beam, "
                      "0.6 diameters of a half-disc");
         add_quantity(
@@ -161,12 +161,12 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
     add_rate_options(command, loading, raw);
     add_quantity_or(command, "--peak-drop", request.peak_drop, quantity::peak_drop, "none", 0,
                     "fall of the stress that ends the test, as a fraction of the peak; none: continue to --max-strain", "0.3");
-    add_quantity(command, "--max-strain", loading.max_strain, quantity::max_strain,
+    add_quantity(command.usual(), "--max-strain", loading.max_strain, quantity::max_strain,
                  "strain limit: platen travel over specimen height at which the test ends", "0.015");
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0,
                     "damping force as a fraction of the unbalanced force", "0.8");
     add_checkpoint_options(command, request, raw);
-    add_text(command, "--restart", request.restart, "checkpoint of this test, to resume it").type_name("FILE");
+    add_text(command.usual(), "--restart", request.restart, "checkpoint of this test, to resume it").type_name("FILE");
     add_sensitivity_flag(command, request);
     add_method_options(command, request, raw);
 }
@@ -176,7 +176,7 @@ OptionSet add_test(OptionSet tool, SolveOptions& options, RawOptions& raw, Commo
     add_text(command, "specimen", options.specimen, "specimen file, - for stdin").required().type_name("FILE");
     add_contact_options(command, raw.contact);
     add_run_options(command, options.request, raw, test);
-    add_text(command, "-o,--output", options.output, "run file, - for stdout").type_name("FILE");
+    add_text(command.usual(), "-o,--output", options.output, "run file, - for stdout").type_name("FILE");
     add_flag(command, "--print-program", options.print_program,
              "print the test as a loading program for `graincrack-solve program`, and run nothing");
     add_dry_run(command, common, "print counts, time step, steps, memory and file size, and run nothing");
@@ -200,11 +200,11 @@ OptionSet add_program(OptionSet tool, SolveOptions& options, RawOptions& raw, Co
     add_method_options(command, options.request, raw);
     add_checkpoint_options(command, options.request, raw);
     add_sensitivity_flag(command, options.request);
-    add_text(command, "--restart", options.request.restart,
+    add_text(command.usual(), "--restart", options.request.restart,
              "run made with --save-state from which to start, instead of the program's start_from; or a checkpoint of "
              "this program, to resume it")
         .type_name("FILE");
-    add_text(command, "-o,--output", options.output, "run file, - for stdout").type_name("FILE");
+    add_text(command.usual(), "-o,--output", options.output, "run file, - for stdout").type_name("FILE");
     add_dry_run(command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
 }

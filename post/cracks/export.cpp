@@ -316,11 +316,11 @@ void add_crack_label(OptionSet set, CrackLabelChoice& label) {
     std::vector<std::pair<std::string, std::optional<CrackEvent>>> events;
     for (const CrackEvent event : all_crack_events) events.emplace_back(name_of(event), event);
     add_choice<std::optional<CrackEvent>>(
-        set, "--crack-event", label.event, events,
+        set.seldom(), "--crack-event", label.event, events,
         "when a contact point counts as a micro-crack: it reached its strength (failed), less than "
         "50 % (half-damaged) or less than 10 % (broken) of its cohesion is left; default: "
         "half-damaged for laws with friction in addition to cohesion, failed for others");
-    add_choice<CrackModeRule>(set, "--crack-mode", label.mode,
+    add_choice<CrackModeRule>(set.seldom(), "--crack-mode", label.mode,
                               {{"traction", CrackModeRule::traction}, {"sign", CrackModeRule::sign}},
                               "when a micro-crack is tensile: it was open and under more tension than shear when it failed "
                               "(traction), or it was open at the event (sign)");

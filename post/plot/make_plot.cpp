@@ -13,7 +13,7 @@ namespace {
 
 void add_limits(OptionSet set, const std::string& option, std::optional<AxisLimits>& limits, const std::string& what) {
     add_value(
-        set, option, [&limits, option](const std::string& text) { limits = parse_limits(text, option); },
+        set.seldom(), option, [&limits, option](const std::string& text) { limits = parse_limits(text, option); },
         what + " in its unit, such as 0,0.4; what lies outside is cut off", "LOW,HIGH", "");
 }
 
@@ -25,7 +25,8 @@ void add_picture(OptionSet set, PlotOptions& options) {
     add_output(set, options.picture, "picture: .png, .svg or .pdf");
     add_quantity(set, "--width", options.size.width, width,
                  "width on paper; letters of 6 to 7 pt in a column of 84 mm, of 8 to 10 pt over two of 174 mm");
-    add_quantity(set, "--dpi", options.size.resolution, resolution, "pixels of a PNG to an inch of --width (default: 300)");
+    add_quantity(set.seldom(), "--dpi", options.size.resolution, resolution,
+                 "pixels of a PNG to an inch of --width (default: 300)");
     add_text(set, "--title", options.style.title, "title in place of the picture's own").type_name("TEXT");
 }
 

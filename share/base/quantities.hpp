@@ -121,7 +121,8 @@ inline constexpr Quantity height{"height", Dimension::length, 0, 1e4, "height of
 inline constexpr Quantity diameter{"diameter", Dimension::length, 0, 1e4, "diameter of the disc", true};
 inline constexpr Quantity notch{"notch", Dimension::length, 0, 1e4, "length of a notch across the middle of a rectangle", true};
 inline constexpr Quantity slit{"slit", Dimension::length, 0, 1e4, "length of a straight crack", true};
-inline constexpr Quantity direction{"direction", Dimension::angle, -7, 7, "direction, counter-clockwise from x"};
+inline constexpr Quantity direction{"direction", Dimension::angle, -4 * right_angle, 4 * right_angle,
+                                    "direction, counter-clockwise from x"};
 inline constexpr Quantity flats{"flats", Dimension::angle, 0, 2.1, "angle under which a flat pole is seen from the centre", true};
 inline constexpr Quantity joint_length{"joint_length", Dimension::length, 0, 1e4, "length or spacing of joints", true};
 inline constexpr Quantity persistence{"persistence", Dimension::one, 0, 1, "share of a line that is jointed", true};

@@ -39,11 +39,11 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// What to type for help on the subcommand that runs.
+/// What to type for all options of the subcommand that runs.
 std::string help_command(CLI::App& app) {
     std::string command;
     for (const CLI::App* each : running(app)) command += each->get_name() + " ";
-    return command + "--help";
+    return command + "--help-all";
 }
 
 void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
@@ -53,19 +53,34 @@ void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
 
 // --- help ------------------------------------------------------------------------------------------------------------
 
-/// Help of a subcommand also shows the options of the tool.
+bool is_help(const CLI::Option* option, const CLI::App* app) {
+    return option == app->get_help_ptr() || option == app->get_help_all_ptr();
+}
+
+/// The options of a command that help shows. \param all or, with those that are required, the usual ones, else all but the seldom
+std::vector<const CLI::Option*> shown_options(const CLI::App* app, bool all) {
+    const auto is_usual = [](const CLI::Option* option) { return option->get_group() == usual_options; };
+    const bool has_usual = !app->get_options(is_usual).empty();
+    const auto is_shown = [&](const CLI::Option* option) {
+        return is_help(option, app) || option->get_required() ||
+               (has_usual ? is_usual(option) : option->get_group() != seldom_options);
+    };
+    return app->get_options([&](const CLI::Option* option) { return option->nonpositional() && (all || is_shown(option)); });
+}
+
+/// Help shows the usual options of a command; with --help-all all of them, and those of the tool.
 class HelpFormatter : public CLI::Formatter {
 public:
-    std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
-        std::string text;
-        for (const CLI::App* parent = app->get_parent(); parent != nullptr && mode == CLI::AppFormatMode::Normal;
-             parent = parent->get_parent()) {
-            const auto options = parent->get_options([parent](const CLI::Option* option) {
-                return !option->get_group().empty() && option->nonpositional() && option != parent->get_help_ptr();
-            });
-            if (!options.empty()) text += make_group("Options of " + parent->get_name(), false, options);
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        const bool all = mode == CLI::AppFormatMode::All;
+        std::string text = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
+                           make_group("Options", false, shown_options(app, all));
+        for (const CLI::App* parent = app->get_parent(); parent != nullptr && all; parent = parent->get_parent()) {
+            auto options = shown_options(parent, true);
+            std::erase_if(options, [parent](const CLI::Option* option) { return is_help(option, parent); });
+            text += make_group("Options of " + parent->get_name(), false, options);
         }
-        return text + CLI::Formatter::make_subcommands(app, mode);
+        return text + make_subcommands(app, CLI::AppFormatMode::Normal) + "\n" + make_footer(app);
     }
 
     /// Descriptions in lines of a readable length.
@@ -341,6 +356,7 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
         "(TOML, by its name); flags win over the file.\n\nExamples:\n" +
         examples);
     app.set_help_flag("-h,--help", "print this and exit");
+    app.set_help_all_flag("--help-all", "print all options and exit");
     app.set_version_flag(
         "--version",
         [tool, libraries] {

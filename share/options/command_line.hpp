@@ -46,7 +46,7 @@ struct CommonOptions {
 /// The command line of a tool.
 class CommandLine {
 public:
-    /// Sets up --help (with `examples` at its end), --version, --config, --print-config, --quiet, --verbose.
+    /// Sets up --help and --help-all (with `examples` at their end), --version, --config, --print-config, --quiet, --verbose.
     /// \param libraries versions of the libraries of this tool alone, for --version: "CGAL 5.5.1"
     CommandLine(const std::string& tool, const std::string& description, CommonOptions& common, const std::string& examples,
                 const std::vector<std::string>& libraries = {});
@@ -59,6 +59,7 @@ public:
 
     /// Parses; turns every error that CLI11 finds into one UsageError line (also for unknown configuration keys) that names the
     /// option and, if the value was not on the command line, its origin. Returns false if the call was answered already (--help,
+    /// --help-all,
     /// --version, --print-config, which needs no required options).
     /// \param complete called once all options are read; it may call `replace_default`
     bool parse(int argc, const char* const* argv, const std::function<void()>& complete = {});

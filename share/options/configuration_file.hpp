@@ -42,6 +42,9 @@ ConfigurationFile* configuration_file(const CLI::App& app);
 /// The effective options as TOML, as `CommandLine` has them.
 std::string effective_configuration(const CLI::App& app);
 
+/// The groups of options of `OptionSet::usual` and `OptionSet::seldom`.
+inline constexpr const char *usual_options = "Usual options", *seldom_options = "Further options";
+
 /// The name of an option in a configuration file: "edge" of "-e,--edge".
 inline std::string key_of(const CLI::Option& option) {
     if (!option.get_lnames().empty()) return option.get_lnames().front();

@@ -20,13 +20,19 @@ namespace {
 
 std::string type_name(Dimension dimension) { return std::string(row_of(dimension).option_type); }
 
-/// "mean edge [above 0 m and at most 1 km; m, mm, cm, um, km]"
+/// "mean edge [m, mm, cm, um, km]", "strain limit [above 0 and at most 0.5; %]": bounds of pure numbers, where they say anything,
+/// and their percent, where one is a part of a whole.
 std::string help_of(const std::string& help, const Quantity& quantity) {
-    std::vector<std::string_view> symbols;
-    for (const Unit& unit : units_of(quantity.dimension)) {
-        if (unit.symbol != "1") symbols.push_back(unit.symbol);
+    std::vector<std::string> parts;
+    if (quantity.dimension == Dimension::one) {
+        if (quantity.upper <= 10) parts.push_back(bounds_text(quantity));
+        if (quantity.upper <= 1) parts.push_back("%");
+    } else {
+        std::vector<std::string_view> symbols;
+        for (const Unit& unit : units_of(quantity.dimension)) symbols.push_back(unit.symbol);
+        parts.push_back(fmt::to_string(fmt::join(symbols, ", ")));
     }
-    return fmt::format("{} [{}; {}]", help, bounds_text(quantity), fmt::join(symbols, ", "));
+    return parts.empty() ? help : fmt::format("{} [{}]", help, fmt::join(parts, "; "));
 }
 
 void note_bare_number(const std::string& text, const Quantity& quantity, const std::string& where) {
@@ -65,8 +71,16 @@ Option Option::only_on_command_line() { return Option(option_->configurable(fals
 Option Option::excludes(Option other) { return Option(option_->excludes(other.option_)); }
 Option Option::needs(Option other) { return Option(option_->needs(other.option_)); }
 
+OptionSet OptionSet::usual() const { return OptionSet(app_, usual_options); }
+OptionSet OptionSet::seldom() const { return OptionSet(app_, seldom_options); }
+
+CLI::App& OptionSet::app() const {
+    app_->option_defaults()->group(group_);
+    return *app_;
+}
+
 OptionSet OptionSet::add_subcommand(const std::string& name, const std::string& help, const std::string& examples) {
-    app_->require_subcommand(1);
+    app().require_subcommand(1);
     CLI::App* added = app_->add_subcommand(name, help);
     if (!examples.empty()) added->footer("Examples:\n" + examples);
     return OptionSet(added);
@@ -89,11 +103,15 @@ Option add_texts(OptionSet set, const std::string& option, std::vector<std::stri
 }
 
 Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help) {
-    return Option(set.app().add_option(name, target, help));
+    return Option(set.app().add_option(name, target, help)->default_str(""));
 }
 
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help) {
     return Option(set.app().add_flag(option, target, help));
+}
+
+Option add_flag(OptionSet set, const std::string& option, const std::function<void()>& action, const std::string& help) {
+    return Option(set.app().add_flag_callback(option, action, help));
 }
 
 Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,

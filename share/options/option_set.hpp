@@ -44,17 +44,23 @@ private:
 /// A handle of the options of a program or subcommand; valid as long as the `CommandLine` it came from.
 class OptionSet {
 public:
-    explicit OptionSet(CLI::App* app) : app_(app) {}
+    explicit OptionSet(CLI::App* app, const char* group = "Options") : app_(app), group_(group) {}
+
+    /// The same set for options that many people use: --help of a command that has some shows these and what is required.
+    [[nodiscard]] OptionSet usual() const;
+    /// The same set for options that --help leaves out; --help-all has all.
+    [[nodiscard]] OptionSet seldom() const;
 
     /// Adds a subcommand, one of which must be called then. \param examples for its help; those of the program unless given
     OptionSet add_subcommand(const std::string& name, const std::string& help, const std::string& examples = "");
     /// Whether the subcommand was called.
     [[nodiscard]] bool is_called() const;
-    /// For the sources of share/options.
-    [[nodiscard]] CLI::App& app() const { return *app_; }
+    /// For the sources of share/options, whose options go to the group of this set.
+    [[nodiscard]] CLI::App& app() const;
 
 private:
     CLI::App* app_;
+    const char* group_;  ///< in which help sorts the options
 };
 
 /// Adds an option or positional argument; help shows the text of `target` as the default.
@@ -65,12 +71,15 @@ Option add_texts(OptionSet set, const std::string& option, std::vector<std::stri
 /// Adds a positional argument of any number of files.
 Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help);
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help);
+/// The same where the flag stands for an action.
+Option add_flag(OptionSet set, const std::string& option, const std::function<void()>& action, const std::string& help);
 /// Adds an option with one value, read by `read`, whose exceptions pass through. If `default_text` is not empty, it is read at
 /// once and help shows it.
 Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
                  const std::string& help, const std::string& type_name, const std::string& default_text = "");
 
-/// Adds an option for a quantity with a unit ("--edge 4mm"); its help names units and bounds. `target` is SI, a `double` or an
+/// Adds an option for a quantity with a unit ("--edge 4mm"); its help names units and the bounds of
+/// pure numbers up to 10. `target` is SI, a `double` or an
 /// optional one, unset if the option is not given. If `default_text` is not empty, the target is set from it and help shows it.
 template <class Target>
 Option add_quantity(OptionSet set, const std::string& option, Target& target, const Quantity& quantity, const std::string& help,

@@ -58,7 +58,7 @@ TEST(Help, ExamplesOfTheSolverAreRight) {
 
 TEST(Help, EveryContactParameterIsAnOptionAndSaysWhatItIsUnlessGiven) {
     const Shell shell;
-    std::string help = shell.must("graincrack-solve uniaxial --help | tr -s ' \\n' ' '");
+    std::string help = shell.must("graincrack-solve uniaxial --help-all | tr -s ' \\n' ' '");
     for (const ContactParameter& row : all_contact_parameters()) {
         const std::size_t at = help.find(row.option() + " ");
         ASSERT_NE(at, std::string::npos) << row.option();
@@ -93,6 +93,37 @@ TEST(Help, EverySubcommandExplainsItself) {
             EXPECT_GE(examples_of(outcome.out).size(), 2u) << name;
         }
     }
+}
+
+/// The long names of the options under "Options:".
+std::vector<std::string> options_of(const std::string& help) {
+    std::vector<std::string> names;
+    static const std::regex option(R"(\n  (?:-\w,)?(--[\w-]+))");
+    const std::size_t at = help.find("\nOptions:\n");
+    const std::string own = help.substr(at, help.find("\n\n", at) - at);
+    for (std::sregex_iterator each(own.begin(), own.end(), option), end; each != end; ++each) names.push_back((*each)[1]);
+    return names;
+}
+
+TEST(Help, ShowsTheOptionsThatPeopleUseAndAllOnRequest) {
+    const Shell shell;
+    std::function<void(const std::string&)> check = [&](const std::string& command) {
+        const std::string help = shell.must(command + " --help");
+        const auto below = subcommands_of(help);
+        for (const std::string& name : below) check(command + " " + name);
+        if (!below.empty()) return;
+        EXPECT_LE(options_of(help).size(), 12U) << help;  // ten, --help and --help-all
+        const std::string all = shell.must(command + " --help-all");
+        EXPECT_NE(all.find("\n  --print-config "), std::string::npos) << all;
+        EXPECT_EQ(all.find("401"), std::string::npos) << all;
+        EXPECT_FALSE(std::regex_search(all, std::regex("e\\+0\\d; %|at most 1\\d+")));
+    };
+    for (const char* tool : {"graincrack-mesh", "graincrack-solve", "graincrack-post"}) check(tool);
+    EXPECT_EQ(
+        options_of(shell.must("graincrack-solve triaxial --help")),
+        (std::vector<std::string>{"--help", "--help-all", "--material", "--plane", "--confining-pressure", "--rate-tolerance",
+                                  "--max-strain", "--checkpoint-every", "--restart", "--frames", "--threads", "--output"}));
+    EXPECT_GT(options_of(shell.must("graincrack-solve triaxial --help-all")).size(), 35U);
 }
 
 TEST(Help, ExamplesOfThePostprocessorAndOfEachOfItsCommandsRun) {
