@@ -68,6 +68,8 @@ Command init_command() {
             }
             fmt::print(call.diagnostics(), "{}.toml: enter your {}values, then use it as --material {}.toml\n", options.name,
                        options.settings.empty() ? "" : "other ", options.name);
+            fmt::print(call.diagnostics(),
+                       "{}.toml: unless measured, K_IC is tensile_strength/6.88 (Zhang 2002), K_IIC twice that\n", options.name);
         });
 }
 

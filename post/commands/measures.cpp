@@ -20,15 +20,14 @@ namespace graincrack {
 
 namespace {
 
-struct StrengthOptions {
-    std::optional<TableFormat> format;
+struct StrengthOptions : ColumnOptions {
     StrengthKind kind = StrengthKind::first_peak;
     bool summary = false;
     bool extrapolate = false;
 };
 
 void add_strength_options(OptionSet set, StrengthOptions& options) {
-    add_format(set, options.format);
+    add_columns(set, options);
     add_choice<StrengthKind>(
         set, "--strength", options.kind,
         {{name_of(StrengthKind::first_peak), StrengthKind::first_peak}, {name_of(StrengthKind::largest), StrengthKind::largest}},
@@ -50,32 +49,34 @@ Command strength_command() {
         several_runs, add_strength_options, [](const StrengthOptions& options, const Call& call) {
             const TableFormat format = format_for(options.format, call.out);
             if (options.extrapolate) return write_rate_limits(call.out, call.files, format);
-            (options.summary ? write_strength_summary : write_strength_table)(call.out, call.files, format, call.diagnostics(),
-                                                                              options.kind);
+            if (options.summary) {
+                write_strength_summary(call.out, call.files, format, call.diagnostics(), options.kind);
+            } else {
+                write_strength_table(call.out, call.files, format, call.diagnostics(), options.kind, options.columns);
+            }
         });
 }
 
 Command moduli_command() {
-    return make_command<std::optional<TableFormat>>(
+    return make_command<ColumnOptions>(
         "moduli",
         "Young's modulus and Poisson's ratio (chord up to half the peak), predicted values, Voigt and Reuss bounds, crack "
         "thresholds; one row per run",
-        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs,
-        [](OptionSet set, std::optional<TableFormat>& format) { add_format(set, format); },
-        [](const std::optional<TableFormat>& format, const Call& call) {
-            write_moduli_table(call.out, call.files, format_for(format, call.out));
+        {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_columns,
+        [](const ColumnOptions& options, const Call& call) {
+            write_moduli_table(call.out, call.files, format_for(options.format, call.out), call.diagnostics(), options.columns);
         });
 }
 
 Command toughness_command() {
-    return make_command<TableFormat>(
+    return make_command<std::optional<TableFormat>>(
         "toughness",
         "fracture toughness K_IC from direct tension of rectangles with a central notch, and from bending of notched beams and "
         "half-discs; one row per run",
         {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs,
-        [](OptionSet set, TableFormat& format) { add_format(set, format); },
-        [](const TableFormat& format, const Call& call) {
-            write_toughness_table(call.out, call.files, format, call.diagnostics());
+        [](OptionSet set, std::optional<TableFormat>& format) { add_format(set, format); },
+        [](const std::optional<TableFormat>& format, const Call& call) {
+            write_toughness_table(call.out, call.files, format_for(format, call.out), call.diagnostics());
         });
 }
 

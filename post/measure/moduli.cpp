@@ -10,6 +10,7 @@
 #include "post/statistics/statistics.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack {
 
@@ -76,7 +77,8 @@ ModuliRow read_moduli_row(const std::string& path) {
 /// The four values by one convention, each under a prefix: "secant_", "plane_secant_".
 void append_pair(Columns<ModuliRow>& columns, const std::string& prefix, ElasticPair Moduli::*convention) {
     const auto add = [&](const std::string& name, const ColumnUnit& unit, double ElasticPair::*value) {
-        columns.push_back({name, unit, [convention, value](const ModuliRow& r) { return r.pair(convention, value); }});
+        columns.push_back(
+            {name, unit, [convention, value](const ModuliRow& r) { return r.pair(convention, value); }, !prefix.empty()});
     };
     add(prefix + "young_modulus", unit::gigapascal, &ElasticPair::young_modulus);
     add(prefix + "poisson_ratio", unit::none, &ElasticPair::poisson_ratio);
@@ -86,9 +88,11 @@ void append_pair(Columns<ModuliRow>& columns, const std::string& prefix, Elastic
 
 void append_thresholds(Columns<ModuliRow>& columns, const std::string& strain, Thresholds AllThresholds::*by_strain) {
     const auto add = [&](const std::string& name, std::optional<double> Thresholds::*stress) {
-        columns.push_back({name + strain, unit::megapascal, [by_strain, stress](const ModuliRow& r) {
+        columns.push_back({name + strain, unit::megapascal,
+                           [by_strain, stress](const ModuliRow& r) {
                                return r.threshold([&](const AllThresholds& t) { return t.*by_strain.*stress; });
-                           }});
+                           },
+                           further});
     };
     add("crack_initiation_crack_strain_", &Thresholds::initiation_by_crack_strain);
     add("crack_initiation_lateral_response_", &Thresholds::initiation_by_lateral_response);
@@ -107,29 +111,30 @@ Columns<ModuliRow> all_columns() {
     columns.insert(columns.end(), {{"platen_young_modulus", gigapascal, of_platens},
                                    {"predicted_young_modulus", gigapascal, [](const R& r) { return r.predicted.young_modulus; }},
                                    {"predicted_poisson_ratio", none, [](const R& r) { return r.predicted.poisson_ratio; }},
-                                   {"voigt_young_modulus", gigapascal, [](const R& r) { return r.grains.voigt; }},
-                                   {"reuss_young_modulus", gigapascal, [](const R& r) { return r.grains.reuss; }}});
+                                   {"voigt_young_modulus", gigapascal, [](const R& r) { return r.grains.voigt; }, further},
+                                   {"reuss_young_modulus", gigapascal, [](const R& r) { return r.grains.reuss; }, further}});
     append_pair(columns, "tangent_", &Moduli::tangent);
     append_pair(columns, "average_", &Moduli::average);
     append_pair(columns, "secant_", &Moduli::secant);
     columns.push_back({"post_peak_slope_over_young_modulus", none,
-                       [](const R& r) { return r.measured ? Cell(r.measured->post_peak_slope_ratio) : Cell(); }});
-    columns.push_back({"peak_kind", none, [](const R& r) { return r.peak_kind; }});
+                       [](const R& r) { return r.measured ? Cell(r.measured->post_peak_slope_ratio) : Cell(); }, further});
+    columns.push_back({"peak_kind", none, [](const R& r) { return r.peak_kind; }, further});
     columns.push_back({"crack_initiation", megapascal, initiation_of});
     columns.push_back({"crack_damage", megapascal, damage_of});
     append_thresholds(columns, "2d", &AllThresholds::plane);
     append_thresholds(columns, "pseudo_3d", &AllThresholds::pseudo_3d);
-    columns.push_back(
-        {"crack_initiation_count", megapascal, [](const R& r) { return r.threshold(&AllThresholds::initiation_by_count); }});
-    columns.push_back({"threshold_note", none, [](const R& r) { return r.note(); }});
-    columns.push_back({"warning", none, [](const R& r) { return r.caveat(); }});
+    columns.push_back({"crack_initiation_count", megapascal,
+                       [](const R& r) { return r.threshold(&AllThresholds::initiation_by_count); }, further});
+    columns.push_back({"threshold_note", none, [](const R& r) { return r.note(); }, further});
+    columns.push_back({"warning", none, [](const R& r) { return r.caveat(); }, further});
     constexpr std::array damages{"10", "50", "90"};
     for (std::size_t i = 0; i < damages.size(); ++i) {
-        columns.push_back({std::string("crack_initiation_count_damage_") + damages[i], megapascal, [i](const R& r) {
-                               return r.threshold([&](const AllThresholds& t) { return t.initiation_by_damage[i]; });
-                           }});
+        columns.push_back(
+            {std::string("crack_initiation_count_damage_") + damages[i], megapascal,
+             [i](const R& r) { return r.threshold([&](const AllThresholds& t) { return t.initiation_by_damage[i]; }); },
+             further});
     }
-    columns.push_back({"plane", none, [](const R& r) { return r.plane; }});
+    columns.push_back({"plane", none, [](const R& r) { return r.plane; }, further});
     return columns;
 }
 
@@ -163,9 +168,6 @@ void write_moduli_to_terminal(std::ostream& out, const std::vector<ModuliRow>& r
         for (const ModuliRow* r : members) table.row(cells_of(moduli_terminal_columns(), *r));
     }
     table.write(out);
-    for (const ModuliRow& r : rows) {
-        if (const std::string caveat = r.caveat(); !caveat.empty()) out << r.file << ": warning: " << caveat << '\n';
-    }
 }
 
 /// Slopes of a curve: stress and lateral strain, each by axial strain.
@@ -286,13 +288,21 @@ fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& sp
     return fpz::assemblage_moduli(rock, header.plane, normal, shear, contact_length_per_area(specimen));
 }
 
-void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format) {
+void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
+                        ColumnChoice columns) {
     std::vector<ModuliRow> rows;
     for (const std::string& run : runs) rows.push_back(read_moduli_row(run));
     if (format == TableFormat::aligned) {
         write_moduli_to_terminal(out, rows);
     } else {
-        write_table(out, all_columns(), rows, format);
+        write_table(out, all_columns(), rows, format, columns);
+    }
+    out.flush();
+    if (!out) return;  // the command says so
+    for (const ModuliRow& r : rows) {
+        if (const std::string caveat = r.caveat(); !caveat.empty()) {
+            diagnostics << "moduli: " << printable(r.file) << ": warning: " << caveat << '\n';
+        }
     }
 }
 

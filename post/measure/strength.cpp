@@ -85,36 +85,38 @@ const Columns<StrengthRow>& strength_columns() {
             {"wall_time", second, [](const R& r) { return r.is_timed() ? Cell(r.run.wall_time) : Cell(); }},
             {"ns_per_grain_step", none,
              [](const R& r) { return r.is_timed() ? Cell(r.run.wall_time * 1e9 / r.grain_steps()) : Cell(); }},
-            {"stress_at_1_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[0]; }},
-            {"stress_at_2_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[1]; }},
-            {"stress_at_3_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[2]; }},
-            {"spanning_strength", megapascal, [](const R& r) { return r.of_split(&BrazilianSplit::spanning_stress); }},
-            {"first_crack_radius_over_R", none, [](const R& r) { return r.of_split(&BrazilianSplit::first_crack_radius); }},
-            {"loading_arc", degree, [](const R& r) { return r.split ? Cell(r.loading_arc) : Cell(); }},
-            {"warning", none, [](const R& r) { return r.split ? Cell(r.split->warning()) : Cell(); }},
+            {"stress_at_1_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[0]; }, further},
+            {"stress_at_2_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[1]; }, further},
+            {"stress_at_3_percent", megapascal, [](const R& r) { return r.strength.stress_at_marks[2]; }, further},
+            {"spanning_strength", megapascal, [](const R& r) { return r.of_split(&BrazilianSplit::spanning_stress); }, further},
+            {"first_crack_radius_over_R", none, [](const R& r) { return r.of_split(&BrazilianSplit::first_crack_radius); },
+             further},
+            {"loading_arc", degree, [](const R& r) { return r.split ? Cell(r.loading_arc) : Cell(); }, further},
+            {"warning", none, [](const R& r) { return r.split ? Cell(r.split->warning()) : Cell(); }, further},
             {"achieved_confining_pressure", megapascal,
-             [](const R& r) { return r.header().confining_pressure > 0 ? Cell(r.header().confinement_mean) : Cell(); }},
-            {"contact_law", none, [](const R& r) { return r.header().contact_law; }},
-            {"contact_tensile_strength", megapascal, [](const R& r) { return r.contact().tensile_strength; }},
-            {"contact_cohesion", megapascal, [](const R& r) { return r.contact().cohesion; }},
-            {"contact_friction_angle", degree, [](const R& r) { return r.contact().friction_angle; }},
-            {"damping_load", none, [](const R& r) { return r.at_end(r.header().damping_load); }},
+             [](const R& r) { return r.header().confining_pressure > 0 ? Cell(r.header().confinement_mean) : Cell(); }, further},
+            {"contact_law", none, [](const R& r) { return r.header().contact_law; }, further},
+            {"contact_tensile_strength", megapascal, [](const R& r) { return r.contact().tensile_strength; }, further},
+            {"contact_cohesion", megapascal, [](const R& r) { return r.contact().cohesion; }, further},
+            {"contact_friction_angle", degree, [](const R& r) { return r.contact().friction_angle; }, further},
+            {"damping_load", none, [](const R& r) { return r.at_end(r.header().damping_load); }, further},
             {"first_peak", megapascal, [](const R& r) { return r.strength.value(StrengthKind::first_peak); }},
             {"residual", megapascal, [](const R& r) { return r.of_peak(&FirstPeak::residual); }},
             {"drop", percent, [](const R& r) { return r.of_peak(&FirstPeak::drop); }},
-            {"rehardening", gigapascal, [](const R& r) { return r.of_peak(&FirstPeak::rehardening); }},
-            {"contact_fracture_energy", joule_per_area, [](const R& r) { return r.contact().fracture_energy; }},
-            {"contact_open_shear_strength", megapascal, [](const R& r) { return r.contact().open_shear_strength; }},
-            {"grain_young_modulus", gigapascal, [](const R& r) { return r.header().rock.young_modulus; }},
-            {"grain_poisson_ratio", none, [](const R& r) { return r.header().rock.poisson_ratio; }},
-            {"max_strain", none, [](const R& r) { return r.header().max_strain; }},
-            {"rate_tolerance", none, [](const R& r) { return r.header().rate_tolerance; }}};
+            {"rehardening", gigapascal, [](const R& r) { return r.of_peak(&FirstPeak::rehardening); }, further},
+            {"contact_fracture_energy", joule_per_area, [](const R& r) { return r.contact().fracture_energy; }, further},
+            {"contact_open_shear_strength", megapascal, [](const R& r) { return r.contact().open_shear_strength; }, further},
+            {"grain_young_modulus", gigapascal, [](const R& r) { return r.header().rock.young_modulus; }, further},
+            {"grain_poisson_ratio", none, [](const R& r) { return r.header().rock.poisson_ratio; }, further},
+            {"max_strain", none, [](const R& r) { return r.header().max_strain; }, further},
+            {"rate_tolerance", none, [](const R& r) { return r.header().rate_tolerance; }, further}};
         append_other_counts<R>(list, [](const R& r) -> const OtherCounts& { return r.cracks; });
-        list.push_back({"plane", none, [](const R& r) { return name_of(r.header().plane); }});
+        list.push_back({"plane", none, [](const R& r) { return name_of(r.header().plane); }, further});
         list.push_back({"peak_load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
         list.push_back({"flexural_strength", megapascal, [](const R& r) { return r.strength.flexural_strength; }});
-        list.push_back({"ring_strength", megapascal, [](const R& r) { return r.ring_strength; }});
-        list.push_back({"span", millimetre, [](const R& r) { return r.header().span > 0 ? Cell(r.header().span) : Cell(); }});
+        list.push_back({"ring_strength", megapascal, [](const R& r) { return r.ring_strength; }, further});
+        list.push_back(
+            {"span", millimetre, [](const R& r) { return r.header().span > 0 ? Cell(r.header().span) : Cell(); }, further});
         return list;
     }();
     return all;
@@ -256,7 +258,7 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
 }
 
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
-                          StrengthKind kind) {
+                          StrengthKind kind, ColumnChoice columns) {
     std::vector<StrengthRow> rows;
     CaveatCount count;
     std::vector<std::string> doubts;
@@ -269,7 +271,7 @@ void write_strength_table(std::ostream& out, const std::vector<std::string>& run
     if (format == TableFormat::aligned) {
         write_strengths_to_terminal(out, rows, diagnostics);
     } else {
-        write_table(out, strength_columns(), rows, format);
+        write_table(out, strength_columns(), rows, format, columns);
     }
     out.flush();
     if (!out) return;  // the command says so

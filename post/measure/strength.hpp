@@ -79,6 +79,6 @@ bool stopped_at_strain_limit(const RunData& run, const Strength& strength, Strai
 /// \param diagnostics gets, after the table, a line for each
 /// reason to doubt the strength of a run, and one if direct tension is stronger than the Brazilian test
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
-                          StrengthKind kind = StrengthKind::first_peak);
+                          StrengthKind kind = StrengthKind::first_peak, ColumnChoice columns = ColumnChoice::all);
 
 }  // namespace graincrack

@@ -141,6 +141,20 @@ const Columns<ToughnessRow>& toughness_columns() {
     return all;
 }
 
+const Columns<ToughnessRow>& toughness_terminal_columns() {
+    using R = ToughnessRow;
+    using namespace unit;
+    static const Columns<R> all{{"run", none, [](const R& r) { return r.run.name; }},
+                                {"test", none, [](const R& r) { return r.run.header.test; }},
+                                {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
+                                {"notch", millimetre, [](const R& r) { return r.toughness.notch_length; }},
+                                {"peak load", kilonewton_per_metre, [](const R& r) { return r.peak_load; }},
+                                {"K_IC", unit::toughness, [](const R& r) { return r.toughness.mode_i_toughness; }},
+                                {"of a straight crack", unit::toughness, [](const R& r) { return r.toughness.predicted; }},
+                                {"notch / process zone", none, [](const R& r) { return r.toughness.notch_ratio(); }}};
+    return all;
+}
+
 }  // namespace
 
 double centre_crack_intensity(double stress, double length, double width) {
@@ -203,7 +217,7 @@ void write_toughness_table(std::ostream& out, const std::vector<std::string>& ru
         row.toughness = measure_toughness(reader, row.run);
         row.peak_load = measure_strength(row.run).peak_load;
     }
-    write_table(out, toughness_columns(), rows, format);
+    write_table(out, toughness_columns(), toughness_terminal_columns(), rows, format);
     out.flush();
     if (!out) return;  // the command says so
     for (const ToughnessRow& row : rows) {

@@ -33,6 +33,13 @@ void add_format(OptionSet set, std::optional<TableFormat>& format) {
         "default: table on a terminal, tsv elsewhere");
 }
 
+void add_columns(OptionSet set, ColumnOptions& options) {
+    add_format(set, options.format);
+    add_flag(
+        set, "--all-columns", [&options] { options.columns = ColumnChoice::all; },
+        "all columns of the table for scripts, not only those that most people want; see share/doc/tables.md");
+}
+
 TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out) {
     const bool is_terminal = out.rdbuf() == std::cout.rdbuf() && ::isatty(STDOUT_FILENO) == 1;
     return format.value_or(is_terminal ? TableFormat::aligned : TableFormat::tsv);

@@ -73,6 +73,14 @@ inline Command make_group(std::string name, std::string help, std::vector<Comman
 void add_format(OptionSet set, TableFormat& format);
 /// The same, left empty unless it is given: aligned on a terminal, TSV elsewhere (`format_for`).
 void add_format(OptionSet set, std::optional<TableFormat>& format);
+
+/// The form of a table of which few columns are shown unless all are asked for.
+struct ColumnOptions {
+    std::optional<TableFormat> format;
+    ColumnChoice columns = ColumnChoice::usual;
+};
+/// --format and --all-columns
+void add_columns(OptionSet set, ColumnOptions& options);
 TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out);
 /// -o, --output, which is required. \param help what is written
 void add_output(OptionSet set, std::string& output, const std::string& help);

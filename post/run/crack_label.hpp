@@ -76,9 +76,9 @@ void append_other_counts(Columns<Row>& columns, const std::function<const OtherC
     constexpr std::array endings{"_by_sign", "_broken", "_broken_by_sign"};
     for (std::size_t i = 0; i < endings.size(); ++i) {
         columns.push_back({std::string("tensile_cracks") + endings[i], unit::none,
-                           [counts_of, i](const Row& row) { return count_cell(counts_of(row)[i].tensile); }});
+                           [counts_of, i](const Row& row) { return count_cell(counts_of(row)[i].tensile); }, further});
         columns.push_back({std::string("shear_cracks") + endings[i], unit::none,
-                           [counts_of, i](const Row& row) { return count_cell(counts_of(row)[i].shear); }});
+                           [counts_of, i](const Row& row) { return count_cell(counts_of(row)[i].shear); }, further});
     }
 }
 

@@ -13,7 +13,10 @@ constexpr int digits_of_an_interval = 4;
 
 /// A unit as people write it.
 std::string symbol_of(const ColumnUnit& unit) {
-    return unit.name == unit::percent.name ? "%" : unit.name == unit::degree.name ? "°" : std::string(unit.name);
+    return unit.name == unit::percent.name     ? "%"
+           : unit.name == unit::degree.name    ? "°"
+           : unit.name == unit::toughness.name ? "MPa√m"
+                                               : std::string(unit.name);
 }
 
 }  // namespace

@@ -35,9 +35,11 @@ struct Column {
     std::string name;
     ColumnUnit unit;
     std::function<Cell(const Row&)> value;  ///< SI; texts and whole numbers are shown as they are
+    bool is_further = false;                ///< whether a table for scripts has it only among all columns
 };
 template <class Row>
 using Columns = std::vector<Column<Row>>;
+inline constexpr bool further = true;
 
 /// "LOW to HIGH" in a unit, for terminal tables; empty without them.
 Cell interval_cell(const std::optional<double>& low, const std::optional<double>& high, const ColumnUnit& unit);
@@ -61,7 +63,9 @@ std::vector<Cell> cells_of(const Columns<Row>& columns, const Row& row) {
 
 /// The table for scripts, a row for each of `rows`.
 template <class Row>
-void write_table(std::ostream& out, const Columns<Row>& columns, const std::vector<Row>& rows, TableFormat format) {
+void write_table(std::ostream& out, Columns<Row> columns, const std::vector<Row>& rows, TableFormat format,
+                 ColumnChoice choice = ColumnChoice::all) {
+    if (choice == ColumnChoice::usual) std::erase_if(columns, [](const Column<Row>& column) { return column.is_further; });
     TableWriter table(out, script_names(columns), format);
     for (const Row& row : rows) table.row(cells_of(columns, row));
 }

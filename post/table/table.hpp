@@ -15,6 +15,8 @@
 namespace graincrack {
 
 enum class TableFormat { tsv, jsonl, markdown, aligned };
+/// The columns of a table for scripts: those that most people want, or all.
+enum class ColumnChoice { usual, all };
 
 /// One entry: empty, a number or a text. NaN and infinity are empty: the value does not apply.
 class Cell {

@@ -314,11 +314,9 @@ fs::path find_material(const std::string& name_or_file) {
 void take_laboratory(IncompleteMaterial& read) {
     Material& material = read.material;
     const bool is_of_laboratory = has(read.missing, "rock.tensile_strength") && material.laboratory.contains("tensile_strength");
-    std::vector<std::string> taken;
-    take_measured_rock(read, taken);
-    std::vector<std::string> assumed;
-    if (is_of_laboratory) assume_toughness(read, assumed);
-    for (const std::string& note : assumed) material.notes.push_back(fmt::format("note: {}: {}", material.file.string(), note));
+    std::vector<std::string> sentences;  // which `material init` and `fpz` say
+    take_measured_rock(read, sentences);
+    if (is_of_laboratory) assume_toughness(read, sentences);
     const auto size = material.laboratory.find("grain_size");
     if (material.grains.tessellation.empty() || material.grains.grain_size || size == material.laboratory.end()) return;
     material.grains.grain_size = read.values["fabric.grain_size"] = size->second;

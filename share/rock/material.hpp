@@ -72,7 +72,7 @@ Quantity material_quantity(const std::string& key);
 
 /// Gives a material what it lacks and its laboratory has: values of [rock], and the grain size of a [fabric] with a tessellation.
 /// Where the tensile strength of the rock comes from there, a toughness that nobody measured is K_IC = σt/6.88 MPa√m (Zhang 2002)
-/// and K_IIC = 2 K_IC, as of Augig granite; the notes of the material say so.
+/// and K_IIC = 2 K_IC, as of Augig granite.
 void take_laboratory(IncompleteMaterial& material);
 
 /// The rock for the fracture process zone from what a file has: [rock], else the same values of [laboratory], else, of a

@@ -124,7 +124,7 @@ page = $(call table,$(STUDIES)/lib/page $(POST) $(filter-out $(RUNS)/% $(checks)
 checks = $(HERE)/checks.tsv
 $(HERE)/page.md: $$(if $$(strip $$(runs)),$(checks))
 $(checks): $$(runs) $(runs_list)
-	$(call table,($(call of_runs,strength)) | $(POST) summarize strength=- --sql $(STUDIES)/lib/checks.sql)
+	$(call table,($(call of_runs,strength --all-columns)) | $(POST) summarize strength=- --sql $(STUDIES)/lib/checks.sql)
 
 .PHONY: all clean distclean print-runs print-here
 # For job-array: the files of the runs, a line each, and the folder of the study.

@@ -8,7 +8,7 @@ runs := $(foreach r,$(call rows_of,$(WANTED)),$(call \
 # $(call add,COMMAND,RUNS): adds rows to a table, or makes it; complete or not at all. Names of runs come from a file, as there are many.
 define add
 @$(if $(2),$(file >$(HERE)/$(1).list,$(subst $(space),$(newline),$(strip $(2:$(RUNS)/%=%)))) \
-    cd $(RUNS) && $(POST) --quiet $(1) --files-from $(HERE)/$(1).list >$(HERE)/new.part && \
+    cd $(RUNS) && $(POST) --quiet $(1) $(if $(filter-out toughness,$(1)),--all-columns) --files-from $(HERE)/$(1).list >$(HERE)/new.part && \
     { cat $(HERE)/$(1).tsv 2>/dev/null && tail -n +2 $(HERE)/new.part || cat $(HERE)/new.part; } >$(HERE)/$(1).part && \
     mv $(HERE)/$(1).part $(HERE)/$(1).tsv && rm $(HERE)/new.part $(HERE)/$(1).list,:)
 endef

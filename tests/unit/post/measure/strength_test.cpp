@@ -45,6 +45,13 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "tensile_cracks_by_sign\tshear_cracks_by_sign\ttensile_cracks_broken\tshear_cracks_broken\t"
               "tensile_cracks_broken_by_sign\tshear_cracks_broken_by_sign\tplane\t"
               "peak_load_kN/m\tflexural_strength_MPa\tring_strength_MPa\tspan_mm");
+    std::ostringstream usual;
+    write_strength_table(usual, {folder_.file("run.h5")}, TableFormat::tsv, notes_, {}, ColumnChoice::usual);
+    EXPECT_EQ(usual.str().substr(0, usual.str().find('\n')),
+              "file\ttest\tseed\tgrains\tmean_edge_mm\tconfining_pressure_MPa\tpeak_compressive_stress_MPa\t"
+              "tensile_strength_MPa\tstrain_at_peak\tpeak_kind\tfirst_yield_MPa\ttensile_cracks\tshear_cracks\t"
+              "energy_balance_error\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
+              "first_peak_MPa\tresidual_MPa\tdrop_percent\tpeak_load_kN/m\tflexural_strength_MPa");
 }
 
 TEST_F(StrengthTable, UniaxialRow) {

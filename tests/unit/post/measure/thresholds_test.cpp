@@ -137,7 +137,7 @@ TEST(Thresholds, InitiationOfALawThatCountsDamage) {
     for (Crack& crack : cracks) crack.damaged_50 = {crack.time + 0.2, 1e-6, 1e-6};
     test::write_run(folder.file("run.h5"), recipe, cracks);
     std::ostringstream out;
-    write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv);
+    write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv, std::clog);
     EXPECT_NEAR(std::stod(test::field(out.str(), "crack_initiation_count_MPa")), 0.7 * 125, 1e-5);
 }
 
@@ -146,7 +146,7 @@ TEST(Thresholds, TableLabelsThemAndKeepsTensionEmpty) {
     const auto table_of = [&](const test::Recipe& recipe) {
         test::write_run(folder.file("run.h5"), recipe);
         std::ostringstream out;
-        write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv);
+        write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv, std::clog);
         return out.str();
     };
     const std::string table = table_of({});

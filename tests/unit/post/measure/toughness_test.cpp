@@ -46,6 +46,11 @@ TEST_F(ToughnessTable, OfANotchThroughTheMiddle) {
     // 6 MPa √(π 20 mm) √sec 45°
     EXPECT_NEAR(std::stod(field(table, "mode_i_toughness_MPa.m^0.5")), 6 * std::sqrt(std::numbers::pi * 0.02 * std::sqrt(2.0)),
                 1e-5);
+    std::ostringstream terminal;
+    write_toughness_table(terminal, {folder_.file("run.h5")}, TableFormat::aligned, notes_);
+    EXPECT_NE(terminal.str().find("K_IC"), std::string::npos) << terminal.str();
+    EXPECT_NE(terminal.str().find("MPa√m"), std::string::npos) << terminal.str();
+    EXPECT_EQ(terminal.str().find("mode_i_toughness"), std::string::npos);
 }
 
 // l_ch = E' Gf/tc² = (predicted/tc)², with Gf = 82.6 J/m² and tc = 24.15 MPa of the synthetic run.
