@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -50,6 +51,11 @@ std::string mineral_label(const std::string& name);
 inline std::vector<double> times(std::vector<double> values, double factor) {
     for (double& value : values) value *= factor;
     return values;
+}
+/// Counts from the last zero before the first of them on, NaN before: a line of zeros would lie on the axis and hide it.
+inline std::vector<double> from_first(std::vector<double> counts) {
+    for (std::size_t i = 0; i + 1 < counts.size() && counts[i + 1] == 0; ++i) counts[i] = std::nan("");
+    return counts;
 }
 /// 0 without values.
 inline double largest(const std::vector<double>& values) {

@@ -173,6 +173,16 @@ void Chart::box(double x_low, double x_high, double y_low, double y_high, Colour
     drawing_.rectangle({across(x_low), up(y_high)}, {across(x_high), up(y_low)}, colour);
 }
 
+void Chart::band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour) {
+    std::vector<Pixel> outline;
+    const auto add = [&](double at, double value) {
+        outline.push_back({std::clamp(x_(at), x_.from, x_.to), std::clamp(y_(value), y_.to, y_.from)});
+    };
+    for (std::size_t i = 0; i < x.size(); ++i) add(x[i], low[i]);
+    for (std::size_t i = x.size(); i-- > 0;) add(x[i], high[i]);
+    drawing_.polygon(outline, colour);
+}
+
 void Chart::keep_clear(double x, double y, double reach) {
     const Pixel at = place(x, y);
     taken_.push_back({at.x - reach, at.y - reach, at.x + reach, at.y + reach});

@@ -34,6 +34,8 @@ public:
     void points(std::span<const double> x, std::span<const double> y, const Marker& marker);
     /// A filled box between two corners in values.
     void box(double x_low, double x_high, double y_low, double y_high, Colour colour);
+    /// The area between two curves over the same places.
+    void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
     /// No note comes within `reach` of a point, in pixels of the drawing: that of a marker that is drawn later.
     void keep_clear(double x, double y, double reach);
     /// Text in a gap of a line, at the first of its places where it covers no other text, no point of `others`, and stays in the

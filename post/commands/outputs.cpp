@@ -100,9 +100,11 @@ Command film_command() {
             add_output(set, options.output,
                        "film: .mp4 (H.264) or .webm (VP9), which ffmpeg encodes, or a folder of numbered PNG");
             add_choice<FilmSteps>(
-                set, "--by", options.contents.steps, {{"strain", FilmSteps::strain}, {"time", FilmSteps::time}},
-                "what pictures are even steps of: axial strain, or time, which shows slowly what happens at the peak; between "
-                "the stored frames of the run displacements are linear in it, and cracks appear at their own times");
+                set, "--by", options.contents.steps,
+                {{"cracks", FilmSteps::cracks}, {"strain", FilmSteps::strain}, {"time", FilmSteps::time}},
+                "what pictures are even steps of: the number of cracks (with a quarter of the film for the strain, so that the "
+                "loading shows too), axial strain, or time; cracks appear at their own times, grains stand as in the last stored "
+                "frame");
             add_quantity(set, "--duration", options.duration, duration, "how long the film runs", "10s");
             add_integer(set, "--frames-per-second", options.frames_per_second, "pictures in a second", 1, 120);
             add_value(

@@ -55,6 +55,13 @@ std::vector<Crack> cracks_of_film(const RunReader& run, const Specimen& specimen
     return cracks_of(read_labelled_cracks(run, specimen, contents.label), contacts);
 }
 
+/// How far a quantity has travelled in each row, both ways counted.
+std::vector<double> way_of(const std::vector<double>& values, std::size_t first, std::size_t last) {
+    std::vector<double> way{0};
+    for (std::size_t row = first + 1; row <= last; ++row) way.push_back(way.back() + std::abs(values[row] - values[row - 1]));
+    return way;
+}
+
 std::vector<double> checked_frame_times(const RunReader& run) {
     std::vector<double> times = run.frame_times();
     if (times.empty() || !(times.back() > times.front())) {
@@ -67,10 +74,7 @@ std::vector<double> checked_frame_times(const RunReader& run) {
 }  // namespace
 
 std::vector<std::size_t> film_rows(const std::vector<double>& values, std::size_t first, std::size_t last, std::size_t count) {
-    std::vector<double> travelled{0};
-    for (std::size_t row = first + 1; row <= last; ++row) {
-        travelled.push_back(travelled.back() + std::abs(values[row] - values[row - 1]));
-    }
+    const std::vector<double> travelled = way_of(values, first, last);
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const double part = static_cast<double>(i) / static_cast<double>(count - 1);
@@ -81,6 +85,19 @@ std::vector<std::size_t> film_rows(const std::vector<double>& values, std::size_
     return rows;
 }
 
+std::vector<double> film_way(FilmSteps steps, const History& history) {
+    if (steps == FilmSteps::time) return history[HistoryColumn::time];
+    constexpr double share_of_strain = 0.25;
+    const auto &tensile = history[HistoryColumn::tensile_cracks], &shear = history[HistoryColumn::shear_cracks];
+    std::vector<double> way = way_of(history[HistoryColumn::axial_strain], 0, history.size() - 1);
+    const double cracks = tensile.back() + shear.back(), strain = way.back();
+    if (steps == FilmSteps::strain || !(cracks > 0) || !(strain > 0)) return way;
+    for (std::size_t row = 0; row < way.size(); ++row) {
+        way[row] = share_of_strain * way[row] / strain + (1 - share_of_strain) * (tensile[row] + shear[row]) / cracks;
+    }
+    return way;
+}
+
 FilmPage::FilmPage(const RunReader& run, FilmContents contents)
     : run_(run),
       contents_(std::move(contents)),
@@ -88,12 +105,11 @@ FilmPage::FilmPage(const RunReader& run, FilmContents contents)
       cracks_(cracks_of_film(run, specimen_, contents_)),
       data_(data_of(run, contents_, cracks_)),
       curve_(load_curve(data_)),
+      way_(film_way(contents_.steps, data_.history)),
       frame_times_(checked_frame_times(run)),
       page_width_(std::round(page_height * contents_.size.width / contents_.size.height)) {
     const std::size_t first = row_at(frame_times_.front()), last = row_at(frame_times_.back());
-    const auto [lowest, highest] = std::minmax_element(values().begin() + static_cast<std::ptrdiff_t>(first),
-                                                       values().begin() + static_cast<std::ptrdiff_t>(last) + 1);
-    if (!(*highest > *lowest)) {
+    if (!(way_of(way_, first, last).back() > 0)) {
         throw InputError(run.name() + ": its strain does not change from the first frame to the last; --by time shows it");
     }
     notes_ = crack_notes(specimen_, contents_.label.of(data_.header), contents_.classes);
@@ -108,10 +124,6 @@ FilmPage::FilmPage(const RunReader& run, FilmContents contents)
     map_width_ = std::floor(std::min(shape * (page_height - beside_map - scale_bar), widest) + 2 * page_margin);
 }
 
-const std::vector<double>& FilmPage::values() const {
-    return contents_.steps == FilmSteps::time ? times() : data_.history[HistoryColumn::axial_strain];
-}
-
 std::size_t FilmPage::row_at(double time) const { return last_until(times(), time); }
 
 Positions FilmPage::nodes_in(std::size_t frame) const {
@@ -119,7 +131,7 @@ Positions FilmPage::nodes_in(std::size_t frame) const {
 }
 
 std::vector<std::size_t> FilmPage::rows(std::size_t count) const {
-    return film_rows(values(), row_at(frame_times_.front()), row_at(frame_times_.back()), count);
+    return film_rows(way_, row_at(frame_times_.front()), row_at(frame_times_.back()), count);
 }
 
 TextColumn FilmPage::column() const { return {map_width_ + page_margin, page_width_ - page_margin}; }

@@ -14,12 +14,12 @@
 
 namespace graincrack {
 
-/// By what a film advances evenly.
-enum class FilmSteps { strain, time };
+/// By what a film advances evenly: a mixture of cracks and strain, strain, time.
+enum class FilmSteps { cracks, strain, time };
 
 /// Contents and form of a film.
 struct FilmContents {
-    FilmSteps steps = FilmSteps::strain;
+    FilmSteps steps = FilmSteps::cracks;
     ImageSize size{1280, 720};
     double magnification = 1;  ///< of the displacements
     CrackLabelChoice label = {};
@@ -30,6 +30,9 @@ struct FilmContents {
 /// Rows of a history in even steps of the distance that a quantity travels, so that cycles count both ways.
 /// \param values of the quantity in the rows \pre first <= last, count > 1
 std::vector<std::size_t> film_rows(const std::vector<double>& values, std::size_t first, std::size_t last, std::size_t count);
+/// What pictures are even steps of, in each row. By cracks: three quarters of it are their number, the rest is the way of the
+/// strain, so that the loading before the first crack is short; that of the strain alone in a test without cracks.
+std::vector<double> film_way(FilmSteps steps, const History& history);
 
 class FilmPage {
 public:
@@ -46,7 +49,6 @@ public:
 
 private:
     [[nodiscard]] const std::vector<double>& times() const { return data_.history[HistoryColumn::time]; }
-    [[nodiscard]] const std::vector<double>& values() const;
     /// The last row that is not behind a time.
     [[nodiscard]] std::size_t row_at(double time) const;
     [[nodiscard]] Positions nodes_in(std::size_t frame) const;
@@ -61,6 +63,7 @@ private:
     std::vector<Crack> cracks_;  ///< labelled, of the wanted classes
     RunData data_;               ///< its history counts these cracks
     LoadCurve curve_;
+    std::vector<double> way_;  ///< that the pictures are even steps of
     std::vector<double> frame_times_;
     std::vector<std::string> notes_;
     std::optional<PlatenFaceSet> platens_;

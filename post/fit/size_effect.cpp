@@ -73,7 +73,16 @@ void require_sizes(const SizeSeries& s) {
 std::optional<PowerLaw> fit_power_law_log(const std::vector<double>& edge, const std::vector<double>& strength) {
     const std::optional<Line> line = fit_line(logarithms(edge, millimetre), logarithms(strength, 1));
     if (!line) return std::nullopt;
-    return PowerLaw{estimate(line->slope, line->slope_variance, line->freedom), std::exp(line->intercept)};
+    return PowerLaw{estimate(line->slope, line->slope_variance, line->freedom), std::exp(line->intercept), line};
+}
+
+Estimate PowerLaw::strength_at(double edge) const {
+    const double x = std::log(edge / millimetre);
+    const Line& line = *logarithms;
+    const double variance = line.intercept_variance + x * (2 * line.covariance + x * line.slope_variance);
+    const Estimate mean = estimate(line.intercept + line.slope * x, variance, line.freedom);
+    const auto exponential = [](const std::optional<double>& value) { return value ? std::optional(std::exp(*value)) : value; };
+    return {std::exp(mean.value), exponential(mean.low), exponential(mean.high)};
 }
 
 std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std::vector<double>& strength) {

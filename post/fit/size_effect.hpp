@@ -17,7 +17,10 @@ namespace graincrack {
 /// strength = coefficient · (dp/1 mm)^exponent
 struct PowerLaw {
     Estimate exponent;
-    double coefficient = 0;  ///< Pa: the strength at a mean edge of 1 mm
+    double coefficient = 0;               ///< Pa: the strength at a mean edge of 1 mm
+    std::optional<Line> logarithms = {};  ///< through ln(edge/mm) and ln(strength/Pa); of `fit_power_law_log`
+    /// The mean strength at an edge (m) with its 95 % interval, Pa. \pre logarithms
+    [[nodiscard]] Estimate strength_at(double edge) const;
 };
 /// Straight line through logarithms: relative errors of equal size. Every run counts once, so the weight of a size is its number
 /// of seeds. Empty unless there are two different edges. \param edge m \param strength Pa

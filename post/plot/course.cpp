@@ -83,8 +83,8 @@ void add_pairs(std::vector<CountCurve>& curves, const CrackCounts& counts, std::
     curves.push_back({name + ", shear", sum(&ModeCounts::shear), {colour, 3, Dash::dashed}});
 }
 
-std::vector<CountCurve> count_curves(const CrackCounts& counts) {
-    if (counts.classes.size() == 1) {
+std::vector<CountCurve> count_curves(const CrackCounts& counts, bool by_class) {
+    if (!by_class) {
         return {{"tensile", column(counts, [](const Moment& m) { return m.all.tensile; }), {palette::tensile, 4}},
                 {"shear", column(counts, [](const Moment& m) { return m.all.shear; }), {palette::shear, 3.5, Dash::dashed}}};
     }
@@ -96,25 +96,23 @@ std::vector<CountCurve> count_curves(const CrackCounts& counts) {
     }
     if (own < pairs.size()) add_pairs(curves, counts, std::span(pairs).subspan(own), "other pairs", palette::series(own));
     std::erase_if(curves, [](const CountCurve& curve) { return curve.counts.back() == 0; });
-    for (CountCurve& curve : curves) {  // before their first crack they would lie on one another
-        for (std::size_t i = 0; i + 1 < curve.counts.size() && curve.counts[i + 1] == 0; ++i) curve.counts[i] = std::nan("");
-    }
     return curves;
 }
 
 }  // namespace
 
-Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition, Abscissa abscissa,
+Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition, const CountsOptions& options,
                     const PictureStyle& style) {
     const ModeCounts& last = counts.moments.back().all;
     if (last.tensile + last.shear == 0) {
         throw InputError(run.name + ": no micro-cracks; counts over the loading need a run with some");
     }
-    const std::vector<CountCurve> curves = count_curves(counts);
+    const bool by_class = options.by_class && counts.classes.size() > 1;
+    const std::vector<CountCurve> curves = count_curves(counts, by_class);
     const std::vector<double> stress = column(counts, [](const Moment& m) { return 1e-6 * m.stress; });
     double most = 0;
     for (const CountCurve& curve : curves) most = std::max(most, curve.counts.back());
-    const Course course = course_of(run, abscissa);
+    const Course course = course_of(run, options.abscissa);
     Chart chart(
         style,
         {test_title(run.header), {fmt::format("seed {}, {} grains", run.specimen.seed, run.specimen.grains)}, {definition}},
@@ -122,25 +120,26 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
     const Stroke load{palette::rim, 4.5, Dash::dotted};
     chart.line(course.values, stress, load, Chart::Side::right);
     for (const CountCurve& curve : curves) {
-        chart.line(course.values, curve.counts, curve.stroke);
+        chart.line(course.values, from_first(curve.counts), curve.stroke);
         chart.legend(curve.stroke, curve.label);
     }
     chart.legend(load, "stress, right");
-    if (counts.classes.size() > 1) chart.add_note("pairs without cracks of a mode have no curve");
+    if (by_class) chart.add_note("pairs without cracks of a mode have no curve");
     return chart.finish();
 }
 
 Command counts_plot() {
     struct Options : PlotOptions {
         CrackLabelChoice label;
-        Abscissa abscissa = Abscissa::time;
+        CountsOptions counts;
     };
     return make_plot<Options>(
-        "counts", "micro-cracks over the loading by mode and class of contacts (pair of minerals)",
-        {"uniaxial.h5 -o counts.png", "brazilian.h5 --crack-event broken -o counts.svg"}, one_run,
+        "counts", "micro-cracks over the loading by mode", {"uniaxial.h5 -o counts.png", "brazilian.h5 --classes -o counts.svg"},
+        one_run,
         [](OptionSet set, Options& options) {
             add_chart(set, options);
-            add_abscissa(set, options.abscissa);
+            add_abscissa(set, options.counts.abscissa);
+            add_flag(set, "--classes", options.counts.by_class, "a curve for each class of contacts (pair of minerals) and mode");
             add_crack_label(set, options.label);
         },
         [](const Options& options, const Call& call) {
@@ -149,7 +148,7 @@ Command counts_plot() {
             const Specimen specimen = run.specimen();
             const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.label);
             return draw_counts(count_cracks_by_row(data, load_curve(data), specimen, cracks), data,
-                               definition_of(options.label.of(run.header())), options.abscissa, options.style);
+                               definition_of(options.label.of(run.header())), options.counts, options.style);
         });
 }
 

@@ -126,8 +126,9 @@ constexpr Stroke tensile_stroke{palette::tensile, 3, Dash::dashed};
 /// Counts of cracks against axial strain, on a scale of their own at the right.
 void draw_counts(Chart& chart, const Run& run) {
     const std::vector<double> strain = times(run.curve.axial_strain, 100);
-    chart.line(strain, run.data->history[HistoryColumn::shear_cracks], shear_stroke, Chart::Side::right);
-    chart.line(strain, run.data->history[HistoryColumn::tensile_cracks], tensile_stroke, Chart::Side::right);
+    const History& history = run.data->history;
+    chart.line(strain, from_first(history[HistoryColumn::shear_cracks]), shear_stroke, Chart::Side::right);
+    chart.line(strain, from_first(history[HistoryColumn::tensile_cracks]), tensile_stroke, Chart::Side::right);
 }
 
 constexpr Marker largest_marker{palette::ink, MarkerShape::triangle, 13};

@@ -82,11 +82,11 @@ Path shear_path(const ContactLaw& law, const ContactParameters& contact, double 
     return path;
 }
 
-std::vector<LawDescription> chosen(const std::vector<std::string>& names) {
+std::vector<LawDescription> chosen(const LawPlotOptions& options) {
     const auto& all = all_contact_laws();
-    if (names.empty()) return {all.begin(), all.end()};
+    if (options.all) return {all.begin(), all.end()};
     std::vector<LawDescription> laws;
-    for (const std::string& name : names) {
+    for (const std::string& name : options.laws.empty() ? std::vector{options.own} : options.laws) {
         const auto found = std::find_if(all.begin(), all.end(), [&](const LawDescription& d) { return d.name == name; });
         if (found == all.end()) {
             std::vector<std::string_view> known;
@@ -183,7 +183,7 @@ Drawing draw_shear(const LawCurves& curves, const ContactParameters& contact, do
 Drawing draw_laws(const ContactParameters& contact, const std::string& title, const LawPlotOptions& options,
                   const PictureStyle& style) {
     LawCurves curves;
-    for (const LawDescription& d : chosen(options.laws)) {
+    for (const LawDescription& d : chosen(options)) {
         if (d.name == options.own) curves.own = curves.laws.size();
         curves.laws.push_back(make_contact_law(contact, d.variant));
     }
@@ -248,7 +248,8 @@ struct LawOptions : PlotOptions {
 void add_options(OptionSet set, LawOptions& options) {
     constexpr Quantity normal_stress{"normal_stress", Dimension::stress, 0, 1e12, "compression across a contact"};
     add_text(set, "--material", options.material, "material: a name of share/materials or a TOML file");
-    add_texts(set, "--contact-law", options.law.laws, "NAME", "law to draw; may be given again; all unless given");
+    add_texts(set, "--contact-law", options.law.laws, "NAME", "law to draw; may be given again; default: that of the material")
+        .excludes(add_flag(set, "--all-laws", options.law.all, "all laws with the values of the material"));
     add_choice<PlaneCondition>(set, "--plane", options.plane,
                                {{"strain", PlaneCondition::strain}, {"stress", PlaneCondition::stress}}, "plane condition");
     add_fracture_energy(set, options.fracture_energy, "fracture energy of the contacts: mixed (Eq 32), mode-i or a value");
@@ -259,7 +260,6 @@ void add_options(OptionSet set, LawOptions& options) {
 Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {
     LawPlotOptions law = options.law;
     law.own = run.header().contact_law;
-    if (law.laws.empty()) law.laws = {law.own};
     return draw_laws(run.header().contact, fmt::format("{}, {}", run.header().material, run.header().contact_law), law,
                      options.style);
 }

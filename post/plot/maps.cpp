@@ -94,12 +94,16 @@ std::vector<LegendEntry> crack_legend(const Specimen& specimen, const std::strin
     return legend;
 }
 
+/// Platens where they stand, if the test has some.
+std::optional<PlatensAtStrain> platens_at(const RunReader& run, const Specimen& specimen, const RunData& data,
+                                          const Standing& now, double magnification) {
+    if (!has_platens_to_draw(data)) return std::nullopt;
+    return PlatensAtStrain{read_platen_faces(run.file(), specimen), magnification * now.axial_strain};
+}
+
 void draw_state(MapView& map, const Scene& scene, const Standing& now, const std::vector<Crack>& present) {
-    std::optional<PlatensAtStrain> platens;
-    if (has_platens_to_draw(scene.data)) {
-        platens = {read_platen_faces(scene.run.file(), scene.specimen), scene.options.magnification * now.axial_strain};
-    }
-    draw_crack_state(map, scene.specimen, platens, present);
+    draw_crack_state(map, scene.specimen, platens_at(scene.run, scene.specimen, scene.data, now, scene.options.magnification),
+                     present);
 }
 
 /// The part of a frame that a map shows; the frame itself is released.
@@ -121,7 +125,8 @@ Drawing single_map(const Scene& scene, Snapshot shot) {
     ChartText text{test_title(header),
                    {fmt::format("seed {}, {}, mean edge {:.3g} mm, plane {}", specimen.seed, grains_label(specimen),
                                 specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
-                    fmt::format("law {}, fracture energy {}", header.contact_law, header.fracture_energy_choice),
+                    "law " + header.contact_law +
+                        (header.fracture_energy_choice == "value" ? "" : ", fracture energy " + header.fracture_energy_choice),
                     standing_label(now, stress_name(scene.data), scene.options.magnification)}};
     MapView map(specimen, std::move(shot.places), text, {scene.style, scene.options.largest_height});
     draw_state(map, scene, now, present);
@@ -265,6 +270,15 @@ Colour fragment_colour(std::size_t fragment) {
     return {pale(c.red), pale(c.green), pale(c.blue)};
 }
 
+/// The share of the largest fragment, and equal-area diameters of the others.
+std::string fragment_sizes(const Fragments& fragments, const FragmentCount& count) {
+    const auto diameter = [](const Fragment& fragment) { return 1e3 * fragment.diameter(); };
+    const std::string largest = fmt::format("the largest has {:.1f} % of the area", 100 * count.largest_share);
+    return count.fragments < 2 ? largest
+                               : fmt::format("{}; diameters of the others: {:.3g} to {:.3g} mm", largest,
+                                             diameter(fragments.all.back()), diameter(fragments.all[1]));
+}
+
 }  // namespace
 
 Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style) {
@@ -272,14 +286,20 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, con
     Frame frame = read_frame(run, specimen, choose_frame(run, options.frame, options.time));
     const Fragments fragments = find_fragments(specimen, frame.state);
     const FragmentCount count = count_fragments(fragments, frame.time);
-    MapView map(specimen, moved_nodes(specimen, frame, options.magnification),
-                {test_title(run.header()),
-                 {counted(count.fragments, "fragment") +
-                      (count.single_grains > 0 ? ", of which " + counted(count.single_grains, "single grain") : ""),
-                  fmt::format("the largest has {:.1f} % of the area; diameter {:.3g} mm", 100 * count.largest_share,
-                              1e3 * fragments.all.front().diameter())}},
-                {style});
+    const RunData data = run_data(run);
+    ChartText text{test_title(run.header()),
+                   {counted(count.fragments, "fragment") +
+                        (count.single_grains > 0 ? ", of which " + counted(count.single_grains, "single grain") : ""),
+                    fragment_sizes(fragments, count)}};
+    std::optional<PlatensAtStrain> platens;
+    if (const auto curve = load_curve_if_any(data)) {
+        const Standing now = standing(data, *curve, frame.time);
+        text.subtitle.push_back(standing_label(now, stress_name(data), options.magnification));
+        platens = platens_at(run, specimen, data, now, options.magnification);
+    }
+    MapView map(specimen, moved_nodes(specimen, frame, options.magnification), text, {style});
     map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
+    if (platens) map.draw_platens(platens->faces, -platens->axial_strain * specimen.height / 2);
     constexpr double line = 5;
     const auto grains = grains_of_contacts(specimen);
     const auto parts = [&](std::size_t contact) {

@@ -119,11 +119,16 @@ Command rosette_plot();
 /// there, and the strain hardly changes while a specimen breaks.
 enum class Abscissa { time, strain };
 
-/// Counts over a test, stress behind them on a scale of its own. With one pair: tensile red, shear black; with several: a colour
-/// a pair, shear dashed; pairs without cracks of a mode have no curve, and beyond six those with the fewest share one.
+struct CountsOptions {
+    Abscissa abscissa = Abscissa::time;
+    bool by_class = false;  ///< curves for each pair of minerals
+};
+
+/// Counts over a test, stress behind them on a scale of its own: tensile red, shear black. By class: a colour a pair, shear
+/// dashed; pairs without cracks of a mode have no curve, and beyond six those with the fewest share one.
 /// \param counts at every row of the run's history \param definition of its cracks in words
 Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition,
-                    Abscissa abscissa = Abscissa::time, const PictureStyle& style = {});
+                    const CountsOptions& options = {}, const PictureStyle& style = {});
 
 Command counts_plot();
 
@@ -197,7 +202,8 @@ Command surface_plot();
 
 /// Which curves of the laws are drawn.
 struct LawPlotOptions {
-    std::vector<std::string> laws;                        ///< names; empty: all
+    std::vector<std::string> laws;                        ///< names; empty: that of the material
+    bool all = false;                                     ///< every law beside that of the material
     double normal_stress = 20e6;                          ///< compression under which a contact is sheared, Pa
     std::string own = std::string(name_of(default_law));  ///< of the material, whose curve is black
 };

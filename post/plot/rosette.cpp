@@ -49,13 +49,13 @@ public:
         }
         for (int i = 0; i < 12; ++i) drawing_.line(centre_, at(std::numbers::pi * i / 6, scale_), 1, palette::faint);
     }
-    /// The labels of the rings, drawn last: perpendicular to the load, where the fewest cracks are.
+    /// The labels of the rings, drawn last, inside them: perpendicular to the load, where the fewest cracks are.
     void scale_labels() {
         constexpr double size = letters::text;
         for (const double ring : rings_within(scale_)) {
             const std::string percent = fmt::format("{:.0f} %", 100 * ring);
-            const Pixel label = at(0, ring);
             const double half = text_width(percent, size) / 2;
+            const Pixel label{at(0, ring).x - half - 4, centre_.y};
             drawing_.rectangle({label.x - half, label.y - 0.6 * size}, {label.x + half, label.y + 0.6 * size}, palette::white);
             drawing_.text({{label.x, label.y + 0.35 * size}, percent, size, palette::rim, Anchor::middle});
         }
@@ -105,6 +105,8 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
     for (const Bins& lengths : {shares(rosette.tensile), shares(rosette.shear)}) {
         scale = std::max(scale, *std::max_element(lengths.begin(), lengths.end()));
     }
+    const double step = rings_within(scale).front();
+    scale = step * std::ceil(scale / step);  // no petal goes beyond the last ring
     Drawing drawing(static_cast<int>(style.page_width), 0);
     const TextColumn column{page_margin, drawing.width() - page_margin};
     const ChartText text{style.title.empty() ? title : style.title,

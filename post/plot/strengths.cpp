@@ -373,18 +373,35 @@ void draw_law(Chart& chart, double from, double to, double at_one, double expone
     chart.line(std::vector<double>{from, to}, std::vector<double>{strength(from), strength(to)}, stroke);
 }
 
+/// Where the mean strength lies with 95 %. \return whether there is such an interval
+bool draw_band(Chart& chart, const PowerLaw& law, double from, double to) {
+    constexpr int steps = 100;
+    std::vector<double> edge, low, high;
+    for (int i = 0; i <= steps; ++i) {
+        edge.push_back(from * std::pow(to / from, static_cast<double>(i) / steps));
+        const Estimate mean = law.strength_at(edge.back() * 1e-3);
+        if (!mean.low) return false;
+        low.push_back(*mean.low * in_megapascals);
+        high.push_back(*mean.high * in_megapascals);
+    }
+    chart.band(edge, low, high, interval);
+    return true;
+}
+
 void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     const Colour colour = palette::series(index);
     const std::vector<double> edge = times(s.edge, 1e3);
     const Marker marker{colour, marker_shape(index)};
-    chart.points(edge, times(s.strength, 1e-6), marker);
     const std::string name = series_label(s.test, s.confining_pressure);
     const auto law = fit_power_law_log(s.edge, s.strength);
-    chart.legend(marker, name);
-    if (!law) return;
     const auto range = padded_range(edge, 0);
     const double low = range.first / 1.1;
     const double high = range.second * 1.1;
+    const bool has_band = law && draw_band(chart, *law, low, high);
+    chart.points(edge, times(s.strength, 1e-6), marker);
+    chart.legend(marker, name);
+    if (!law) return;
+    if (has_band) chart.legend(interval, "95 % interval of the mean");
     const Stroke stroke = series_stroke(index);
     draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, stroke);
     std::string label = fmt::format("n = {:.2f}", law->exponent.value);

@@ -65,8 +65,7 @@ TEST_P(Layout, PicturesOfOneRun) {
     expect_fit_to_print(draw_rosette(crack_rosette(all, recipe_.specimen), "Uniaxial compression", "run.h5", definition, style_),
                         "rosette");
     expect_fit_to_print(
-        draw_counts(count_cracks_by_row(data, load_curve(data), recipe_.specimen, all), data, definition, Abscissa::time, style_),
-        "counts");
+        draw_counts(count_cracks_by_row(data, load_curve(data), recipe_.specimen, all), data, definition, {}, style_), "counts");
     expect_fit_to_print(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5", style_), "emission");
     expect_fit_to_print(draw_energy(data, Abscissa::time, style_), "energy");
     expect_fit_to_print(draw_thresholds(data, ThresholdMarks::usual, style_), "thresholds");
@@ -74,7 +73,10 @@ TEST_P(Layout, PicturesOfOneRun) {
     test::widen(opening.history, recipe_, 4e-7);
     expect_fit_to_print(draw_thresholds(opening, ThresholdMarks::usual, style_), "thresholds that are reached");
     expect_fit_to_print(draw_thresholds(opening, ThresholdMarks::all, style_, all), "thresholds by all definitions");
-    expect_fit_to_print(draw_laws(data.header.contact, "Augig granite, plane strain", {}, style_), "law");
+    LawPlotOptions laws;
+    expect_fit_to_print(draw_laws(data.header.contact, "Augig granite, plane strain", laws, style_), "law");
+    laws.all = true;
+    expect_fit_to_print(draw_laws(data.header.contact, "Augig granite, plane strain", laws, style_), "laws");
     expect_fit_to_print(draw_lennard_jones(style_), "lennard-jones");
 }
 

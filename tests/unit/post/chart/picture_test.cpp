@@ -121,8 +121,10 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_thresholds(data), {"the third strain is taken as ε3", "crack initiation CI: not reached before the peak",
                                    "crack damage CD: not reached before the peak"});
     expect(draw_thresholds(data, ThresholdMarks::all, {}, all), {"do not compare with laboratory", "count of cracks, 1\u00a0%"});
-    expect(draw_laws(data.header.contact, "granite", {}), {"literal", "consistent", "under 20 MPa"});
-    EXPECT_LT(draw_laws(data.header.contact, "granite", {}).height(), 1900);
+    LawPlotOptions laws;
+    laws.all = true;
+    expect(draw_laws(data.header.contact, "granite", laws), {"literal", "consistent", "under 20 MPa"});
+    EXPECT_LT(draw_laws(data.header.contact, "granite", laws).height(), 1900);
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
     expect(draw_specimen(recipe_.specimen, "run.h5"), {"256 grains"});
     expect(draw_curves({data}, {}, "what a crack is"), {"peak 124.4 MPa", "what a crack is", "plane strain"});
@@ -132,7 +134,7 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1\n"});
     expect(cracks("first,peak,last"), {"(b) peak", "plane strain"});
     expect(draw_strengths({data}, std::nullopt), {"uniaxial", "plane strain: uniaxial"});
-    EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}, 0}), UsageError);
+    EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
     test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});
 }

@@ -24,6 +24,18 @@ TEST(FilmRows, AreEvenStepsOfWhatTheStrainTravels) {
     EXPECT_EQ(film_rows({0, 1, 1, 2}, 0, 3, 3), (std::vector<std::size_t>{0, 2, 3}));        // rest is left out
 }
 
+TEST(FilmRows, OfCracksAreShortBeforeTheFirst) {
+    History history;
+    for (std::vector<double>& column : history.columns) column.assign(9, 0);
+    history[HistoryColumn::axial_strain] = {0, -0.001, -0.002, -0.003, -0.004, -0.004, -0.004, -0.004, -0.004};
+    history[HistoryColumn::tensile_cracks] = {0, 0, 0, 0, 0, 3, 3, 6, 6};
+    history[HistoryColumn::shear_cracks] = {0, 0, 0, 0, 0, 0, 3, 3, 6};
+    EXPECT_EQ(film_rows(film_way(FilmSteps::cracks, history), 0, 8, 5), (std::vector<std::size_t>{0, 4, 5, 6, 8}));
+    EXPECT_EQ(film_rows(film_way(FilmSteps::strain, history), 0, 8, 5), (std::vector<std::size_t>{0, 1, 2, 3, 8}));
+    for (const HistoryColumn mode : {HistoryColumn::tensile_cracks, HistoryColumn::shear_cracks}) history[mode].assign(9, 0);
+    EXPECT_EQ(film_rows(film_way(FilmSteps::cracks, history), 0, 8, 5), (std::vector<std::size_t>{0, 1, 2, 3, 8}));
+}
+
 class Film : public ::testing::Test {
 protected:
     void SetUp() override { test::write_run(path("run.h5"), recipe_); }
@@ -67,7 +79,9 @@ TEST_F(Film, ShowsCracksFromTheirTimeOn) {
 
 TEST_F(Film, ThePointMovesAlongTheCurveAndAllElseStays) {
     const RunReader run(path("run.h5"));
-    FilmPage page(run, {});
+    FilmContents contents;
+    contents.steps = FilmSteps::strain;
+    FilmPage page(run, contents);
     const std::vector<std::size_t> rows = page.rows(5);
     EXPECT_EQ(rows.front(), 0U);
     EXPECT_EQ(rows.back(), row_at(run, 1.25));

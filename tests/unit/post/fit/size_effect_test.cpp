@@ -78,8 +78,22 @@ TEST(SizeEffect, TableHasASeriesForEachTestWithTheZone) {
     EXPECT_EQ(test::field(table, "paper_exponent", 2), "");
     const std::string svg = to_svg(draw_size_effect(collect_sizes(runs, EnvelopeOptions{})));
     EXPECT_NE(svg.find("n = 0.39"), std::string::npos);
+    EXPECT_NE(svg.find("95 % interval of the mean"), std::string::npos);
     EXPECT_NE(svg.find("theory, n = 0.5"), std::string::npos);
     EXPECT_NE(svg.find("Kazerani &amp; Zhao (2014), n = 0.39"), std::string::npos);
+}
+
+// Of a line through (-1, 0.01), (0, -0.02), (1, 0.01) the deviation is √6 % with one degree of freedom; in its middle the mean
+// has a third of that variance, and Student's t is 12.706.
+TEST(SizeEffect, TheBandIsTheIntervalOfTheFit) {
+    const std::vector<double> sizes{1e-3 * std::exp(-1), 1e-3, 1e-3 * std::exp(1)};
+    const auto law = fit_power_law_log(sizes, {std::exp(0.01), std::exp(-0.02), std::exp(0.01)});
+    ASSERT_TRUE(law);
+    const Estimate middle = law->strength_at(1e-3);
+    EXPECT_NEAR(std::log(middle.value), 0, 1e-12);
+    EXPECT_NEAR(std::log(*middle.high), 12.706 * 0.01 * std::sqrt(2), 1e-5);
+    EXPECT_NEAR(std::log(*middle.low), -std::log(*middle.high), 1e-9);
+    EXPECT_NEAR(std::log(*law->strength_at(sizes[2]).high), 12.706 * 0.01 * std::sqrt(5), 1e-5);
 }
 
 TEST(SizeEffect, AnotherRockIsNotComparedWithThePapers) {

@@ -135,7 +135,11 @@ TEST_F(Plot, CountsNamePairsOfMineralsAndLeaveOutThoseWithoutCracks) {
         moment.all = moment.by_class[1];
         counts.moments.push_back(moment);
     }
-    const Drawing few = draw_counts(counts, data, "what a crack is");
+    const Drawing usual = draw_counts(counts, data, "what a crack is");
+    EXPECT_TRUE(says(usual, "\ntensile\nshear\nstress, right\n")) << usual.words();
+    EXPECT_FALSE(says(usual, "feldspar"));
+    const CountsOptions classes{.by_class = true};
+    const Drawing few = draw_counts(counts, data, "what a crack is", classes);
     EXPECT_TRUE(says(few, "K-feldspar–mica, tensile\n")) << few.words();
     EXPECT_FALSE(says(few, "shear"));
     EXPECT_FALSE(says(few, "quartz"));
@@ -146,7 +150,7 @@ TEST_F(Plot, CountsNamePairsOfMineralsAndLeaveOutThoseWithoutCracks) {
         for (std::size_t k = 0; k < 10; ++k) moment.by_class[k].shear = static_cast<double>(10 - k);
         moment.all.shear = 55;
     }
-    const Drawing many = draw_counts(counts, data, "what a crack is");
+    const Drawing many = draw_counts(counts, data, "what a crack is", classes);
     EXPECT_TRUE(says(many, "other pairs, shear\n"));
     EXPECT_FALSE(says(many, "mineral5"));
 }
@@ -154,12 +158,41 @@ TEST_F(Plot, CountsNamePairsOfMineralsAndLeaveOutThoseWithoutCracks) {
 TEST_F(Plot, TheLawOfTheMaterialHasACurveOfItsOwn) {
     LawPlotOptions options;
     options.own = "cohesive-frictional";
+    options.all = true;
     const Material material = read_material(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
     const ContactParameters contact = contact_parameters(material, PlaneCondition::strain, std::nullopt);
     const Drawing page = draw_laws(contact, "granite", options);
     EXPECT_EQ(lines_of(page, palette::ink, 4).size(), 4U);  // three charts and the legend
     EXPECT_TRUE(says(page, "cohesive-frictional (the material's own)\n"));
-    EXPECT_TRUE(says(draw_laws(contact, "granite", {}), "consistent (the material's own)\n"));
+    const Drawing own = draw_laws(contact, "granite", {});
+    EXPECT_TRUE(says(own, "consistent (the material's own)\n"));
+    EXPECT_FALSE(says(own, "coulomb-slip") || says(own, "law without a curve")) << own.words();
+}
+
+// Before the first crack they would cover the axis.
+TEST_F(Plot, CountsBesideACurveBeginWithTheFirstCrack) {
+    const RunData data = run();
+    const Drawing page = draw_curves({data}, {}, "what a crack is");
+    const std::vector<Polyline> frame = lines_of(page, palette::ink, 1.8);
+    ASSERT_EQ(frame.size(), 1U);
+    for (const Colour colour : {palette::tensile, palette::shear}) {
+        const std::vector<Polyline> lines = lines_of(page, colour);
+        ASSERT_FALSE(lines.empty());
+        const auto& points = lines.front().points;
+        const auto on_axis = [&](const Pixel& at) { return at.y > frame[0].points[0].y - 0.5; };
+        EXPECT_LE(std::count_if(points.begin(), points.end(), on_axis), 1);
+    }
+}
+
+TEST_F(Plot, FragmentsStandBetweenThePlatensWithTheStressOfTheFrame) {
+    const Drawing page = draw_fragments(RunReader(path("run.h5")), {"peak", std::nullopt, 1});
+    EXPECT_TRUE(says(page, "1 fragment\nthe largest has 100.0 % of the area\nstrain ")) << page.words();
+    EXPECT_TRUE(says(page, "stress 125.0 MPa (peak)")) << page.words();
+    const auto is_platen = [](const Drawing::Shape& shape) {
+        const auto* polygons = std::get_if<Polygons>(&shape);
+        return polygons != nullptr && polygons->fill == palette::platen;
+    };
+    EXPECT_TRUE(std::any_of(page.shapes().begin(), page.shapes().end(), is_platen));
 }
 
 TEST_F(Plot, MapsSideBySideHaveOneScaleBar) {
