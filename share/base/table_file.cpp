@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -17,7 +16,7 @@
 namespace graincrack {
 
 TableFile::TableFile(const std::string& path) : name_(path == "-" ? "stdin" : path) {
-    std::istringstream stream(path == "-" ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : text_of_file(path));
+    std::istringstream stream(path == "-" ? text_of_stream(std::cin, name_) : text_of_file(path));
     char separator = '\t';
     std::size_t line_number = 0;
     for (std::string line; std::getline(stream, line);) {

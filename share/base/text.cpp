@@ -1,12 +1,14 @@
 #include "share/base/text.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <map>
 
 #include "share/base/error.hpp"
 
@@ -84,15 +86,29 @@ std::string shortened(std::string_view text, std::size_t limit) {
     return std::string(text.substr(0, head)) + " … " + std::string(text.substr(tail));
 }
 
-std::string text_of_file(const std::string& file, const std::string& needed) {
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
+std::string text_of_stream(std::istream& stream, const std::string& name, std::size_t limit, const std::string& needed) {
     std::string text;
-    for (std::array<char, 4096> bytes{}; stream;) {
+    for (std::array<char, 4096> bytes{}; stream && text.size() <= limit;) {
         stream.read(bytes.data(), bytes.size());
         text.append(bytes.data(), static_cast<std::size_t>(stream.gcount()));
     }
-    if (!stream.eof()) throw InputError(fmt::format("{}: cannot be read: {}{}", file, std::strerror(errno), needed));
+    if (text.size() > limit) {
+        throw InputError(fmt::format("{}: has more than the {} MB that are read at most{}", name, limit >> 20U, needed));
+    }
+    if (!stream.eof()) throw InputError(fmt::format("{}: cannot be read: {}{}", name, std::strerror(errno), needed));
+    return text;
+}
+
+std::string text_of_file(const std::string& file, std::size_t limit, const std::string& needed) {
+    errno = 0;
+    struct stat status {};
+    const bool is_pipe = ::stat(file.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
+    static std::map<std::pair<dev_t, ino_t>, std::string> of_pipes;
+    const std::pair pipe(status.st_dev, status.st_ino);
+    if (is_pipe && of_pipes.contains(pipe)) return of_pipes[pipe];
+    std::ifstream stream(file, std::ios::binary);
+    std::string text = text_of_stream(stream, file, limit, needed);
+    if (is_pipe) of_pipes[pipe] = text;
     return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,8 +44,18 @@ std::string printable(std::string_view text);
 /// A text of at most about `limit` bytes: of a longer one its first two thirds of that and its end, between whole characters.
 std::string shortened(std::string_view text, std::size_t limit);
 
-/// The bytes of a file. \param needed end of the message, "; a TOML file is needed" \throws InputError if it cannot be read
-std::string text_of_file(const std::string& file, const std::string& needed = "");
+/// Most bytes of a text that is read: a table or a mesh, and a material, program or configuration.
+inline constexpr std::size_t longest_text = std::size_t{1} << 29U;
+inline constexpr std::size_t longest_toml = std::size_t{1} << 24U;
+
+/// The bytes of a stream. \param name of messages \param needed end of messages, "; a TOML file is needed"
+/// \throws InputError if it cannot be read, or has more bytes than `limit`
+std::string text_of_stream(std::istream& stream, const std::string& name, std::size_t limit = longest_text,
+                           const std::string& needed = "");
+/// The bytes of a file. What can be read only once, a named pipe, gives the same at each call. \throws InputError as above
+std::string text_of_file(const std::string& file, std::size_t limit = longest_text, const std::string& needed = "");
+/// The bytes of a TOML file. \throws InputError as above
+inline std::string text_of_toml(const std::string& file) { return text_of_file(file, longest_toml, "; a TOML file is needed"); }
 
 /// " (did you mean …?)" with the nearest of the known words, or nothing.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);

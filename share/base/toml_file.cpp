@@ -95,6 +95,6 @@ TomlFile parse_toml(const std::string& text, const std::string& name) {
     return out;
 }
 
-TomlFile read_toml(const std::string& file) { return parse_toml(text_of_file(file, "; a TOML file is needed"), file); }
+TomlFile read_toml(const std::string& file) { return parse_toml(text_of_toml(file), file); }
 
 }  // namespace graincrack

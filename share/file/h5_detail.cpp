@@ -14,6 +14,7 @@
 
 #include "share/base/error.hpp"
 #include "share/base/sha256.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::h5 {
 
@@ -165,7 +166,7 @@ std::size_t chunk_values(hid_t properties) {
     return product_of({extents.begin(), extents.end()});
 }
 
-bool has_signature(const std::vector<char>& bytes) {
+bool has_signature(std::span<const char> bytes) {
     static constexpr unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
     return bytes.size() >= sizeof signature && std::memcmp(bytes.data(), signature, sizeof signature) == 0;
 }
@@ -192,8 +193,8 @@ std::vector<char> read_stdin() {
 }
 
 // By the core driver, which keeps a copy of its own. (H5LTopen_file_image makes no copy, but leaks.)
-Handle open_image(const std::vector<char>& bytes, const std::string& name) {
-    if (bytes.empty()) throw InputError("stdin: empty: the program before wrote nothing; see its message");
+Handle open_image(std::span<const char> bytes, const std::string& name) {
+    if (bytes.empty()) throw InputError(name + ": empty: the program before wrote nothing; see its message");
     const Handle access = property_list(H5P_FILE_ACCESS);
     H5Pset_fapl_core(access.get(), 1 << 20, 0);
     H5Pset_file_image(access.get(), const_cast<char*>(bytes.data()),
@@ -208,6 +209,9 @@ Handle open_path(const std::string& path) {
     }
     if (S_ISDIR(status.st_mode)) throw InputError(fmt::format("{}: is a folder, an HDF5 file is needed", path));
     if (::access(path.c_str(), R_OK) != 0) throw InputError(fmt::format("{}: {}", path, std::strerror(errno)));
+    if (!S_ISREG(status.st_mode)) {
+        return open_image(text_of_file(path, longest_text, "; a file written by a Graincrack tool is needed"), path);
+    }
     if (status.st_size == 0) throw InputError(fmt::format("{}: empty file, a file written by a Graincrack tool is needed", path));
     return opened({H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose}, path, H5Fis_hdf5(path.c_str()) > 0);
 }

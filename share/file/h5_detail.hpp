@@ -125,7 +125,7 @@ std::string extents_text(const Extents& extents);
 std::vector<char> read_stdin();
 
 /// Opens a file image. \param name for messages \throws InputError if it is empty or cannot be opened
-Handle open_image(const std::vector<char>& bytes, const std::string& name);
+Handle open_image(std::span<const char> bytes, const std::string& name);
 /// Opens a file. \throws InputError if there is no such file, or it cannot be opened
 Handle open_path(const std::string& path);
 

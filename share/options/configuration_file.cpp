@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <set>
 
 #include "share/base/error.hpp"
@@ -75,11 +74,10 @@ std::string toml_line(const CLI::Option& option) {
 }  // namespace
 
 std::vector<CLI::ConfigItem> ConfigurationFile::from_config(std::istream& stream) const {
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
     const std::string name = app_.get_config_ptr()->results().front();
     TomlFile toml;
     try {
-        toml = parse_toml(text, name);
+        toml = parse_toml(text_of_stream(stream, name, longest_toml, "; a TOML file is needed"), name);
     } catch (const InputError& error) {
         throw UsageError(fmt::format("--config: {}", error.what()));
     }

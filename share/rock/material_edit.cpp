@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 RockKind read_kind(const fs::path& file) {
-    const std::string text = text_of_file(file.string());
+    const std::string text = text_of_toml(file.string());
     const std::size_t end = text.find('\n');
     if (!text.starts_with("# ") || end == std::string::npos || text.find("\nname = \"") == std::string::npos) {
         throw InputError(
@@ -197,7 +197,7 @@ std::string material_of_kind(const std::string& kind, const std::string& name) {
 
 std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings) {
     const std::string file = read_incomplete_material(name_or_file).material.file.string();
-    return with_settings(Edit(text_of_file(file), file), settings);
+    return with_settings(Edit(text_of_toml(file), file), settings);
 }
 
 std::string new_material(const std::string& kind, const std::string& name, const std::vector<MaterialSetting>& settings) {

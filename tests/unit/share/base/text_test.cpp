@@ -1,9 +1,14 @@
 #include "share/base/text.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <thread>
 
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
 namespace {
@@ -29,6 +34,17 @@ TEST(Text, KeysAndValues) {
 TEST(Text, TheNearestWordIsNotFar) {
     EXPECT_EQ(did_you_mean("confning-pressure", {"edge", "confining-pressure"}), " (did you mean confining-pressure?)");
     EXPECT_EQ(did_you_mean("colour", {"edge", "spread"}), "");
+}
+
+TEST(Text, APipeGivesItsBytesAtEachCallAndWhatHasNoEndIsRefused) {
+    const test::TemporaryFolder folder;
+    const std::string pipe = folder.file("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(pipe) << "a = 1\n"; });
+    EXPECT_EQ(text_of_file(pipe), "a = 1\n");
+    writer.join();
+    EXPECT_EQ(text_of_toml(pipe), "a = 1\n");
+    test::expect_one_line<InputError>([] { text_of_toml("/dev/zero"); }, {"/dev/zero", "16 MB", "a TOML file is needed"});
 }
 
 }  // namespace
