@@ -60,6 +60,26 @@ Handle creation_properties(const Extents& extents, std::size_t item_bytes, bool 
     return properties;
 }
 
+constexpr std::size_t longest_attribute = 60'000;  // bytes; the library's limit of 65,535 is with its name and type
+
+/// Where an attribute of an object stands that is too long for one.
+std::string place_of_long(const std::string& object, const std::string& attribute, bool is_group) {
+    return (object == "/" ? "" : object) + (is_group ? "/" : "_") + attribute;
+}
+
+/// Texts as rows of bytes of equal length.
+std::vector<std::uint8_t> rows_of_bytes(const std::vector<std::string>& texts, std::size_t width) {
+    std::vector<std::uint8_t> bytes(texts.size() * width, 0);
+    for (std::size_t i = 0; i < texts.size(); ++i) std::copy(texts[i].begin(), texts[i].end(), bytes.begin() + i * width);
+    return bytes;
+}
+
+std::size_t longest_of(const std::vector<std::string>& texts) {
+    std::size_t longest = 1;
+    for (const std::string& text : texts) longest = std::max(longest, text.size());
+    return longest;
+}
+
 }  // namespace
 
 std::string hdf5_version() {
@@ -134,7 +154,15 @@ bool H5Input::has(const std::string& path) const {
 }
 
 bool H5Input::has_attribute(const std::string& object, const std::string& attribute) const {
-    return has(object) && H5Aexists_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT) > 0;
+    return has(object) && (H5Aexists_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT) > 0 ||
+                           !long_attribute(object, attribute).empty());
+}
+
+std::string H5Input::long_attribute(const std::string& object, const std::string& attribute) const {
+    for (const bool is_group : {true, false}) {
+        if (std::string place = place_of_long(object, attribute, is_group); has(place)) return place;
+    }
+    return "";
 }
 
 namespace {
@@ -177,9 +205,32 @@ std::vector<T> H5Input::read(const std::string& dataset, const Extents& shape) c
 }
 
 template <class T>
+T H5Input::read_long(const std::string& dataset) const {
+    if constexpr (std::is_arithmetic_v<T>) {
+        throw InputError(fmt::format("{}: {} is a dataset, where a number is needed", state_->name, dataset));
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        const std::vector<std::uint8_t> bytes = read<std::uint8_t>(dataset);
+        return {bytes.begin(), bytes.end()};
+    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+        const std::vector<std::uint8_t> bytes = read<std::uint8_t>(dataset);
+        const Extents shape = extents(dataset);
+        T texts;
+        for (auto row = bytes.begin(); shape.size() == 2 && row != bytes.end(); row += static_cast<std::ptrdiff_t>(shape[1])) {
+            texts.emplace_back(row, std::find(row, row + static_cast<std::ptrdiff_t>(shape[1]), 0));
+        }
+        return texts;
+    } else {
+        return read<typename T::value_type>(dataset);
+    }
+}
+
+template <class T>
 T H5Input::attribute(const std::string& object, const std::string& attribute) const {
     if (!has_attribute(object, attribute)) {
         throw InputError(fmt::format("{}: attribute {} of {} is missing", state_->name, attribute, object));
+    }
+    if (H5Aexists_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT) <= 0) {
+        return read_long<T>(long_attribute(object, attribute));
     }
     const Handle id(H5Aopen_by_name(state_->file.get(), object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     if (id.valid()) require_readable_attribute(id.get(), state_->name, object, attribute);
@@ -343,7 +394,38 @@ template <class T>
 void H5Output::attribute(const std::string& object, const std::string& attribute, const T& value) {
     const Handle id(H5Oopen(state_->file.get(), object.c_str(), H5P_DEFAULT), H5Oclose);
     if (!id.valid()) throw std::logic_error("attribute " + attribute + ": no object " + object);
-    write_attribute(id.get(), attribute, value);
+    if constexpr (std::is_arithmetic_v<T>) {
+        write_attribute(id.get(), attribute, value);
+    } else {
+        const std::string place = place_of_long(object, attribute, H5Iget_type(id.get()) == H5I_GROUP);
+        if (!write_if_long(place, value)) {
+            write_attribute(id.get(), attribute, value);
+        } else if (H5Aexists(id.get(), attribute.c_str()) > 0) {
+            H5Adelete(id.get(), attribute.c_str());
+        }
+    }
+}
+
+template <class T>
+bool H5Output::write_if_long(const std::string& dataset, const T& value) {
+    constexpr bool is_text = std::is_same_v<T, std::string>;
+    constexpr bool is_texts = std::is_same_v<T, std::vector<std::string>>;
+    const std::size_t width = [&] {
+        if constexpr (is_texts) return longest_of(value);
+        return sizeof(typename T::value_type);
+    }();
+    if (value.size() * width <= longest_attribute) return false;
+    if (H5Lexists(state_->file.get(), dataset.c_str(), H5P_DEFAULT) > 0) remove(dataset);
+    constexpr std::string_view meaning = "too long for an attribute";
+    if constexpr (is_text) {
+        const std::vector<std::uint8_t> bytes(value.begin(), value.end());
+        write<std::uint8_t>(dataset, bytes, {bytes.size()}, "1", meaning);
+    } else if constexpr (is_texts) {
+        write<std::uint8_t>(dataset, rows_of_bytes(value, width), {value.size(), width}, "1", meaning);
+    } else {
+        write<typename T::value_type>(dataset, value, {value.size()}, "1", meaning);
+    }
+    return true;
 }
 
 void H5Output::quantity(const std::string& object, const std::string& name, double value, std::string_view unit) {

@@ -1,6 +1,9 @@
 // The only access to HDF5: reads and writes datasets and attributes through files and pipes. Files appear complete or not at all.
 //
-// Files use the library's default version bounds, no object times, chunk + shuffle + deflate 1 for large arrays.
+// Files use the library's default version bounds, no object times, chunk + shuffle + deflate 1 for large arrays. With these
+// bounds an attribute has less than 64 KiB. A text or list beyond that is a dataset: of a group, in it by the name of the
+// attribute; of a dataset, beside it, as "/contacts/class_names". Texts are bytes, a row each. Who reads or writes an attribute
+// does not see that.
 #pragma once
 
 #include <array>
@@ -81,6 +84,10 @@ public:
 private:
     H5Input();
     void require_kind(std::string_view kind);
+    /// The dataset that is an attribute too long for one; "" if there is none.
+    [[nodiscard]] std::string long_attribute(const std::string& object, const std::string& attribute) const;
+    template <class T>
+    [[nodiscard]] T read_long(const std::string& dataset) const;
     friend class H5Output;
     struct State;
     std::unique_ptr<State> state_;
@@ -133,6 +140,9 @@ public:
 private:
     struct State;
     void create_parents(const std::string& object);
+    /// Writes a dataset in place of an attribute that is too long for one. \return false for one that is not
+    template <class T>
+    bool write_if_long(const std::string& dataset, const T& value);
     /// \throws OutputError that says what is wrong
     void require(bool done, const std::string& wrong) const;
     void flush_file();

@@ -57,6 +57,18 @@ def _text(value):
     return value.item() if isinstance(value, np.generic) else value
 
 
+def _long_text(dataset: h5py.Dataset):
+    """A text, or a list of texts, that is too long for an attribute."""
+    rows = dataset[()]
+    return rows.tobytes().decode() if rows.ndim == 1 else [row.tobytes().rstrip(b"\0").decode() for row in rows]
+
+
+def _attributes(group: h5py.Group) -> dict:
+    """All attributes of a group, also those that are datasets for their length."""
+    long = {name: _long_text(item) for name, item in group.items() if isinstance(item, h5py.Dataset) and item.dtype == np.uint8}
+    return {name: _text(value) for name, value in group.attrs.items()} | long
+
+
 class Group(Mapping):
     """The datasets of an HDF5 group as arrays by name, each read when it is first asked for."""
 
@@ -85,7 +97,8 @@ class Group(Mapping):
 
     def names(self, name: str) -> list[str]:
         """The meanings of 0, 1, … in a dataset of codes, as "tensile" and "shear" of the cracks' mode."""
-        return _text(self._dataset(name).attrs["names"])
+        long = self._group.get(name + "_names")
+        return _text(self._dataset(name).attrs["names"]) if long is None else _long_text(long)
 
     def frame_of_pandas(self):
         """As a pandas DataFrame; a dataset of several columns becomes name_0, name_1 …"""
@@ -164,11 +177,11 @@ class Run:
     @property
     def attributes(self) -> dict:
         """All attributes of /run, without their units."""
-        return {name: _text(value) for name, value in self._file["run"].attrs.items() if not name.endswith("_unit")}
+        return {name: value for name, value in _attributes(self._file["run"]).items() if not name.endswith("_unit")}
 
     @property
     def provenance(self) -> dict:
-        return {name: _text(value) for name, value in self._file["provenance"].attrs.items()}
+        return _attributes(self._file["provenance"])
 
     @cached_property
     def specimen(self) -> Specimen:
@@ -293,8 +306,8 @@ def _open(path: str | Path) -> h5py.File:
 
 
 def _attribute(file: h5py.File, group: str, name: str):
-    attributes = file[group].attrs
+    attributes = _attributes(file[group])
     if name not in attributes:
         there = ", ".join(sorted(a for a in attributes if not a.endswith("_unit")))
         raise MissingError(f"{file.filename}: {group} has no {name!r}; there are {there}")
-    return _text(attributes[name])
+    return attributes[name]

@@ -109,11 +109,19 @@ Settings read_settings(TomlTable& table) {
     return settings;
 }
 
+/// Names of probes, stages and boundaries stand in every run file, stages once for each time that they come.
+void require_short_name(const TomlTable& table) {
+    constexpr std::size_t longest = 1000;
+    if (table.name().size() <= longest) return;
+    table.refuse("", fmt::format("has a name of more than {} bytes; give a shorter one", longest));
+}
+
 /// Calls `read(table)` with each table [group.NAME], if there is any.
 template <class Read>
 void for_each_table(TomlTable& file, const std::string& group, Read&& read) {
     if (auto tables = file.table(group)) {
         for (TomlTable& table : tables->tables()) {
+            require_short_name(table);
             read(table);
             table.refuse_others();
         }
@@ -219,6 +227,7 @@ void read_stages(TomlTable& file, Program& program) {
         if (!stages.table(name)) file.refuse("stages", fmt::format("there is no table [stage.{}]", name));
     }
     for (TomlTable& table : stages.tables()) {
+        require_short_name(table);
         if (std::find(program.order.begin(), program.order.end(), table.name()) == program.order.end()) {
             table.refuse("", "is in no place of stages; add it there, or remove it");
         }
@@ -340,7 +349,7 @@ Program parse_program(const std::string& text, const std::string& name) {
     return program;
 }
 
-Program read_program(const std::string& file) { return parse_program(text_of_file(file, "; a TOML file is needed"), file); }
+Program read_program(const std::string& file) { return parse_program(text_of_toml(file), file); }
 
 std::string program_text(const Program& program) {
     std::string text = lines(program);

@@ -50,7 +50,8 @@ void lay_out_program(const Shell& shell) {
     write("whole.toml", R"(["confine", "compress", "crush"])", confine + compress + crush);
     write("first.toml", R"(["confine", "compress"])", confine + compress);
     write("second.toml", R"(["crush"])", crush);
-    write("auto.toml", R"(["confine", "press"])", confine + press);
+    // More than an attribute of HDF5 can have.
+    write("auto.toml", R"(["confine", "press"])", confine + press + "# " + std::string(100'000, 'x') + "\n");
 }
 const std::string solve_program =
     "graincrack-solve program specimen.h5 --material augig-granite --quiet --save-state --frames 0 ";

@@ -83,6 +83,15 @@ class ReadsWhatTheToolsWrite(unittest.TestCase):
         self.assertAlmostEqual(area.sum(), 0.02 * 0.04, places=12)
         np.testing.assert_allclose(area, specimen.grains["area"], rtol=1e-9)
 
+    def test_what_is_too_long_for_an_attribute_is_a_dataset(self):
+        shutil.copy("run.h5", "long.h5")
+        with h5py.File("long.h5", "r+") as file:
+            file["provenance/configuration"] = np.frombuffer(b"a" * 70000, np.uint8)
+            file["provenance/command_line"] = np.frombuffer(b"ab\0cde", np.uint8).reshape(2, 3)
+            del file["provenance"].attrs["configuration"], file["provenance"].attrs["command_line"]
+        self.assertEqual(Run("long.h5").provenance["configuration"], "a" * 70000)
+        self.assertEqual(Run("long.h5").provenance["command_line"], ["ab", "cde"])
+
     def test_a_file_of_another_schema_is_refused(self):
         for change in (-1, 1):
             shutil.copy("end.h5", "other.h5")

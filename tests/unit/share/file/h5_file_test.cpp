@@ -109,6 +109,31 @@ TEST(H5File, AttributesOfEveryType) {
     expect_one_line<InputError>([&] { static_cast<void>(in.attribute<double>("/g", "reals")); }, {"reals", "type"});
 }
 
+TEST(H5File, AttributesAboveTheLimitOfTheLibraryAreDatasets) {
+    const TemporaryFolder folder;
+    const std::string text(100'000, 'a');
+    const std::vector<std::string> texts{"b", "", std::string(70'000, 'c')};
+    const std::vector<double> numbers(10'000, 0.5);
+    H5Output out(folder.file("a.h5"), "run");
+    out.create_group("/g");
+    write_column<std::int32_t>(out, "/g/codes", {1, 2});
+    for (const char* object : {"/", "/g", "/g/codes"}) {
+        out.attribute(object, "text", std::string("short"));
+        for (int twice = 0; twice < 2; ++twice) out.attribute(object, "text", text);
+        out.attribute(object, "texts", texts);
+        out.attribute(object, "numbers", numbers);
+    }
+    out.commit();
+    const H5Input in(folder.file("a.h5"));
+    for (const char* object : {"/", "/g", "/g/codes"}) {
+        EXPECT_EQ(in.attribute<std::string>(object, "text"), text);
+        EXPECT_EQ(in.attribute_or<std::vector<std::string>>(object, "texts", {}), texts);
+        EXPECT_EQ(in.attribute<std::vector<double>>(object, "numbers"), numbers);
+    }
+    EXPECT_EQ(in.extents("/g/codes_texts"), (Extents{3, 70'000}));
+    expect_one_line<InputError>([&] { static_cast<void>(in.attribute<double>("/g", "numbers")); }, {"a.h5", "/g/numbers"});
+}
+
 TEST(H5File, DatasetsHaveUnitAndDescription) {
     const TemporaryFolder folder;
     H5Output out(folder.file("a.h5"), "specimen");
