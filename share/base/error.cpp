@@ -36,12 +36,14 @@ void end_at_once(int /*alarm*/) {
     ::_exit(128 + caught_signal);
 }
 
-/// The second signal ends the tool at once; but for SIGHUP, which both the shell and the system send when a terminal is closed.
+/// The second signal ends the tool at once; but for SIGHUP, which both the shell and the system send when a terminal is closed,
+/// and for SIGXCPU, which comes every second.
 void remember_signal(int signal) {
-    if (caught_signal != 0 && signal != SIGHUP) {
+    if (caught_signal != 0 && signal != SIGHUP && signal != SIGXCPU) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
+    if (caught_signal != 0) return;
     caught_signal = signal;
     if (patience > 0) ::alarm(patience);
 }
@@ -57,10 +59,11 @@ int report(const std::string& tool, const std::string& message, ExitCode code) {
     return static_cast<int>(code);
 }
 
-/// Opens what the caller has closed of stdin, stdout and stderr, so that no other file takes its place; using it fails.
+/// Opens what the caller has closed of stdin, stdout and stderr, so that no other file takes its place; using the first two
+/// fails.
 void open_closed_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+        if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY));
     }
 }
 
@@ -75,6 +78,8 @@ void flush_stdout() {
 }
 
 }  // namespace
+
+void tell(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
 
 int run_tool(const std::string& tool, const std::function<int()>& body) {
     name_of_tool = tool.c_str();
@@ -100,8 +105,7 @@ int run_tool(const std::string& tool, const std::function<int()>& body) {
 void catch_stop_signals(unsigned patience_) {
     patience = patience_;
     std::signal(SIGALRM, end_at_once);
-    std::signal(SIGINT, remember_signal);
-    std::signal(SIGTERM, remember_signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGXCPU, SIGUSR2}) std::signal(signal, remember_signal);
     if (std::signal(SIGHUP, remember_signal) == SIG_IGN) {
         std::signal(SIGHUP, SIG_IGN);  // of nohup
     }

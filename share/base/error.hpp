@@ -49,10 +49,14 @@ private:
     int signal_;
 };
 
+/// Prints a text on stderr. What cannot be written there, as on a full disk, is lost and does not end the work.
+void tell(const std::string& text);
+
 /// Runs the body of a tool's main and turns what it throws into one line on stderr, `tool: message`, and an exit code.
 int run_tool(const std::string& tool, const std::function<int()>& body);
 
-/// Catches SIGINT, SIGTERM and SIGHUP from here on, so that work ends at the next safe point.
+/// Catches SIGINT, SIGTERM, SIGHUP, and SIGXCPU and SIGUSR2, by which schedulers warn, from here on, so that work ends at the
+/// next safe point.
 /// \param patience s after which the tool ends wherever it is, without what `hold_output` names; 0: it is waited for
 void catch_stop_signals(unsigned patience = 0);
 /// Names the output whose unfinished file and lock, PATH.part and PATH.lock, are removed where a tool ends at once; "" for none.

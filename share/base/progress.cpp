@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "share/base/error.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -47,17 +49,17 @@ void Progress::update(double share, const std::string& detail) {
     if (terminal_) {
         const auto filled = static_cast<std::size_t>(share * bar_width);
         const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
-        fmt::print(stderr, "\r\033[K{} [{}] {:3.0f} %, {}, at most {} left", label_, bar, 100 * share, detail, left);
+        tell(fmt::format("\r\033[K{} [{}] {:3.0f} %, {}, at most {} left", label_, bar, 100 * share, detail, left));
         std::fflush(stderr);
         open_ = true;
     } else {
-        fmt::print(stderr, "{}: {:.0f} %, {}, at most {} left\n", label_, 100 * share, detail, left);
+        tell(fmt::format("{}: {:.0f} %, {}, at most {} left\n", label_, 100 * share, detail, left));
     }
 }
 
 void Progress::finish() {
     if (open_) {
-        fmt::print(stderr, "\r\033[K");
+        tell("\r\033[K");
         std::fflush(stderr);
         open_ = false;
     }

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -61,6 +60,16 @@ void require_free_name(const std::string& output) {
     }
 }
 
+/// \throws OutputError where the system has no room for a name with an ending
+void require_short_name(const std::string& name, const fs::path& path, std::string_view ending) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    const long room = ::pathconf(folder.c_str(), _PC_NAME_MAX) - static_cast<long>(ending.size());
+    const std::size_t length = path.filename().string().size();
+    if (room > 0 && static_cast<long>(length) > room) {
+        throw OutputError(fmt::format("{}: its name has {} bytes; {} fit, and {} behind it", name, length, room, ending));
+    }
+}
+
 /// Whether an open file is the one that has a path now: the program that held it before may have removed it.
 bool is_at(const std::string& path, int file) {
     struct stat own {};
@@ -75,6 +84,7 @@ OutputLock::OutputLock(const std::string& output) : path_(output + ".lock") {
     do {
         if (file_ >= 0) ::close(file_);
         file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+        if (file_ < 0 && errno == ELOOP) throw OutputError(path_ + ": is a symbolic link, and no lock of ours; remove it");
         if (file_ < 0) return;
         if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
             const bool is_held = errno == EWOULDBLOCK;
@@ -99,7 +109,7 @@ bool is_stream(const std::string& output) {
     return !target || is_stream_type(type_of(*target));
 }
 
-OutputFile::OutputFile(const std::string& output) : name_(output == "-" ? "stdout" : output) {
+OutputFile::OutputFile(const std::string& output, std::string_view ending) : name_(output == "-" ? "stdout" : output) {
     if (graincrack::is_stream(output)) {
         open_stream(output);
         return;
@@ -113,6 +123,8 @@ OutputFile::OutputFile(const std::string& output) : name_(output == "-" ? "stdou
     }
     path_ = target.string();
     part_ = path_ + ".part";
+    require_short_name(name_, target, ending);
+    take_mode();
     lock_ = std::make_unique<OutputLock>(path_);
     hold_output(path_);
 }
@@ -122,6 +134,16 @@ std::unique_ptr<OutputFile> OutputFile::covered(const std::string& path) {
     file->name_ = file->path_ = path;
     file->part_ = path + ".part";
     return file;
+}
+
+void OutputFile::take_mode() {
+    struct stat status {};
+    if (::stat(path_.c_str(), &status) != 0) return;
+    mode_ = status.st_mode & 07777U;
+    const bool is_protected = (*mode_ & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;  // which root may write nevertheless
+    if (is_protected || ::access(path_.c_str(), W_OK) != 0) {
+        throw OutputError(name_ + ": is write-protected; give another name, or allow writing it (chmod u+w)");
+    }
 }
 
 OutputFile::~OutputFile() {
@@ -149,7 +171,7 @@ std::string OutputFile::replaced() const {
 
 const std::string& OutputFile::begin() {
     remove_file(part_);  // of a program that was killed
-    file_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    file_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode_ ? *mode_ | S_IRUSR | S_IWUSR : 0666);
     if (file_ < 0) refuse(name_, errno);
     return part_;
 }
@@ -167,6 +189,7 @@ void OutputFile::write(std::string_view bytes) {
 
 void OutputFile::commit() {
     if (is_stream()) return;
+    if (mode_) ::fchmod(file_, *mode_);  // a file system without modes keeps none
     if (::fsync(file_) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) refuse(name_, errno);
     ::close(std::exchange(file_, -1));
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,7 +17,7 @@ bool is_stream(const std::string& output);
 /// left of its file does not matter. Where the file cannot be made or locked, as on a file system without locks, there is none.
 class OutputLock {
 public:
-    /// \throws OutputError if another program holds it
+    /// \throws OutputError if another program holds it, or its name is that of a symbolic link
     explicit OutputLock(const std::string& output);
     ~OutputLock();
     OutputLock(const OutputLock&) = delete;
@@ -31,9 +32,10 @@ private:
 /// nothing is left. Its lock keeps other programs away. A symbolic link to a file stays, and the file it leads to is written.
 class OutputFile {
 public:
-    /// Takes the lock, and changes nothing yet. \throws UsageError for a block device, and for the names of unfinished files
-    /// (.part, .lock, .checkpoint); OutputError for a folder, without a folder, or if another program writes the output
-    explicit OutputFile(const std::string& output);
+    /// Takes the lock, and changes nothing yet. \param ending the longest behind its name of what is written beside it
+    /// \throws UsageError for a block device, and for the names of unfinished files (.part, .lock, .checkpoint); OutputError for
+    /// a folder, without a folder, for a name that is too long, for a file that nobody may write, or if another program writes it
+    explicit OutputFile(const std::string& output, std::string_view ending = ".part");
     /// A file at `path` that belongs to another output, whose lock covers it.
     static std::unique_ptr<OutputFile> covered(const std::string& path);
     ~OutputFile();
@@ -56,13 +58,15 @@ public:
 
 private:
     OutputFile() = default;
+    void take_mode();
     void open_stream(const std::string& path);
 
     std::string name_;
     std::string path_;  ///< of the file; "" for a stream
     std::string part_;
     std::unique_ptr<OutputLock> lock_;
-    int file_ = -1;  ///< the stream, or the unfinished file
+    std::optional<unsigned> mode_ = {};  ///< of the file that is replaced
+    int file_ = -1;                      ///< the stream, or the unfinished file
 };
 
 /// Checks what an output of another kind would replace. \throws UsageError for an HDF5 file

@@ -40,7 +40,7 @@ std::unique_ptr<RunWriter> open_writer(const Run& run, const std::string& output
     std::unique_ptr<RunWriter> writer;
     bool is_stream = false;
     run.request.ranks->on_first([&] {
-        auto place = std::make_unique<OutputFile>(output);
+        auto place = std::make_unique<OutputFile>(output, ".checkpoint.part");
         is_stream = place->is_stream();
         if (!is_stream) clear_checkpoint_name(checkpoint_of(output), run.request.restart, run.request.discard_checkpoint);
         writer = std::make_unique<RunWriter>(H5Output(std::move(place), "run"), run.specimen, run.header);
