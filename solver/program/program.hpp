@@ -69,8 +69,6 @@ struct ProgramPlatens {
 /// Relative load increase per wave transit up to which it is quasi-static while there is damage.
 /// \see share/doc/loading.md
 inline constexpr double default_rate_tolerance = 3e-3;
-/// The same for tests that end by one open crack (direct tension, discs): it runs on at a speed of its own while the load rises.
-inline constexpr double tensile_rate_tolerance = 1.5e-3;
 /// Unbalanced ratio that counts as rest. Between blocks of 1.5e-4 of strain it falls below within some wave transits.
 inline constexpr double default_rest_tolerance = 1e-4;
 

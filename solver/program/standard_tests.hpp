@@ -39,7 +39,7 @@ struct LoadingRequest {
     std::optional<double> span;          ///< bend: distance of the lower rollers, m; missing: `usual_span`
     std::optional<double> roller_width;  ///< bend: m; missing: the mean boundary edge
     [[nodiscard]] double automatic_tolerance() const {
-        return rate_tolerance.value_or(description_of(test).is_tensile() ? tensile_rate_tolerance : default_rate_tolerance);
+        return rate_tolerance.value_or(description_of(test).rate_tolerance);
     }
     /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
     [[nodiscard]] double control_tolerance() const {

@@ -44,10 +44,16 @@ TEST(Bend, UsualSpans) {
     EXPECT_NEAR(bent(half_disc, {}).span(), 0.06, 1e-12);  // 0.6 diameters
 }
 
-TEST(Bend, IsLoadedAsTensileTestsAre) {
-    LoadingRequest request;
-    request.test = TestKind::bend;
-    EXPECT_EQ(request.automatic_tolerance(), tensile_rate_tolerance);
+TEST(Bend, IsLoadedMoreSlowlyThanCompressionAndDirectTensionMostSlowly) {
+    const auto tolerance = [](TestKind test) {
+        LoadingRequest request;
+        request.test = test;
+        return request.automatic_tolerance();
+    };
+    EXPECT_EQ(tolerance(TestKind::uniaxial), default_rate_tolerance);
+    EXPECT_LT(tolerance(TestKind::bend), default_rate_tolerance);
+    EXPECT_LT(tolerance(TestKind::brazilian), tolerance(TestKind::bend));
+    EXPECT_LT(tolerance(TestKind::tension), tolerance(TestKind::brazilian));
 }
 
 TEST(Bend, RollersWithoutRoomAreRefused) {
@@ -64,7 +70,7 @@ TEST(Bend, RollersWithoutRoomAreRefused) {
     EXPECT_EQ(refused(beam(), 0.008),
               "--span: rollers 5 mm wide at a distance of 8 mm leave no room between them; at least 10 mm fits");
     EXPECT_EQ(refused(beam(), 0.06, 0.04),
-              "--span: rollers at a distance of 60 mm have no room on a beam of 90 mm; give at most 50 mm");
+              "--roller-width: three rollers 40 mm wide have no room on a beam of 90 mm; at most 30 mm fits");
     EXPECT_EQ(refused(beam(), 0.04, 0.03),
               "--roller-width: rollers 30 mm wide at a distance of 40 mm leave no room between them; at most 20 mm fits");
     Specimen low = test::union_jack_grid(8, 8, 0.04, 0.04);
