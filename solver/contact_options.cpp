@@ -49,12 +49,18 @@ void require_use(const std::string& option, LawVariant law, const Condition& use
                                  name_of(law), laws_that(uses)));
 }
 
+/// That its option and its key may have, J/m².
+double largest_fracture_energy() {
+    const auto& rows = all_contact_parameters();
+    return std::find_if(rows.begin(), rows.end(), is_fracture_energy)->quantity.upper;
+}
+
 void require_energy(const char* option, double value, double least, LawVariant law) {
-    if (!(value >= least)) {
-        throw UsageError(fmt::format("{}: {} is less than a contact of the law {} absorbs up to its peak; give at least {} J/m2",
-                                     option, format_quantity(value, Dimension::fracture_energy), name_of(law),
-                                     format_number(least, 4)));
-    }
+    if (value >= least) return;
+    const std::string right = least > largest_fracture_energy() ? "a stiffer contact, or one of less strength"
+                                                                : fmt::format("at least {} J/m2", format_number(least, 4));
+    throw UsageError(fmt::format("{}: {} is less than a contact of the law {} absorbs up to its peak; give {}", option,
+                                 format_quantity(value, Dimension::fracture_energy), name_of(law), right));
 }
 
 /// The law of a name. \throws UsageError, naming `where`

@@ -12,11 +12,14 @@
 #include <numbers>
 
 #include "share/base/error.hpp"
+#include "share/base/sha256.hpp"
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "solver/program/program_file.hpp"
 #include "solver/program/standard_tests.hpp"
+#include "solver/ranks/alike.hpp"
 #include "solver/restart/checkpoint.hpp"
 #include "solver/run/plan.hpp"
 #include "solver/run/simulation.hpp"
@@ -76,55 +79,60 @@ std::string strength_of(const SimulationSummary& s, double width) {
 /// Error of the energy balance over the largest stored energy up to which a run is beyond doubt.
 constexpr double trusted_residual = 0.005;
 
-void print_summary(const SimulationSummary& s, double width) {
+/// The result, what tells whether to trust it, and where it is; then what is wrong.
+void print_summary(const SimulationSummary& s, const Specimen& specimen, const std::string& output) {
     const RunHeader& h = s.header;
-    const std::string strength = strength_of(s, width);
-    const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
-    fmt::print(stderr, "{}: ended by {} after {} steps of {:.3g} s{}; {}contacts that failed: {} open, {} closed\n", h.test,
-               h.stop_reason, h.steps, h.time_step, scaling, strength, s.tensile_cracks, s.shear_cracks);
-    fmt::print(stderr,
-               "{}: energy balance error {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping absorbed {:.1f} "
-               "% of the work and carried {:.2f} % of the load before the peak\n",
-               h.test, h.energy_balance_error, 100 * h.platen_force_difference, 100 * h.damping_share, 100 * h.damping_load);
-    fmt::print(stderr, "{}: {:.1f} s, {:.1f} ns per grain and step\n", h.test, s.wall_time, s.ns_per_grain_step);
+    tell(fmt::format("{}: ended by {}; {}cracks: {} tensile, {} shear\n", h.test, h.stop_reason, strength_of(s, specimen.width),
+                     std::ceil(s.cracks.tensile), std::ceil(s.cracks.shear)));
+    tell(
+        fmt::format("{}: energy balance error {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping carried "
+                    "{:.2f} % of the load before the peak\n",
+                    h.test, h.energy_balance_error, 100 * h.platen_force_difference, 100 * h.damping_load));
+    if (output != "-") tell(fmt::format("{}: written to {} after {:.1f} s\n", h.test, output, s.wall_time));
+    const std::string few = h.loading() == Loading::program ? "" : note_on_few_crystals(specimen);
+    if (!few.empty()) tell(fmt::format("{}: warning: {}\n", h.test, few));
     if (h.damping_load > trusted_damping_load) {
-        fmt::print(
-            stderr,
+        tell(fmt::format(
             "{}: warning: damping carries {:.1f} % of the load before the peak, more than {:.0f} %; the strength is too high by "
             "that fraction, where grains slide by several times as much: use a smaller --rate-tolerance, a slower --rate "
             "or --damping-form combined\n",
-            h.test, 100 * h.damping_load, 100 * trusted_damping_load);
+            h.test, 100 * h.damping_load, 100 * trusted_damping_load));
     }
-    if (!s.equilibrium_warning.empty()) fmt::print(stderr, "{}: warning: {}\n", h.test, s.equilibrium_warning);
+    if (!s.equilibrium_warning.empty()) tell(fmt::format("{}: warning: {}\n", h.test, s.equilibrium_warning));
     if (h.energy_balance_error > trusted_residual) {
-        fmt::print(stderr,
-                   "{}: warning: the error of the energy balance is {:.1f} % of the stored energy, more than {:.1f} %: do not "
-                   "rely on results after that time (`history`, energy_balance_error), or use another --contact-law, "
-                   "--mass-scaling none or a slower "
-                   "--rate\n",
-                   h.test, 100 * h.energy_balance_error, 100 * trusted_residual);
+        tell(fmt::format(
+            "{}: warning: the error of the energy balance is {:.1f} % of the stored energy, more than {:.1f} %: do not "
+            "rely on results after that time (`history`, energy_balance_error), or use another --contact-law, "
+            "--mass-scaling none or a slower --rate\n",
+            h.test, 100 * h.energy_balance_error, 100 * trusted_residual));
     }
+}
+
+void print_details(const SimulationSummary& s) {
+    const RunHeader& h = s.header;
+    const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
+    tell(fmt::format("{}: {} steps of {:.3g} s{}, {:.1f} ns per grain and step; damping absorbed {:.1f} % of the work\n", h.test,
+                     h.steps, h.time_step, scaling, s.ns_per_grain_step, 100 * h.damping_share));
 }
 
 /// The messages between the ranks of a run.
 void print_ranks(const SimulationSummary& s) {
     const RankSummary& r = s.ranks;
-    fmt::print(
-        stderr,
+    tell(fmt::format(
         "{}: {} ranks: {} ghost nodes of {} at most, {} {}, {:.1f} kB and {:.1f} messages a step and rank, {:.1f} % of the time "
         "waited\n",
         s.header.test, r.ranks, r.ghost_nodes, r.own_nodes, r.neighbours, r.neighbours == 1 ? "neighbour" : "neighbours",
-        r.bytes_a_step * 1e-3, r.messages_a_step, 100 * r.waited);
+        r.bytes_a_step * 1e-3, r.messages_a_step, 100 * r.waited));
 }
 
 /// Says so where the fracture energy in sliding leaves no softening.
 void print_sudden_loss(const SimulationRequest& request) {
     const ContactLaw law = make_contact_law(request.contact, request.law);
     if (description_of(law.variant).reads(&ContactParameters::mode_ii_fracture_energy) && !law.softens_in_shear) {
-        fmt::print(stderr,
-                   "{}: note: G_II, {:.4g} J/m2, does not exceed the {:.4g} J/m2 that a closed contact absorbs up to its peak: "
-                   "its cohesion is lost at once\n",
-                   name_of(request.loading.test), law.g2, contact_law::energy_to_sliding_peak(law));
+        tell(fmt::format(
+            "{}: note: G_II, {:.4g} J/m2, does not exceed the {:.4g} J/m2 that a closed contact absorbs up to its peak: "
+            "its cohesion is lost at once\n",
+            name_of(request.loading.test), law.g2, contact_law::energy_to_sliding_peak(law)));
     }
 }
 
@@ -164,16 +172,50 @@ H5Input open_specimen(const std::string& path, const Ranks& ranks) {
     return H5Input::from_image(ranks.concatenate(image), "stdin", "specimen");
 }
 
+std::string content(const std::string& digest) { return "content " + digest.substr(0, 12); }
+
+/// What decides the course of a run, but for the specimen. Threads and vector units do not.
+Facts facts_of(const std::optional<SolveOptions>& options) {
+    if (!options) return {{"--help, --version or --print-config", "given"}};
+    const SimulationRequest& request = options->request;
+    Facts facts =
+        facts_of_configuration(options->configuration, {"specimen", "material", "program", "restart", "threads", "vector"});
+    Sha256 material;
+    material.add(request.material.name + request.material.law);
+    for (const auto& [key, value] : read_incomplete_material(request.material.file.string()).values) {
+        material.add(fmt::format("{} {}", key, value));
+    }
+    facts.emplace_back("--material " + request.material.name, content(material.hex()));
+    facts.emplace_back("--program", request.program ? content(sha256_of(request.program->text)) : "");
+    facts.emplace_back("--restart", request.restart.empty() ? "" : content(H5Input(request.restart).digest()));
+    facts.emplace_back("the specimen", options->specimen == "-" ? "stdin" : "a file");
+    facts.emplace_back("the version of the program", project_version() + " " + project_commit());
+    return facts;
+}
+
 int solve(int argc, char** argv, const Ranks& ranks) {
-    auto options = read_solve_options(argc, argv);
+    std::optional<SolveOptions> options;
+    prepare_alike(ranks, [&] {
+        options = read_solve_options(argc, argv);
+        return ranks.is_alone() ? Facts{} : facts_of(options);
+    });
     if (!options) return 0;
     options->request.ranks = &ranks;
+    const bool is_verbose = options->verbosity == Verbosity::verbose;
     if (options->verbosity != Verbosity::quiet) write_notes(std::cerr, "graincrack-solve", options->request.material);
     catch_stop_signals();
     catch_checkpoint_signal();
-    const H5Input input = open_specimen(options->specimen, ranks);
-    const Specimen specimen = read_specimen(input);
-    require_shape(options->request.loading.test, specimen, input.name());
+    std::optional<H5Input> opened;
+    Specimen specimen;
+    std::string digest;
+    prepare_alike(ranks, [&]() -> Facts {
+        opened = open_specimen(options->specimen, ranks);
+        specimen = read_specimen(*opened);
+        require_shape(options->request.loading.test, specimen, opened->name());
+        digest = opened->digest();
+        return {{"the specimen", content(digest)}};
+    });
+    const H5Input& input = *opened;
     if (options->print_program) {
         print_program(*options, specimen);
         return 0;
@@ -186,11 +228,12 @@ int solve(int argc, char** argv, const Ranks& ranks) {
     provenance.tool = "graincrack-solve";
     provenance.command_line.assign(argv, argv + argc);
     provenance.configuration = options->configuration;
-    provenance.input_digest = input.digest();
+    provenance.input_digest = digest;
     provenance.specimen_configuration = configuration_of(input);
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
-    if (options->verbosity != Verbosity::quiet) {
-        print_summary(summary, specimen.width);
+    if (options->verbosity != Verbosity::quiet) print_summary(summary, specimen, options->output);
+    if (is_verbose) {
+        print_details(summary);
         print_sudden_loss(options->request);
         if (!ranks.is_alone()) print_ranks(summary);
     }

@@ -54,7 +54,7 @@ void read_rate(const std::string& text, LoadingRequest& loading) {
     loading.platen_speed = parse_quantity(text, quantity::platen_speed, "--rate");
 }
 
-void add_rate_options(OptionSet command, LoadingRequest& loading, RawOptions& raw) {
+void add_rate_options(OptionSet command, LoadingRequest& loading, RawOptions& raw, const TestDescription& test) {
     add_value(
         command, "--rate", [&loading](const std::string& text) { read_rate(text, loading); },
         "speed of each platen; auto: as fast as quasi-static equilibrium allows; blocks: loading and equilibration alternate",
@@ -62,9 +62,9 @@ void add_rate_options(OptionSet command, LoadingRequest& loading, RawOptions& ra
     add_quantity(
         command.usual(), "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
         fmt::format(
-            "tolerance of quasi-static loading: relative load increase per wave transit (auto; default {}, in Brazilian "
-            "tests, direct tension and bending {}), or unbalanced-force ratio regarded as equilibrium (blocks; default {})",
-            default_rate_tolerance, tensile_rate_tolerance, default_rest_tolerance));
+            "tolerance of quasi-static loading: relative load increase per wave transit (auto; default {}), or unbalanced-force "
+            "ratio regarded as equilibrium (blocks; default {})",
+            test.rate_tolerance, default_rest_tolerance));
     add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed,
                  "speed of each platen in a block; default 5mm/s");
     add_quantity(command, "--rate-share", raw.rate_share, quantity::rate_share,
@@ -158,7 +158,7 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  rolls ? "friction angle between rock and rollers; default: 0, since they roll"
                        : "friction angle between rock and platens; default: the material's");
-    add_rate_options(command, loading, raw);
+    add_rate_options(command, loading, raw, test);
     add_quantity_or(command, "--peak-drop", request.peak_drop, quantity::peak_drop, "none", 0,
                     "fall of the stress that ends the test, as a fraction of the peak; none: continue to --max-strain", "0.3");
     add_quantity(command.usual(), "--max-strain", loading.max_strain, quantity::max_strain,
@@ -314,8 +314,9 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(*raw.walltime);
         options.request.stops_after = [end](std::size_t /*rows*/) { return std::chrono::steady_clock::now() >= end; };
     }
-    if (options.request.sensitivity && !options.request.restart.empty()) {
-        throw UsageError("--sensitivity: repeats the test from its start, --restart does not begin there; leave out one of them");
+    if (options.request.sensitivity && !options.request.restart.empty() && !is_checkpoint(RunReader(options.request.restart))) {
+        throw UsageError(
+            "--sensitivity: repeats the test from its start, and --restart is no checkpoint of it; leave out one of them");
     }
     if (program.is_called()) complete_program(options.request, raw);
     complete_mass_scaling(options.request, raw);

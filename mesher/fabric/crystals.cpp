@@ -1,23 +1,11 @@
 #include "mesher/fabric/crystals.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "share/base/units.hpp"
-
 namespace graincrack::mesher {
-
-namespace {
-
-constexpr int fewest_across = 10;  ///< crystals across a specimen whose strength is the material's
-
-}  // namespace
 
 std::vector<std::array<int, 2>> crystals_of_contacts(const Specimen& specimen, std::span<const int> crystal_of_grain) {
     const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
@@ -50,34 +38,6 @@ void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain) {
         specimen.contact_kind[c] = static_cast<std::uint8_t>(ContactKind::within_crystal);
         specimen.contact_flaw[c] = number[specimen.grain_phase[a]];
     }
-}
-
-std::size_t number_of_crystals(const Specimen& specimen) {
-    const std::vector<std::int32_t>& crystals = specimen.grain_crystal;
-    if (crystals.empty()) return specimen.n_grains();
-    return static_cast<std::size_t>(*std::max_element(crystals.begin(), crystals.end())) + 1;
-}
-
-double mean_crystal_diameter(const Specimen& specimen) {
-    std::vector<double> areas(number_of_crystals(specimen), 0);
-    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
-        const std::size_t crystal = specimen.grain_crystal.empty() ? g : static_cast<std::size_t>(specimen.grain_crystal[g]);
-        areas[crystal] += specimen.grain_area[g];
-    }
-    double diameter = 0;
-    for (const double area : areas) diameter += std::sqrt(4 * area / std::numbers::pi) / static_cast<double>(areas.size());
-    return diameter;
-}
-
-std::string note_on_few_crystals(const Specimen& specimen) {
-    const double diameter = mean_crystal_diameter(specimen);
-    const double extent = std::min(specimen.width, specimen.height);
-    if (extent >= fewest_across * diameter) return "";
-    const char* kind = specimen.tessellation == "delaunay" ? "grains" : "crystals";
-    return fmt::format(
-        "{:.2g} {} of the mean diameter across the smaller extent of {}: with fewer than {} a strength depends on "
-        "single {} and is no material's",
-        extent / diameter, kind, format_length(extent), fewest_across, kind);
 }
 
 }  // namespace graincrack::mesher

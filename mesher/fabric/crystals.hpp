@@ -19,14 +19,4 @@ std::vector<std::array<int, 2>> crystals_of_contacts(const Specimen& specimen, s
 /// their class and kind. The specimen has its phases.
 void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain);
 
-/// The number of crystals: of grains where each is one.
-std::size_t number_of_crystals(const Specimen& specimen);
-
-/// Mean equal-area diameter of crystals, m.
-double mean_crystal_diameter(const Specimen& specimen);
-
-/// What to say of a specimen with fewer than ten crystals of the mean equal-area diameter across its smaller extent; "" of
-/// others. Its strengths depend on single crystals.
-std::string note_on_few_crystals(const Specimen& specimen);
-
 }  // namespace graincrack::mesher

@@ -1,4 +1,4 @@
-// Definitions of a micro-crack, and of its mode; counts of micro-cracks by mode.
+// Definitions of a micro-crack in words, and the cracks and counts of a run by them.
 #pragma once
 
 #include <array>
@@ -12,16 +12,6 @@
 
 namespace graincrack {
 
-/// The criterion for the mode of a micro-crack.
-enum class CrackModeRule {
-    traction,  ///< tensile if the point was open at failure, with a mode angle below 45°: |τ| < σn
-    sign       ///< tensile if the point was open at the event that makes it a micro-crack
-};
-struct CrackLabel {
-    CrackEvent event = CrackEvent::failed;
-    CrackModeRule mode = CrackModeRule::traction;
-    friend bool operator==(const CrackLabel&, const CrackLabel&) = default;
-};
 /// A label for any run: without an event, each run has that of its contact law.
 struct CrackLabelChoice {
     std::optional<CrackEvent> event = {};
@@ -40,30 +30,8 @@ constexpr std::array<CrackLabel, 4> table_labels(CrackEvent event) {
 /// The definition in words, for legends: "cracks: points past their peak; tensile: open, |τ| < σn at the peak".
 std::string definition_of(const CrackLabel& label);
 
-/// Mode of a row of the crack log; empty if the event of the label has not happened.
-std::optional<CrackMode> mode_of(const Crack& crack, const CrackLabel& label);
-
-/// The rows of a crack log that are micro-cracks by a label, in their order, with time, opening, sliding and mode of its event.
-/// Everything else is as in the log.
-std::vector<Crack> labelled(const std::vector<Crack>& log, const CrackLabel& label);
-
 /// The crack log of a run by a label. \throws InputError as `read_cracks`
 std::vector<Crack> read_labelled_cracks(const RunReader& run, const Specimen& specimen, const CrackLabelChoice& label = {});
-
-/// Contacts (points ÷ 2) with tensile and with shear cracks.
-struct ModeCounts {
-    double tensile = 0;
-    double shear = 0;
-    void add(const Crack& crack) { (crack.mode == CrackMode::tensile ? tensile : shear) += 0.5; }
-    ModeCounts& operator+=(const ModeCounts& other) {
-        tensile += other.tensile;
-        shear += other.shear;
-        return *this;
-    }
-};
-
-/// Cracks of a log by a label, up to a time (s).
-ModeCounts count_modes(const std::vector<Crack>& log, const CrackLabel& label, double time);
 
 /// Counts by the `table_labels` but the first, whose counts are columns of their own.
 using OtherCounts = std::array<ModeCounts, 3>;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <type_traits>
 
@@ -58,7 +59,46 @@ void require_below(const H5Input& file, const schema::Dataset& dataset, const st
                 [limit](T value) { return value >= 0 && static_cast<std::size_t>(value) < limit; });
 }
 
+CrackMoment moment_of(const Crack& crack, CrackEvent event) {
+    switch (event) {
+        case CrackEvent::failed: return {crack.time, crack.opening, crack.sliding};
+        case CrackEvent::half_damaged: return crack.damaged_50;
+        default: return crack.broken;
+    }
+}
+
 }  // namespace
+
+std::optional<CrackMode> mode_of(const Crack& crack, const CrackLabel& label) {
+    const CrackMoment moment = moment_of(crack, label.event);
+    if (std::isnan(moment.time)) return std::nullopt;
+    const bool tensile =
+        label.mode == CrackModeRule::sign ? moment.opening >= 0 : crack.opening >= 0 && crack.mode_angle < std::numbers::pi / 4;
+    return tensile ? CrackMode::tensile : CrackMode::shear;
+}
+
+std::vector<Crack> labelled(const std::vector<Crack>& log, const CrackLabel& label) {
+    std::vector<Crack> found;
+    for (Crack crack : log) {
+        const std::optional<CrackMode> mode = mode_of(crack, label);
+        if (!mode) continue;
+        const CrackMoment moment = moment_of(crack, label.event);
+        crack.mode = *mode;
+        crack.time = moment.time;
+        crack.opening = moment.opening;
+        crack.sliding = moment.sliding;
+        found.push_back(crack);
+    }
+    return found;
+}
+
+ModeCounts count_modes(const std::vector<Crack>& log, const CrackLabel& label, double time) {
+    ModeCounts counts;
+    for (const Crack& crack : labelled(log, label)) {
+        if (crack.time <= time) counts.add(crack);
+    }
+    return counts;
+}
 
 void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
     file.create_group(schema::cracks_group);

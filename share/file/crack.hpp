@@ -1,9 +1,10 @@
-// The crack log: /cracks of a run file.
+// The crack log: /cracks of a run file, and which of its rows are micro-cracks by which definition.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "share/file/h5_file.hpp"
@@ -39,6 +40,38 @@ struct Crack {
     CrackMoment broken = {};           ///< 90 % was lost
     CrackMoment separated = {};        ///< all tensile strength was lost
 };
+
+/// The criterion for the mode of a micro-crack.
+enum class CrackModeRule {
+    traction,  ///< tensile if the point was open at failure, with a mode angle below 45°: |τ| < σn
+    sign       ///< tensile if the point was open at the event that makes it a micro-crack
+};
+struct CrackLabel {
+    CrackEvent event = CrackEvent::failed;
+    CrackModeRule mode = CrackModeRule::traction;
+    friend bool operator==(const CrackLabel&, const CrackLabel&) = default;
+};
+/// Mode of a row of the crack log; empty if the event of the label has not happened.
+std::optional<CrackMode> mode_of(const Crack& crack, const CrackLabel& label);
+
+/// The rows of a crack log that are micro-cracks by a label, in their order, with time, opening, sliding and mode of its event.
+/// Everything else is as in the log.
+std::vector<Crack> labelled(const std::vector<Crack>& log, const CrackLabel& label);
+
+/// Contacts (points ÷ 2) with tensile and with shear cracks.
+struct ModeCounts {
+    double tensile = 0;
+    double shear = 0;
+    void add(const Crack& crack) { (crack.mode == CrackMode::tensile ? tensile : shear) += 0.5; }
+    ModeCounts& operator+=(const ModeCounts& other) {
+        tensile += other.tensile;
+        shear += other.shear;
+        return *this;
+    }
+};
+
+/// Cracks of a log by a label, up to a time (s).
+ModeCounts count_modes(const std::vector<Crack>& log, const CrackLabel& label, double time);
 
 void write_cracks(H5Output& file, const std::vector<Crack>& cracks);
 /// \throws InputError

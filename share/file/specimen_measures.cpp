@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
+
+#include "share/base/units.hpp"
 
 namespace graincrack {
 
@@ -91,6 +94,35 @@ std::string open_boundaries_text(const Specimen& specimen) {
     return n_open == 0 ? ""
                        : fmt::format("{} of {}, {:.4f} of their length", n_open, boundaries[0].size() + n_open,
                                      length[1] / (length[0] + length[1]));
+}
+
+std::size_t number_of_crystals(const Specimen& specimen) {
+    const std::vector<std::int32_t>& crystals = specimen.grain_crystal;
+    if (crystals.empty()) return specimen.n_grains();
+    return static_cast<std::size_t>(*std::max_element(crystals.begin(), crystals.end())) + 1;
+}
+
+double mean_crystal_diameter(const Specimen& specimen) {
+    std::vector<double> areas(number_of_crystals(specimen), 0);
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
+        const std::size_t crystal = specimen.grain_crystal.empty() ? g : static_cast<std::size_t>(specimen.grain_crystal[g]);
+        areas[crystal] += specimen.grain_area[g];
+    }
+    double diameter = 0;
+    for (const double area : areas) diameter += std::sqrt(4 * area / std::numbers::pi) / static_cast<double>(areas.size());
+    return diameter;
+}
+
+std::string note_on_few_crystals(const Specimen& specimen) {
+    const double diameter = mean_crystal_diameter(specimen);
+    const double extent = std::min(specimen.width, specimen.height);
+    constexpr int fewest_across = 10;  // of a specimen whose strength is the material's
+    if (extent >= fewest_across * diameter) return "";
+    const char* kind = specimen.tessellation == "delaunay" ? "grains" : "crystals";
+    return fmt::format(
+        "{:.2g} {} of the mean diameter across the smaller extent of {}: with fewer than {} a strength depends on "
+        "single {} and is no material's",
+        extent / diameter, kind, format_length(extent), fewest_across, kind);
 }
 
 }  // namespace graincrack

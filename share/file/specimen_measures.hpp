@@ -47,4 +47,14 @@ std::optional<EdgeNotch> edge_notch(const Specimen& specimen);
 /// none is. Contacts between two crystals are one boundary.
 std::string open_boundaries_text(const Specimen& specimen);
 
+/// The number of crystals: of grains where each is one.
+std::size_t number_of_crystals(const Specimen& specimen);
+
+/// Mean equal-area diameter of crystals, m.
+double mean_crystal_diameter(const Specimen& specimen);
+
+/// What to say of a specimen with fewer than ten crystals of the mean equal-area diameter across its smaller extent; "" of
+/// others. Its strengths depend on single crystals.
+std::string note_on_few_crystals(const Specimen& specimen);
+
 }  // namespace graincrack

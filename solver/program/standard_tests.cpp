@@ -98,6 +98,10 @@ void add_rollers(const LoadingRequest& request, const Specimen& s, ProgramPlaten
     const double span = request.span.value_or(usual_span(s));
     const double width = request.roller_width.value_or(mean_boundary_edge(s));
     const auto millimetres = [](double value) { return format_number(1e3 * value, 4) + " mm"; };
+    if (3 * width > s.width) {
+        throw UsageError(fmt::format("--roller-width: three rollers {} wide have no room on a {} of {}; at most {} fits",
+                                     millimetres(width), s.shape, millimetres(s.width), millimetres(s.width / 3)));
+    }
     if (span + width > s.width) {
         throw UsageError(fmt::format("--span: {}rollers at a distance of {} have no room on a {} of {}; give at most {}",
                                      request.span ? "" : "missing, and by default ", millimetres(span), s.shape,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "share/file/run_file.hpp"
@@ -19,6 +20,10 @@ public:
     void restore(const std::vector<Crack>& rows);
     /// The rows, with the energy each point has released so far. \param fracture_energy of all ranks, as in `State`
     [[nodiscard]] std::vector<Crack> rows(const Assemblage& assemblage, const std::vector<double>& fracture_energy) const;
+    /// The micro-cracks of all rows by an event, on the first rank.
+    [[nodiscard]] ModeCounts counts(CrackEvent event) const {
+        return count_modes(cracks_, {event}, std::numeric_limits<double>::infinity());
+    }
     [[nodiscard]] std::size_t tensile_points() const { return tensile_; }
     [[nodiscard]] std::size_t shear_points() const { return count_ - tensile_; }
     [[nodiscard]] bool empty() const { return count_ == 0; }

@@ -88,9 +88,11 @@ Specimen refined(const Specimen& s) {
     return fine;
 }
 
-std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& request, const Program& program,
+std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& test, const Program& program,
                                                double mass_scaling_factor) {
     std::vector<SensitivityCase> cases;
+    SimulationRequest request = test;
+    request.restart = request.program ? request.program->start_from : "";  // and no checkpoint of it
     if (program.why_dynamic().empty()) {
         cases.push_back({"half the rate", request});
         cases.back().request.program = at_half_the_rate(program);

@@ -22,9 +22,6 @@
 namespace graincrack {
 namespace {
 
-/// Contacts whose points have failed: one with a single failed point counts as one.
-std::size_t whole_contacts(std::size_t points) { return (points + 1) / 2; }
-
 RunHeader make_header(const SimulationRequest& r, const Program& program, const Setup& setup) {
     RunHeader h;
     h.test = name_of(r.loading.test);
@@ -163,17 +160,16 @@ private:
         if (signal == 0 && of_any[1] == 0) return;
         const std::string checkpoint = output_ ? output_->write_checkpoint() : "";
         if (!checkpoint.empty() && !is_quiet_) {
-            fmt::print(stderr, "{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
-                       checkpoint, checkpoint);
+            tell(fmt::format("{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
+                             checkpoint, checkpoint));
         }
         throw Interrupted(signal != 0 ? signal : SIGTERM);
     }
 
     void show_progress() {
-        progress_.update(
-            driver_.stages().progress(),
-            fmt::format("stress {:.1f} MPa, contacts that failed: {} open, {} closed", recorder_.axial_stress() * 1e-6,
-                        whole_contacts(crack_log().tensile_points()), whole_contacts(crack_log().shear_points())));
+        const std::size_t points = crack_log().tensile_points() + crack_log().shear_points();
+        progress_.update(driver_.stages().progress(), fmt::format("stress {:.1f} MPa, {} contacts past their peak",
+                                                                  recorder_.axial_stress() * 1e-6, (points + 1) / 2));
     }
 
     void finish_header() {
@@ -222,11 +218,21 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
-    summary.tensile_cracks = whole_contacts(simulation.crack_log().tensile_points());
-    summary.shear_cracks = whole_contacts(simulation.crack_log().shear_points());
+    summary.cracks = simulation.crack_log().counts(summary.header.crack_event);
     summary.ranks = simulation.rank_summary(summary.wall_time);
-    if (request.sensitivity) summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
     provenance.wall_time = summary.wall_time;
+    if (request.sensitivity) {
+        try {
+            summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
+        } catch (const Interrupted&) {
+            simulation.finish({}, provenance);
+            if (verbosity != Verbosity::quiet) {
+                tell(fmt::format("{}: {} has the test without its sensitivities; the same command{} starts it anew\n",
+                                 summary.header.test, output, request.restart.empty() ? "" : " without --restart"));
+            }
+            throw;
+        }
+    }
     simulation.finish(summary.sensitivity, provenance);
     return summary;
 }

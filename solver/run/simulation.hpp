@@ -25,9 +25,8 @@ struct RankSummary {
 struct SimulationSummary {
     RunHeader header;
     std::optional<double> strength;  ///< axial stress, Pa, positive; in compression the first peak; empty if it did not fail
-    std::size_t tensile_cracks = 0;  ///< contacts
-    std::size_t shear_cracks = 0;
-    double wall_time = 0;  ///< s
+    ModeCounts cracks;               ///< at the end, as tables count them; of the first rank
+    double wall_time = 0;            ///< s
     double ns_per_grain_step = 0;
     std::vector<SensitivityRow> sensitivity;  ///< if asked for
     RankSummary ranks;

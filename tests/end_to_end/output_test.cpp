@@ -5,18 +5,21 @@ namespace graincrack::test {
 namespace {
 
 TEST(Output, AStoppedRunLeavesACheckpointWithWhatThereIs) {
-    const Shell shell;
-    shell.must(make_disc + "disc.h5");
-    // The run would take hours; the signal is sent as soon as the unfinished file exists.
-    const Outcome stopped = shell.run(
-        "graincrack-solve brazilian disc.h5 --material augig-granite --rate 0.001mm/s --quiet -o run.h5 &\n"
-        "for ((i = 0; i < 500; ++i)); do [[ -e run.h5.part ]] && break; sleep 0.02; done\n"
-        "[[ -e run.h5.part && ! -e run.h5 ]] || echo 'no unfinished file seen'\nkill -TERM $!\nwait $!");
-    EXPECT_EQ(stopped.exit_code, 128 + 15) << stopped.err;
-    EXPECT_EQ(stopped.out, "");
-    EXPECT_EQ(n_lines(stopped.err), 1) << stopped.err;
-    EXPECT_EQ(shell.names(), "disc.h5\nrun.h5.checkpoint\n");
-    shell.must("graincrack-post history run.h5.checkpoint\ngraincrack-post info --check run.h5.checkpoint");
+    for (const auto& [signal, number] : {std::pair{"TERM", 15}, {"USR2", 12}, {"XCPU", 24}}) {
+        const Shell shell;
+        shell.must(make_disc + "disc.h5");
+        // The run would take hours; the signal is sent as soon as the unfinished file exists.
+        const Outcome stopped = shell.run(
+            "graincrack-solve brazilian disc.h5 --material augig-granite --rate 0.001mm/s --quiet -o run.h5 &\n"
+            "for ((i = 0; i < 500; ++i)); do [[ -e run.h5.part ]] && break; sleep 0.02; done\n"
+            "[[ -e run.h5.part && ! -e run.h5 ]] || echo 'no unfinished file seen'\nkill -" +
+            std::string(signal) + " $!\nwait $!");
+        EXPECT_EQ(stopped.exit_code, 128 + number) << stopped.err;
+        EXPECT_EQ(stopped.out, "");
+        EXPECT_EQ(n_lines(stopped.err), 1) << stopped.err;
+        EXPECT_EQ(shell.names(), "disc.h5\nrun.h5.checkpoint\n");
+        shell.must("graincrack-post history run.h5.checkpoint\ngraincrack-post info --check run.h5.checkpoint");
+    }
 }
 
 TEST(Output, ASignalOfASchedulerMakesACheckpointAndTheRunGoesOn) {
@@ -173,6 +176,69 @@ TEST(Output, ClosedStreamsEndWithTheCodeOfOutputAndTakeNoFile) {
     shell.must("graincrack-solve brazilian disc.h5 -o run.h5" + elastic + ">&- 2>&- <&-\ngraincrack-post info --check run.h5");
 }
 
+TEST(Output, ARunThatCannotSayAnythingIsComplete) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5");
+    for (const char* nowhere : {"2>&-", "2>/dev/full"}) {
+        shell.must(
+            "graincrack-solve brazilian disc.h5 --material augig-granite --rate 400mm/s --max-strain 0.0003 --verbose -o "
+            "run.h5 " +
+            std::string(nowhere) + "\ngraincrack-post info --check run.h5\nrm run.h5");
+    }
+}
+
+TEST(Output, ANameThatCannotBeWrittenIsRefusedBeforeTheRun) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o run.h5" + elastic +
+               "\ncp run.h5 kept.h5\nchmod 444 kept.h5\n" + "ln -s nowhere linked.h5.lock\nchmod 640 run.h5");
+    const std::string before = shell.names();
+    for (const auto& [name, said] : {std::pair{std::string(241, 'a'), "its name has 241 bytes; 239 fit"},
+                                     {std::string(300, 'a'), "its name has 300 bytes"},
+                                     {std::string("kept.h5"), "kept.h5: is write-protected"},
+                                     {std::string("linked.h5"), "linked.h5.lock: is a symbolic link"}}) {
+        // It would take hours.
+        const Outcome outcome =
+            shell.run("graincrack-solve brazilian disc.h5 --material augig-granite --rate 0.001mm/s --quiet -o " + name);
+        EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
+        EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+        EXPECT_EQ(shell.names(), before);
+    }
+    shell.must("cmp run.h5 kept.h5");
+    shell.must("graincrack-solve brazilian disc.h5 -o run.h5" + elastic + "\n[[ $(stat -c %a run.h5) == 640 ]]");
+}
+
+TEST(Output, PipesAreReadAsFilesAre) {
+    const Shell shell;
+    shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o run.h5" + elastic +
+               "\nmkfifo pipe\ncat disc.h5 >pipe &\ngraincrack-solve brazilian pipe --rate 400mm/s --max-strain 0.0003 --quiet "
+               "-o again.h5 "
+               "--material <(cat " GRAINCRACK_SOURCE
+               "/share/materials/augig-granite.toml)\n"
+               "[[ $(graincrack-post info --digest run.h5 | cut -d' ' -f1) == $(graincrack-post info --digest again.h5 | cut -d' "
+               "' -f1) ]]");
+}
+
+/// As the tables count them: by the event of the law, tensile by the tractions.
+TEST(Output, TheSolverSaysInThreeLinesWhatThePostprocessorCounts) {
+    const Shell shell;
+    shell.must("graincrack-mesh disc --diameter 20mm --grains 200 --quiet -o disc.h5\n" + make_disc + "few.h5");
+    const std::string solve = "graincrack-solve brazilian disc.h5 --material augig-granite --max-strain 0.01 -o run.h5";
+    const Outcome said = shell.run(solve);
+    EXPECT_EQ(n_lines(said.err), 3) << said.err;
+    const std::string counts = shell.must(
+        "graincrack-post classes run.h5 | awk -F'\t' 'NR == 1 {for (i = 1; i <= NF; ++i) at[$i] = i} NR > 1 {t += "
+        "$at[\"tensile_cracks_at_end\"]; s += $at[\"shear_cracks_at_end\"]} END {printf \"cracks: %d tensile, %d shear\", t + "
+        "0.5, s + "
+        "0.5}'");
+    EXPECT_NE(said.err.find(counts + "\n"), std::string::npos) << counts << "\n" << said.err;
+    EXPECT_NE(said.err.find("\nbrazilian: written to run.h5 after "), std::string::npos) << said.err;
+    EXPECT_NE(shell.run(solve + " --verbose").err.find(" ns per grain and step"), std::string::npos);
+    const Outcome few =
+        shell.run("graincrack-solve brazilian few.h5 --material augig-granite --rate 400mm/s --max-strain 0.0003 -o run.h5");
+    EXPECT_NE(few.err.find("brazilian: warning: 7.8 grains of the mean diameter across"), std::string::npos) << few.err;
+}
+
 TEST(Output, TheSecondToWriteAnOutputIsToldAndTheFirstIsNotHarmed) {
     const Shell shell;
     shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 --frames 2 -o run.h5" + elastic);
@@ -215,6 +281,15 @@ TEST(Output, ATestFarFromEquilibriumIsCalledSo) {
     EXPECT_NE(shell.run("graincrack-post strength undamped.h5").err.find("far from equilibrium"), std::string::npos);
     const Outcome slow = shell.run(test + "slow.h5 --rate auto");
     EXPECT_EQ(slow.err.find("equilibrium:"), std::string::npos) << slow.err;
+}
+
+TEST(Output, DirectTensionAtItsOwnRateIsNearEquilibrium) {
+    const Shell shell;
+    const std::string material = " --material augig-granite-calibrated ";
+    shell.must("graincrack-mesh rectangle --width 30mm --height 60mm --quiet -o specimen.h5" + material);
+    const Outcome test = shell.run("graincrack-solve tension specimen.h5 -o run.h5" + material);
+    EXPECT_EQ(test.exit_code, 0);
+    EXPECT_EQ(test.err.find("far from equilibrium"), std::string::npos) << test.err;
 }
 
 TEST(Output, ProgressAndReportsStayOffStdout) {

@@ -43,8 +43,8 @@ TEST_F(Ranks, SayWhatOneProcessSays) {
     const Shell shell;
     shell.must(make_disc + "disc.h5");
     const std::string solve = "graincrack-solve brazilian disc.h5 --material augig-granite --rate 1m/s --max-strain 0.01 ";
-    const Outcome one = shell.run(solve + "-o one.h5");
-    const Outcome ranks = shell.run(on_ranks(2) + solve + "-o ranks.h5");
+    const Outcome one = shell.run(solve + "--verbose -o one.h5");
+    const Outcome ranks = shell.run(on_ranks(2) + solve + "--verbose -o ranks.h5");
     EXPECT_EQ(ranks.exit_code, 0) << ranks.err;
     EXPECT_EQ(ranks.out, one.out);
     for (const char* line : {"brazilian: ended by", "brazilian: energy balance error", "brazilian: warning"}) {
@@ -83,6 +83,31 @@ TEST_F(Ranks, RefuseWithTheLineAndTheCodeOfOneProcess) {
         EXPECT_EQ(ranks.exit_code, exit_code) << ranks.err;
         EXPECT_EQ(lines_of("graincrack-solve: ", ranks.err), one.err);
         EXPECT_EQ(ranks.out, "");
+        EXPECT_EQ(shell.names(), before);
+    }
+}
+
+TEST_F(Ranks, WithDifferentOptionsOrFilesRunNothing) {
+    const Shell shell;
+    shell.must(make_disc +
+               "disc.h5\nmkdir own other\ngraincrack-mesh disc --diameter 20mm --grains 61 --quiet -o other/disc.h5\n"
+               "sed 's/^density.*/density = 2000/' " GRAINCRACK_SOURCE
+               "/share/materials/augig-granite.toml >other/augig-granite.toml\ncp disc.h5 own");
+    const std::string before = shell.names();
+    const auto solve = [](const std::string& rest, const std::string& environment = "") {
+        return environment + "bash -c 'cd ${folder:-.}; exec \"$@\"' bash graincrack-solve brazilian disc.h5 -o run.h5" +
+               past_peak + rest;
+    };
+    for (const auto& [other, line] :
+         {std::pair(solve("--damping 0.7"), "--damping: 0.8 on rank 0, 0.7 on rank 2"),
+          std::pair(solve("", "env GRAINCRACK_MATERIALS=other "), "--material Augig granite: content "),
+          std::pair(solve("", "env folder=other "), "the specimen: content "), std::pair(solve("--bogus"), "--bogus")}) {
+        SCOPED_TRACE(line);
+        const Outcome ranks = shell.run(on_ranks(2, 30) + solve("") + ": -n 1 " + other);
+        EXPECT_EQ(ranks.exit_code, 2) << ranks.err;
+        EXPECT_EQ(n_lines(lines_of("graincrack-solve: ", ranks.err)), 1) << ranks.err;
+        EXPECT_NE(ranks.err.find(line), std::string::npos) << ranks.err;
+        EXPECT_EQ(ranks.err.find("MPI_"), std::string::npos) << ranks.err;
         EXPECT_EQ(shell.names(), before);
     }
 }

@@ -113,7 +113,7 @@ TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
     const std::string whole = folder.file("whole.h5");
     const SimulationSummary summary = simulate(specimen_of(GetParam()), restart_request(GetParam()), whole, Verbosity::quiet, {});
     const std::size_t rows = RunReader(whole).history().size();
-    EXPECT_GT(summary.tensile_cracks + summary.shear_cracks, 10U);  // so that what is compared has happened
+    EXPECT_GT(summary.cracks.tensile + summary.cracks.shear, 10U);  // so that what is compared has happened
     const std::string run = folder.file("run.h5");
     const std::string before = folder.file("before.h5");
     // Densely where node–edge contacts come and go.

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
+#include <utility>
 
 #include "mesher/mesh.hpp"
 #include "share/file/specimen.hpp"
@@ -177,6 +179,29 @@ TEST(Refinement, HalvesOfAContactAreWhatItWas) {
         EXPECT_EQ(fine.contact_flaw[c], coarse.contact_flaw[c / 2]);
         EXPECT_EQ(fine.contact_strength_factor[c], coarse.contact_strength_factor[c / 2]);
     }
+}
+
+// Stopped in the test, it resumes from the checkpoint; stopped in the repetitions, the test itself is there.
+TEST(Sensitivity, WhatIsStoppedLeavesAllThatThereIs) {
+    SimulationRequest request = brazilian();
+    request.sensitivity = true;
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("run.h5");
+    const auto run = [&] { return simulate(refined_disc(30, 1), request, file, Verbosity::quiet, {}); };
+    request.stops_after = [](std::size_t rows) { return rows > 20; };
+    EXPECT_THROW(run(), Interrupted);
+    request.restart = file + ".checkpoint";
+    std::size_t most = 0;
+    request.stops_after = [&most](std::size_t rows) { return rows < std::exchange(most, std::max(most, rows)); };
+    EXPECT_THROW(run(), Interrupted);
+    EXPECT_FALSE(std::filesystem::exists(request.restart));
+    const RunReader whole(file);
+    EXPECT_NE(whole.header().stop_reason, "checkpoint");
+    EXPECT_TRUE(read_sensitivity(whole.file()).empty());
+    request.restart = "";
+    request.stops_after = {};
+    EXPECT_EQ(run().header.peak_axial_stress, whole.header().peak_axial_stress);
+    EXPECT_EQ(read_sensitivity(RunReader(file).file()).size(), 5U);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ Outcome run(TestKind test, double rate) {
     const test::TemporaryFolder folder;
     const std::string file = folder.file("run.h5");
     const SimulationSummary summary = simulate(specimen_of(test), request, file, Verbosity::quiet, {});
-    Outcome outcome{summary.header, 0, summary.tensile_cracks + summary.shear_cracks};
+    Outcome outcome{summary.header, 0, summary.cracks.tensile + summary.cracks.shear};
     const History history = RunReader(file).history();
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const auto peak = static_cast<std::size_t>(std::min_element(stress.begin(), stress.end()) - stress.begin());

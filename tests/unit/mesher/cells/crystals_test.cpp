@@ -15,6 +15,7 @@
 #include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
 #include "share/file/specimen.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack::mesher {
 namespace {

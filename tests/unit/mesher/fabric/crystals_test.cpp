@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "share/file/specimen.hpp"
+#include "share/file/specimen_measures.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace graincrack::mesher {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "share/base/error.hpp"
+#include "solver/ranks/alike.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/thread_ranks.hpp"
 
@@ -158,6 +159,29 @@ TEST(ThreadRanks, EndWithTheErrorOfAnyOfThem) {
         test::expect_one_line<NumericalError>(run, {"rank " + std::to_string(failing)});
         EXPECT_EQ(n_continued, 0);
     }
+}
+
+TEST(Ranks, PrepareAlikeOrSayInWhatTheyDiffer) {
+    const auto prepare = [](const std::function<Facts(int)>& facts_of_rank) {
+        on_thread_ranks(3, [&](const Ranks& ranks) { prepare_alike(ranks, [&] { return facts_of_rank(ranks.rank()); }); });
+    };
+    const auto refused = [&](const std::function<Facts(int)>& facts_of_rank, const std::string& line) {
+        test::expect_one_line<UsageError>([&] { prepare(facts_of_rank); }, {line, "all ranks need the same options"});
+    };
+    const auto options = [](const std::string& text) { return facts_of_configuration(text, {"threads"}); };
+    EXPECT_NO_THROW(prepare([&](int rank) { return options("[uniaxial]\nthreads = " + std::to_string(rank) + "\nseed = 1\n"); }));
+    refused(
+        [&](int rank) { return options(rank == 2 ? "[bend]\n# rate =\nseed = 1\n" : "[bend]\nrate = \"5mm/s\"\nseed = 1\n"); },
+        "--rate: \"5mm/s\" on rank 0, not given on rank 2");
+    refused([](int rank) { return Facts{{"a.h5", rank == 1 ? "f0" : "f1"}}; }, "a.h5: f1 on rank 0, f0 on rank 1");
+    const auto fail = [](int first) {
+        return [first](int rank) {
+            if (rank >= first) throw InputError("b.h5: no such file");
+            return Facts{};
+        };
+    };
+    refused(fail(1), "b.h5: no such file (on rank 1, and not on rank 0)");
+    test::expect_one_line<InputError>([&] { prepare(fail(0)); }, {"b.h5: no such file"});
 }
 
 }  // namespace
