@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -77,7 +76,7 @@ PhaseKey key_of(const ImportRequest& request) { return request.phase_key.empty()
 
 std::string read_bytes(const std::string& file) {
     if (file == "-") {
-        std::string bytes{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+        std::string bytes = text_of_stream(std::cin, "stdin");
         if (bytes.empty()) throw InputError("stdin: empty: the program before wrote nothing; see its message");
         return bytes;
     }

@@ -174,6 +174,8 @@ TEST(Import, RefusesInOneLine) {
         {"labels.txt", 2, "--pixel-size: missing; a picture needs the length of a pixel's side, as 0.1mm"},
         {"labels.txt --write-key new.tsv", 2, "--write-key: makes no specimen; leave -o out"},
         {"x.png --pixel-size 1mm", 3, "x.png: begins with"},
+        {"/dev/zero", 3, "/dev/zero: has more than the 512 MB that are read at most"},
+        {"- </dev/zero", 3, "stdin: has more than the 512 MB that are read at most"},
         {"- </dev/null", 3, "stdin: empty: the program before wrote nothing; see its message"},
     };
     for (const auto& [call, code, message] : cases) {
