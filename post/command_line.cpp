@@ -5,9 +5,6 @@
 #include <gsl/gsl_version.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <list>
@@ -91,14 +88,8 @@ void add(OptionSet parent, const Command& command, const std::string& prefix, Re
 
 /// Names of files, one a line, or each with a NUL behind it as of `find -print0`.
 std::vector<std::string> read_list(const std::string& path) {
-    std::ifstream file;
-    if (path != "-") {
-        file.open(path);
-        if (!file) throw InputError(fmt::format("--files-from {}: cannot be read: {}", path, std::strerror(errno)));
-    }
-    std::istream& stream = path == "-" ? std::cin : file;
+    const std::string list = path == "-" ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : text_of_file(path);
     std::vector<std::string> names;
-    const std::string list(std::istreambuf_iterator<char>(stream), {});
     for (const std::string_view name : split(list, list.find('\0') == std::string::npos ? '\n' : '\0')) {
         if (!name.empty()) names.emplace_back(name);
     }
