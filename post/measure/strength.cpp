@@ -177,18 +177,16 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
 void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRow>& rows, std::ostream& diagnostics) {
     const Columns<StrengthRow> columns = strength_terminal_columns(rows);
     TerminalTable table(columns);
-    RunList runs, firsts;
+    RunList runs;
     for (const StrengthRow& row : rows) runs.push_back(&row.run);
-    const auto groups = groups_of_like(runs);
-    for (const auto& members : groups) firsts.push_back(runs[members.front()]);
-    const std::vector<std::string> told = distinctions(firsts, {Aspect::plane});
     const std::vector<std::size_t> counted = once_each(runs, "strength", diagnostics);
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const RunHeader& header = firsts[g]->header;
-        table.group(series_label(*firsts[g]) + ", plane " + std::string(name_of(header.plane)) + (told[g].empty() ? "" : ", ") +
-                    told[g] + (is_compression(header) ? "; strength: " + label_of(rows[groups[g].front()].kind) : ""));
+    for (const LikeGroup& group : groups_of_like(runs, {}, {Aspect::plane})) {
+        const StrengthRow& first = rows[group.runs.front()];
+        table.group(series_label(first.run) + ", plane " + std::string(name_of(first.header().plane)) +
+                    (group.distinction.empty() ? "" : ", ") + group.distinction +
+                    (is_compression(first.header()) ? "; strength: " + label_of(first.kind) : ""));
         std::vector<double> strengths;
-        for (const std::size_t i : groups[g]) {
+        for (const std::size_t i : group.runs) {
             table.row(cells_of(columns, rows[i]));
             const auto strength = rows[i].strength.reported(rows[i].kind);
             if (strength && std::find(counted.begin(), counted.end(), i) != counted.end()) strengths.push_back(*strength);

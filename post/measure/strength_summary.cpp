@@ -14,21 +14,22 @@ namespace graincrack {
 
 namespace {
 
-StrengthGroup group_of(const std::vector<RunData>& runs, const std::vector<std::size_t>& members, StrengthKind kind) {
+StrengthGroup group_of(const std::vector<RunData>& runs, const LikeGroup& like, StrengthKind kind) {
     StrengthGroup group;
-    const RunData& first = runs[members.front()];
+    const RunData& first = runs[like.runs.front()];
     group.test = first.header.test;
     group.shape = distinct_shape(first);
     group.confining_pressure = first.header.confining_pressure;
     group.plane = first.header.plane;
     std::vector<double> strengths;
-    for (const std::size_t i : members) {
+    for (const std::size_t i : like.runs) {
         const Strength strength = measure_strength(runs[i]);
         if (const auto stress = strength.reported(kind)) strengths.push_back(*stress);
         if (!strength.has_peak(kind)) ++group.without_peak;
     }
     group.strength = sample(strengths);
-    group.runs = members;
+    group.runs = like.runs;
+    group.distinction = like.distinction;
     return group;
 }
 
@@ -51,15 +52,7 @@ std::string StrengthGroup::name() const {
 
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs, StrengthKind kind) {
     std::vector<StrengthGroup> groups;
-    for (const auto& members : groups_of_like(list_of(runs))) groups.push_back(group_of(runs, members, kind));
-    const auto first_of = [&](const StrengthGroup& group) -> const RunData& { return runs[group.runs.front()]; };
-    std::stable_sort(groups.begin(), groups.end(), [&](const StrengthGroup& a, const StrengthGroup& b) {
-        return place_of(first_of(a)) < place_of(first_of(b));
-    });
-    RunList firsts;
-    for (const StrengthGroup& group : groups) firsts.push_back(&first_of(group));
-    const std::vector<std::string> told = distinctions(firsts);
-    for (std::size_t i = 0; i < groups.size(); ++i) groups[i].distinction = told[i];
+    for (const LikeGroup& like : groups_of_like(list_of(runs))) groups.push_back(group_of(runs, like, kind));
     add_ratios(groups, runs);
     return groups;
 }

@@ -139,21 +139,17 @@ void add_envelopes(Content& content) {
     std::vector<RunData> runs = data_of(content);
     runs.erase(std::remove_if(runs.begin(), runs.end(), [](const RunData& run) { return !distinct_shape(run).empty(); }),
                runs.end());
-    const RunList list = list_of(runs);
-    const auto fabrics = groups_of_like(list, of_the_test);
-    RunList firsts;
-    for (const auto& members : fabrics) firsts.push_back(list[members.front()]);
-    const std::vector<std::string> names = distinctions(firsts, of_the_test);
-    for (std::size_t f = 0; f < fabrics.size(); ++f) {
+    for (const LikeGroup& fabric : groups_of_like(list_of(runs), of_the_test)) {
         std::vector<RunData> own;
-        for (const std::size_t i : fabrics[f]) own.push_back(runs[i]);
+        for (const std::size_t i : fabric.runs) own.push_back(runs[i]);
+        const std::string& name = fabric.distinction;
         try {
             EnvelopeTests tests = collect_envelope_tests(own, {});
             const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
-            content.envelopes.push_back({names[f], std::move(tests), envelope});
+            content.envelopes.push_back({name, std::move(tests), envelope});
         } catch (const InputError& error) {
             content.envelope_note +=
-                html::paragraph(fmt::format("No envelope{}: {}.", names[f].empty() ? "" : " of " + names[f], error.what()));
+                html::paragraph(fmt::format("No envelope{}: {}.", name.empty() ? "" : " of " + name, error.what()));
         }
     }
 }

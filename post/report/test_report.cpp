@@ -113,18 +113,13 @@ std::optional<Sample> SeedGroup::sample_of(const ValueOfTest& value) const {
 }
 
 std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests) {
-    RunList runs, firsts;
+    RunList runs;
     for (const TestReport& test : tests) runs.push_back(&test.data);
     std::vector<SeedGroup> groups;
-    for (const auto& members : groups_of_like(runs)) {
-        firsts.push_back(runs[members.front()]);
-        SeedGroup& group = groups.emplace_back(SeedGroup{series_label(*firsts.back()), "", {}});
-        for (const std::size_t i : members) group.runs.push_back(&tests[i]);
+    for (const LikeGroup& like : groups_of_like(runs)) {
+        SeedGroup& group = groups.emplace_back(SeedGroup{series_label(*runs[like.runs[0]]), like.distinction, {}});
+        for (const std::size_t i : like.runs) group.runs.push_back(&tests[i]);
     }
-    const std::vector<std::string> told = distinctions(firsts);
-    for (std::size_t g = 0; g < groups.size(); ++g) groups[g].distinction = told[g];
-    std::stable_sort(groups.begin(), groups.end(),
-                     [](const SeedGroup& a, const SeedGroup& b) { return place_of(a.first().data) < place_of(b.first().data); });
     return groups;
 }
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <tuple>
+#include <utility>
 
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -32,7 +34,7 @@ std::string words_of(std::string name) {
 }
 
 Trait number(Aspect aspect, const std::string& name, double value, Dimension dimension, double tolerance = 1e-9) {
-    return {aspect, name, "", value, dimension, tolerance};
+    return {aspect, name, "", value, dimension, tolerance, 0, false, aspect == Aspect::material ? "material" : ""};
 }
 
 /// True if a value of a class of contacts is of the specimen and not of the material: the stiffness within crystals is as large
@@ -71,13 +73,14 @@ std::string cuts_of(const RunData& run) {
     return fmt::format("{}", fmt::join(cuts, " and "));
 }
 
+bool is_round(const SpecimenSummary& s) { return s.shape == "disc" || s.shape == "ring" || s.shape == "half-disc"; }
+
 void add_shape(std::vector<Trait>& traits, const RunData& run) {
     constexpr double same_length = 1e-6;
     const SpecimenSummary& s = run.specimen;
     traits.push_back({Aspect::shape, "shape", s.shape});
-    const bool is_round = s.shape == "disc" || s.shape == "ring" || s.shape == "half-disc";
-    traits.push_back(number(Aspect::size, is_round ? "diameter" : "width", s.width, Dimension::length, same_length));
-    if (!is_round) traits.push_back(number(Aspect::size, "height", s.height, Dimension::length, same_length));
+    traits.push_back(number(Aspect::size, is_round(s) ? "diameter" : "width", s.width, Dimension::length, same_length));
+    if (!is_round(s)) traits.push_back(number(Aspect::size, "height", s.height, Dimension::length, same_length));
     traits.push_back(number(Aspect::size, "span", run.header.span, Dimension::length, same_length));
     traits.push_back({Aspect::cuts, "cut", cuts_of(run)});
 }
@@ -86,7 +89,8 @@ void add_shape(std::vector<Trait>& traits, const RunData& run) {
 void add_minerals(std::vector<Trait>& traits, const SpecimenSummary& s) {
     std::vector<std::string> names;
     for (const auto& [name, fraction] : s.phases) names.push_back(name);
-    traits.push_back({Aspect::material, "minerals", fmt::format("{}", fmt::join(names, " "))});
+    const std::string text = fmt::format("{}", fmt::join(names, " "));
+    traits.push_back({.aspect = Aspect::material, .name = "minerals", .text = text, .follows = "material"});
     for (const auto& [name, fraction] : s.phases) {
         Trait& trait = traits.emplace_back(number(Aspect::material, name, fraction, Dimension::one));
         trait.slack = 0.03 + 2 / static_cast<double>(std::max<std::int64_t>(1, s.crystals));
@@ -115,6 +119,7 @@ void add_grains(std::vector<Trait>& traits, const SpecimenSummary& s) {
     }
     traits.push_back({Aspect::cuts, "loaded diameter", is_directed ? given("loaded-diameter") : ""});
     traits.push_back(number(Aspect::size, "area", s.area, Dimension::area, of_rims));
+    traits.back().follows = is_round(s) ? "diameter" : "width";
 }
 
 void add_loading(std::vector<Trait>& traits, const RunData& run) {
@@ -135,7 +140,6 @@ void add_loading(std::vector<Trait>& traits, const RunData& run) {
 /// Whether two values are the same, but for what draws make of one.
 bool is_same(const Trait& a, const Trait& b) {
     if (!a.number || !b.number) return a.text == b.text && a.number.has_value() == b.number.has_value();
-    if (std::isnan(*a.number) || std::isnan(*b.number)) return std::isnan(*a.number) && std::isnan(*b.number);
     const double size = std::max(std::abs(*a.number), std::abs(*b.number));
     return std::abs(*a.number - *b.number) <= std::max({a.tolerance * size, a.slack, b.slack});
 }
@@ -144,7 +148,6 @@ bool is_same(const Trait& a, const Trait& b) {
 std::string value_of(const Trait& trait, int digits) {
     constexpr std::size_t most = 60;  // characters of a text
     if (!trait.number) return trait.text.empty() ? "none" : trait.text.substr(0, most);
-    if (std::isnan(*trait.number)) return "unknown";
     return format_quantity(*trait.number, trait.dimension, trait.tolerance > 1e-3 ? std::min(digits, 2) : digits);
 }
 
@@ -160,24 +163,18 @@ const Trait* find(const std::vector<Trait>& traits, std::size_t near, const std:
     return found == traits.end() ? nullptr : &*found;
 }
 
-/// Visits the traits in which runs differ. What only one of them has stands in no need of comparison: other traits tell it.
-/// \param visit gets both \return false to end
-template <class Visit>
-void visit_differences(const std::vector<Trait>& a, const std::vector<Trait>& b, const Aspects& except, const Visit& visit) {
+/// The traits in which two runs differ, of both. What only one of them has needs no comparison: other traits tell it.
+std::vector<std::pair<const Trait*, const Trait*>> differing(const std::vector<Trait>& a, const std::vector<Trait>& b,
+                                                             const Aspects& except) {
     const Trait* const plane = find(a, 0, "plane");
     const Trait* const other_plane = find(b, 0, "plane");
-    const bool is_one_plane = plane == nullptr || other_plane == nullptr || plane->text == other_plane->text;
+    std::vector<std::pair<const Trait*, const Trait*>> pairs;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (except.count(a[i].aspect) > 0 || (a[i].follows_plane && !is_one_plane)) continue;
+        if (except.count(a[i].aspect) > 0 || (a[i].follows_plane && plane->text != other_plane->text)) continue;
         const Trait* const other = find(b, i, a[i].name);
-        if (other != nullptr && !is_same(a[i], *other) && !visit(a[i], *other)) return;
+        if (other != nullptr && !is_same(a[i], *other)) pairs.emplace_back(&a[i], other);
     }
-}
-
-bool are_alike(const std::vector<Trait>& a, const std::vector<Trait>& b, const Aspects& except) {
-    bool alike = true;
-    visit_differences(a, b, except, [&](const Trait&, const Trait&) { return alike = false; });
-    return alike;
+    return pairs;
 }
 
 std::vector<std::vector<Trait>> all_traits(const RunList& runs) {
@@ -186,32 +183,31 @@ std::vector<std::vector<Trait>> all_traits(const RunList& runs) {
     return all;
 }
 
-/// What is told of differences: the names of materials and not what follows from them, a value of all contacts and not of each
-/// class, an area only where nothing else of the outline is told.
-class Told {
-public:
-    bool add(const Trait& trait) {
-        if (is_other_material_ && trait.aspect == Aspect::material) return false;
-        if (is_other_outline_ && trait.name == "area") return false;
-        if (names_.count(trait.follows) > 0) return false;
-        names_.insert(trait.name);
-        is_other_material_ = is_other_material_ || trait.name == "material";
-        is_other_outline_ = is_other_outline_ || trait.aspect == Aspect::size || trait.aspect == Aspect::cuts;
-        return true;
-    }
+/// Whether a trait is to be told beside those told before, which has to be: what it follows is the same.
+bool tell(std::set<std::string>& told, const Trait& trait) {
+    told.insert(trait.name);
+    return told.count(trait.follows) == 0;
+}
 
-private:
-    bool is_other_material_ = false, is_other_outline_ = false;
-    std::set<std::string> names_;
-};
+/// The order of tables: Brazilian, tension and bending, compression by rising pressure, then test, shape and size of the grains.
+std::tuple<int, double, std::string, std::string, double> table_order(const RunData& run) {
+    constexpr double size_unit = 1e-4;  // m: draws do not decide
+    const RunHeader& h = run.header;
+    const int order = h.loading() == Loading::splitting ? 0 : h.loading() == Loading::compression ? 2 : 1;
+    return {order, h.confining_pressure, h.test, distinct_shape(run), std::round(run.specimen.grain_diameter / size_unit)};
+}
 
 }  // namespace
 
 std::vector<Trait> material_traits(const RunHeader& header) {
-    std::vector<Trait> traits{{Aspect::plane, "plane", std::string(name_of(header.plane))},
-                              {Aspect::material, "material", header.material},
-                              {Aspect::material, "contact law", header.contact_law},
-                              {Aspect::material, "choice of the fracture energy", header.fracture_energy_choice}};
+    std::vector<Trait> traits{
+        {Aspect::plane, "plane", std::string(name_of(header.plane))},
+        {Aspect::material, "material", header.material},
+        {.aspect = Aspect::material, .name = "contact law", .text = header.contact_law, .follows = "material"},
+        {.aspect = Aspect::material,
+         .name = "choice of the fracture energy",
+         .text = header.fracture_energy_choice,
+         .follows = "material"}};
     const auto add_rock = [&](const Phase& phase, const std::string& whose) {
         for (Trait trait : {number(Aspect::material, "E", phase.young_modulus, Dimension::stress),
                             number(Aspect::material, "ν", phase.poisson_ratio, Dimension::one),
@@ -249,13 +245,11 @@ std::vector<Trait> traits_of(const RunData& run) {
 std::string differences(const std::vector<Trait>& a, const std::vector<Trait>& b, const Aspects& except) {
     constexpr std::size_t most = 5;
     std::vector<std::string> list;
-    Told told;
-    visit_differences(a, b, except, [&](const Trait& one, const Trait& other) {
-        if (told.add(one)) {
-            list.push_back(fmt::format("{} ({}, {})", one.name, value_beside(one, other), value_beside(other, one)));
-        }
-        return true;
-    });
+    std::set<std::string> told;
+    for (const auto& [one, other] : differing(a, b, except)) {
+        if (!tell(told, *one)) continue;
+        list.push_back(fmt::format("{} ({}, {})", one->name, value_beside(*one, *other), value_beside(*other, *one)));
+    }
     const std::size_t more = list.size() > most ? list.size() - most : 0;
     list.resize(list.size() - more);
     return fmt::format("{}", fmt::join(list, ", ")) + (more > 0 ? fmt::format(" and {} more", more) : "");
@@ -271,35 +265,6 @@ RunList list_of(const std::vector<RunData>& runs) {
     return list;
 }
 
-std::vector<std::vector<std::size_t>> groups_of_like(const RunList& runs, const Aspects& except) {
-    const auto traits = all_traits(runs);
-    std::vector<std::vector<std::size_t>> groups;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        std::vector<std::size_t> own{i};
-        std::size_t place = groups.size();
-        // A run that is near two groups makes them one, so that the order of the runs does not matter.
-        for (std::size_t g = groups.size(); g-- > 0;) {
-            const auto& members = groups[g];
-            const bool holds = std::any_of(members.begin(), members.end(),
-                                           [&](std::size_t k) { return are_alike(traits[i], traits[k], except); });
-            if (!holds) continue;
-            own.insert(own.end(), members.begin(), members.end());
-            groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(g));
-            place = g;
-        }
-        std::sort(own.begin(), own.end());
-        groups.insert(groups.begin() + static_cast<std::ptrdiff_t>(place), std::move(own));
-    }
-    return groups;
-}
-
-std::tuple<int, double, std::string, std::string, double> place_of(const RunData& run) {
-    constexpr double size_unit = 1e-4;  // m: draws do not decide
-    const RunHeader& h = run.header;
-    const int order = h.loading() == Loading::splitting ? 0 : h.loading() == Loading::compression ? 2 : 1;
-    return {order, h.confining_pressure, h.test, distinct_shape(run), std::round(run.specimen.grain_diameter / size_unit)};
-}
-
 std::vector<std::string> distinctions(const RunList& runs, const Aspects& except) {
     const auto traits = all_traits(runs);
     Aspects untold = except;
@@ -310,13 +275,12 @@ std::vector<std::string> distinctions(const RunList& runs, const Aspects& except
         for (std::size_t k = 0; k < runs.size(); ++k) {
             const bool is_one_test = except.count(Aspect::test) > 0 || series_label(*runs[i]) == series_label(*runs[k]);
             if (!is_one_test) continue;
-            Told other;
-            visit_differences(traits[i], traits[k], untold, [&](const Trait& own, const Trait& beside) {
-                if (!other.add(own)) return true;
-                const std::string value = value_beside(own, beside);
-                if (value != "none") told[own.name] = own.name == "material" ? value : own.name + " " + value;
-                return true;
-            });
+            std::set<std::string> seen;
+            for (const auto& [own, other] : differing(traits[i], traits[k], untold)) {
+                const std::string value = value_beside(*own, *other);
+                if (!tell(seen, *own) || value == "none") continue;
+                told[own->name] = own->name == "material" ? value : own->name + " " + value;
+            }
         }
         std::vector<std::string> list;
         for (const Trait& trait : traits[i]) {
@@ -325,6 +289,34 @@ std::vector<std::string> distinctions(const RunList& runs, const Aspects& except
         texts.push_back(fmt::format("{}", fmt::join(list, ", ")));
     }
     return texts;
+}
+
+std::vector<LikeGroup> groups_of_like(const RunList& runs, const Aspects& except, const Aspects& untold) {
+    const auto traits = all_traits(runs);
+    std::vector<LikeGroup> groups;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        LikeGroup own{{i}, ""};
+        const auto holds = [&](const LikeGroup& group) {
+            return std::any_of(group.runs.begin(), group.runs.end(),
+                               [&](std::size_t k) { return differing(traits[i], traits[k], except).empty(); });
+        };
+        // A run that is like two groups makes them one, so that the order of the runs does not matter.
+        for (const LikeGroup& group : groups) {
+            if (holds(group)) own.runs.insert(own.runs.end(), group.runs.begin(), group.runs.end());
+        }
+        groups.erase(std::remove_if(groups.begin(), groups.end(), holds), groups.end());
+        std::sort(own.runs.begin(), own.runs.end());
+        groups.push_back(std::move(own));
+    }
+    const auto order = [&](const LikeGroup& group) { return std::pair(table_order(*runs[group.runs[0]]), group.runs[0]); };
+    std::sort(groups.begin(), groups.end(), [&](const LikeGroup& a, const LikeGroup& b) { return order(a) < order(b); });
+    RunList firsts;
+    for (const LikeGroup& group : groups) firsts.push_back(runs[group.runs[0]]);
+    Aspects all = except;
+    all.insert(untold.begin(), untold.end());
+    const std::vector<std::string> told = distinctions(firsts, all);
+    for (std::size_t g = 0; g < groups.size(); ++g) groups[g].distinction = told[g];
+    return groups;
 }
 
 std::string common_material(const std::vector<RunData>& runs, const std::string& otherwise) {

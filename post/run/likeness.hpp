@@ -7,7 +7,6 @@
 #include <ostream>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "post/run/load_curve.hpp"
@@ -15,21 +14,9 @@
 
 namespace graincrack {
 
-/// What a trait belongs to.
-enum class Aspect {
-    test,
-    pressure,
-    plane,
-    material,    ///< its name, rock, contact law, contacts and phases
-    shape,       ///< with what meets the platens
-    size,        ///< of the specimen
-    cuts,        ///< holes, slits, notches, flaws, joints
-    grain_size,  ///< mean diameter
-    fabric,      ///< tessellation, distributions, phases' fractions, scatter of strengths
-    loading,     ///< friction of platens, damping, masses, program
-    rate,
-    end,  ///< fall behind the peak that ends the test
-};
+/// What a trait belongs to. Cuts are holes, slits, flaws and joints; the fabric is the tessellation, its distributions and the
+/// scatter of strengths; loading is friction, damping, masses and program; the end is the fall behind the peak that ends a test.
+enum class Aspect { test, pressure, plane, material, shape, size, cuts, grain_size, fabric, loading, rate, end };
 using Aspects = std::set<Aspect>;
 
 /// What tests of one rock may differ in if they are of different kinds or at different pressures.
@@ -63,13 +50,14 @@ std::string differences(const RunData& a, const RunData& b, const Aspects& excep
 using RunList = std::vector<const RunData*>;
 RunList list_of(const std::vector<RunData>& runs);
 
-/// Groups of comparable runs, by indices in their order: those that have no differences, and those that have none with one of
-/// them. \param except may differ
-std::vector<std::vector<std::size_t>> groups_of_like(const RunList& runs, const Aspects& except = {});
-
-/// The place of a run in tables: Brazilian, tension and bending, compression by rising pressure, then by test, shape and size of
-/// the grains.
-std::tuple<int, double, std::string, std::string, double> place_of(const RunData& run);
+/// Comparable runs: each has no differences from another of them.
+struct LikeGroup {
+    std::vector<std::size_t> runs;  ///< indices in their order
+    std::string distinction;        ///< of the first from those of other groups, as of `distinctions`
+};
+/// In the order of tables: Brazilian, tension, compression by rising pressure; within a test by rising size of the grains.
+/// \param except may differ \param untold is left out of distinctions
+std::vector<LikeGroup> groups_of_like(const RunList& runs, const Aspects& except = {}, const Aspects& untold = {});
 
 /// For each run what tells it from those of its `series_label`, or from all if tests may differ: "Gabbro, diameter 60 mm"; ""
 /// if nothing does. \param except is not told

@@ -131,25 +131,26 @@ TEST(Help, ExamplesOfThePostprocessorAndOfEachOfItsCommandsRun) {
     // A drop of 1 % below the largest stress counts as a peak here, because tests so small and fast have no larger one.
     const std::string test =
         " --material augig-granite --mass-scaling none --rate 400mm/s --max-strain 0.03 --peak-drop 0.01 --quiet ";
-    shell.must(make_disc + "disc.h5\ngraincrack-mesh disc --diameter 20mm --grains 24 --quiet -o coarse.h5\n" +
-               "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n" +
-               "graincrack-solve brazilian disc.h5 -o brazilian.h5" + test +
-               "\ngraincrack-solve brazilian coarse.h5 -o brazilian-coarse.h5" + test +
-               "\ngraincrack-solve uniaxial rectangle.h5 -o uniaxial.h5" + test +
-               "\ngraincrack-solve uniaxial rectangle.h5 -o weak.h5 --contact-cohesion 60MPa" + test +
-               "\ngraincrack-solve uniaxial rectangle.h5 -o default.h5" + test +
-               "\ngraincrack-solve uniaxial rectangle.h5 -o half-as-fast.h5" +
-               std::regex_replace(test, std::regex("400mm"), "320mm") +
-               "\ngraincrack-solve triaxial rectangle.h5 -o triaxial.h5 --confining-pressure 1MPa" + test +
-               "\ngraincrack-mesh rectangle --width 20mm --height 40mm --edge 2.5mm --notch 6mm --quiet -o notched.h5"
-               "\ngraincrack-solve tension notched.h5 -o notched-tension.h5" +
-               test +
-               "\ngraincrack-post strength brazilian.h5 brazilian-coarse.h5 uniaxial.h5 weak.h5 >strength.tsv\n"
-               "cp " GRAINCRACK_TEST_DATA
-               "/table7.csv .\n"
-               "mkdir -p results/my-rock\ncp " GRAINCRACK_SOURCE
-               "/share/materials/augig-granite.toml results/my-rock/material.toml\n"
-               "printf 'axial_strain\\tstress_MPa\\n0\\t0\\n0.002\\t60\\n' >measured.tsv");
+    shell.must(
+        "graincrack-mesh disc --diameter 30mm --edge 5mm --quiet -o disc.h5\n"
+        "graincrack-mesh disc --diameter 30mm --grains 30 --quiet -o coarse.h5\n"
+        "graincrack-mesh rectangle --width 20mm --height 40mm --edge 5mm --quiet -o rectangle.h5\n"
+        "graincrack-solve brazilian disc.h5 -o brazilian.h5" +
+        test + "\ngraincrack-solve brazilian coarse.h5 -o brazilian-coarse.h5" + test +
+        "\ngraincrack-solve uniaxial rectangle.h5 -o uniaxial.h5" + test +
+        "\ngraincrack-solve uniaxial rectangle.h5 -o weak.h5 --contact-cohesion 60MPa" + test +
+        "\ngraincrack-solve uniaxial rectangle.h5 -o default.h5" + test +
+        "\ngraincrack-solve uniaxial rectangle.h5 -o half-as-fast.h5" + std::regex_replace(test, std::regex("400mm"), "320mm") +
+        "\ngraincrack-solve triaxial rectangle.h5 -o triaxial.h5 --confining-pressure 1MPa" + test +
+        "\ngraincrack-mesh rectangle --width 20mm --height 40mm --edge 2.5mm --notch 6mm --quiet -o notched.h5"
+        "\ngraincrack-solve tension notched.h5 -o notched-tension.h5" +
+        test +
+        "\ngraincrack-post strength brazilian.h5 brazilian-coarse.h5 uniaxial.h5 weak.h5 >strength.tsv\n"
+        "cp " GRAINCRACK_TEST_DATA
+        "/table7.csv .\n"
+        "mkdir -p results/my-rock\ncp " GRAINCRACK_SOURCE
+        "/share/materials/augig-granite.toml results/my-rock/material.toml\n"
+        "printf 'axial_strain\\tstress_MPa\\n0\\t0\\n0.002\\t60\\n' >measured.tsv");
     for (const std::string& example : examples_of(shell.must("graincrack-post --help"))) shell.must(example);
     std::vector<std::string> commands;
     for (const std::string& name : subcommands_of(shell.must("graincrack-post --help"))) {

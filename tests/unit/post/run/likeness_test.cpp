@@ -72,8 +72,13 @@ TEST(Likeness, GroupsSayInWhatTheyDifferFromOthersOfTheirTest) {
     runs[1].header.material = "Gabbro";
     runs[1].header.rock.young_modulus = 92e9;
     runs[3].specimen.width = 0.06;
-    EXPECT_EQ(groups_of_like(list_of(runs)), (std::vector<std::vector<std::size_t>>{{0, 2}, {1}, {3}, {4}}));
-    const std::vector<std::string> told = distinctions({&runs[0], &runs[1], &runs[3], &runs[4]});
+    std::vector<std::vector<std::size_t>> members;
+    std::vector<std::string> told;
+    for (const LikeGroup& group : groups_of_like(list_of(runs))) {
+        members.push_back(group.runs);
+        told.push_back(group.distinction);
+    }
+    EXPECT_EQ(members, (std::vector<std::vector<std::size_t>>{{0, 2}, {1}, {3}, {4}}));
     EXPECT_EQ(told,
               (std::vector<std::string>{"Augig granite, width 30 mm", "Gabbro, width 30 mm", "Augig granite, width 60 mm", ""}));
     EXPECT_EQ(names_apart({runs[0], runs[1]}), (std::vector<std::string>{"uniaxial, Augig granite", "uniaxial, Gabbro"}));
