@@ -142,8 +142,8 @@ const Columns<StrengthRow>& strength_terminal_columns() {
     static constexpr ColumnUnit cracks{"cracks"};
     static const Columns<R> all{{"run", none, [](const R& r) { return r.run.name; }},
                                 {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
-                                {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
-                                {"mean edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
+                                {"crystals", none, [](const R& r) { return r.run.specimen.crystals; }},
+                                {"diameter", millimetre, [](const R& r) { return r.run.specimen.grain_diameter; }},
                                 {"strength", megapascal, strength_cell},
                                 {"at strain", percent, strain_at_strength},
                                 {"ended by", none, ending},
