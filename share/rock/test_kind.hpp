@@ -34,8 +34,8 @@ struct TestDescription {
     bool is_confined = false;                       ///< has a confining pressure on the lateral edges
     /// Fraction of the most steps that it takes at the automatic rate, which is fast until contacts fail.
     double usual_fraction = 0;
-    /// Bound of the measures of equilibrium at the automatic rate (`AutomaticRate`). What a few tensile cracks end needs slower loading
-    /// than compression; most of all direct tension, where the load falls before the platens are slower.
+    /// Bound of the measures of equilibrium at the automatic rate (`AutomaticRate`). What a few tensile cracks end needs slower
+    /// loading than compression; most of all direct tension, where the load falls before the platens are slower.
     double rate_tolerance = 3e-3;
 
     [[nodiscard]] bool is_tensile() const {

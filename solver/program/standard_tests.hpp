@@ -38,9 +38,7 @@ struct LoadingRequest {
     double max_strain = 0.015;
     std::optional<double> span;          ///< bend: distance of the lower rollers, m; missing: `usual_span`
     std::optional<double> roller_width;  ///< bend: m; missing: the mean boundary edge
-    [[nodiscard]] double automatic_tolerance() const {
-        return rate_tolerance.value_or(description_of(test).rate_tolerance);
-    }
+    [[nodiscard]] double automatic_tolerance() const { return rate_tolerance.value_or(description_of(test).rate_tolerance); }
     /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
     [[nodiscard]] double control_tolerance() const {
         switch (rate) {

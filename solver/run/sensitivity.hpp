@@ -21,8 +21,7 @@ struct SensitivityCase {
 /// The program at half its speed (of the automatic rate limits and floors included) unless it is dynamic, half the step, half the
 /// damping (0.4 for 0.8), a quarter of the mass scaling where there is some, twice the elements along an edge.
 /// \param mass_scaling_factor that the test has, 0 for none
-std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& test, const Program& program,
-                                               double mass_scaling_factor);
+std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& test, const Program& program, double mass_scaling_factor);
 
 /// The row of a test.
 SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& header, const History& history);

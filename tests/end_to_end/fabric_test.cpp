@@ -33,7 +33,7 @@ TEST(Fabric, AMaterialMakesItsOwnGrains) {
               "trigon, grain-size 4 mm, spread 0.4, elements-per-crystal 16 (material granite.toml)");
     EXPECT_NEAR(std::stod(fact(shell, "s.h5", "elements_per_crystal")), 16, 0.02 * 16);  // tolerance of the trials
     EXPECT_NEAR(std::stod(fact(shell, "s.h5", "crystal_variation")), 0.4, 1e-3);  // sizes are drawn so that they vary as wanted
-    EXPECT_NEAR(std::stod(fact(shell, "s.h5", "grain_size")), 4, 4 * 0.5 / 55);  // whole polygons
+    EXPECT_NEAR(std::stod(fact(shell, "s.h5", "grain_size")), 4, 4 * 0.5 / 55);   // whole polygons
     // The options that the material stands for make the same.
     shell.must(rectangle + "granite.toml --tessellation trigon --grains 55 --spread 0.4 --elements-per-crystal 16" + silent +
                "same.h5");

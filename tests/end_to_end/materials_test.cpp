@@ -37,7 +37,7 @@ TEST(Kinds, EachIsWrittenAndTestedWithWhatFollowsFromTheStrength) {
         const auto ratio = [&](const std::string& key) {
             return std::stod(shell.must("graincrack-post material value ratios." + key + " " + kind + ".toml --quiet"));
         };
-        const std::string strength = shell.must("graincrack-post --quiet strength " + kind + ".h5 --format tsv");
+        const std::string strength = shell.must("graincrack-post --quiet strength " + kind + ".h5 --format tsv --all-columns");
         EXPECT_NEAR(std::stod(cell(strength, "contact_cohesion_MPa")), ratio("cohesion") * ratio("tensile_strength") * 9, 1e-3);
     }
     shell.must("mkdir folder\ngraincrack-post calibrate folder --material gabbro.toml");

@@ -226,7 +226,7 @@ TEST_F(StrengthTable, ForPeopleHasGroupsUnitsAndMeans) {
         words.emplace_back(std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>());
     }
     ASSERT_EQ(words.size(), 10U) << out.str();
-    EXPECT_EQ(words[0], (std::vector<std::string>{"run", "seed", "grains", "mean", "edge", "strength", "at", "strain", "ended",
+    EXPECT_EQ(words[0], (std::vector<std::string>{"run", "seed", "crystals", "diameter", "strength", "at", "strain", "ended",
                                                   "by", "tensile", "shear"}));
     EXPECT_EQ(words[1], (std::vector<std::string>{"mm", "MPa", "%", "cracks", "cracks"}));
     EXPECT_EQ(words[3], (std::vector<std::string>{"uniaxial,", "plane", "strain;", "strength:", "first", "peak"}));
