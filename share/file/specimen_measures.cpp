@@ -116,8 +116,9 @@ double mean_crystal_diameter(const Specimen& specimen) {
 std::string note_on_few_crystals(const Specimen& specimen) {
     const double diameter = mean_crystal_diameter(specimen);
     const double extent = std::min(specimen.width, specimen.height);
-    constexpr int fewest_across = 10;  // of a specimen whose strength is the material's
-    if (extent >= fewest_across * diameter) return "";
+    constexpr int fewest_across = 10;            // of a specimen whose strength is the material's
+    constexpr double least_that_is_told = 9.95;  // what is printed as fewer than these
+    if (extent >= least_that_is_told * diameter) return "";
     const char* kind = specimen.tessellation == "delaunay" ? "grains" : "crystals";
     return fmt::format(
         "{:.2g} {} of the mean diameter across the smaller extent of {}: with fewer than {} a strength depends on "
