@@ -115,7 +115,7 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
     const Course course = course_of(run, options.abscissa);
     Chart chart(
         style,
-        {test_title(run.header), {fmt::format("seed {}, {} grains", run.specimen.seed, run.specimen.grains)}, {definition}},
+        {test_title(run.header), {fmt::format("seed {}, {} crystals", run.specimen.seed, run.specimen.crystals)}, {definition}},
         course.axis, Axis{"micro-cracks (contacts)", 0, 1.08 * most}, {Axis{"stress, MPa", 0, 1.08 * largest(stress)}});
     const Stroke load{palette::rim, 4.5, Dash::dotted};
     chart.line(course.values, stress, load, Chart::Side::right);

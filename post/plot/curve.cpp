@@ -97,8 +97,8 @@ ChartText curve_heading(const std::vector<Run>& runs, const std::string& title, 
     const RunData& run = *runs[0].data;
     if (runs.size() > 1) return {title, {fmt::format("{} runs", runs.size())}};
     ChartText text{test_title(run.header),
-                   {fmt::format("seed {}, {} grains, mean edge {:.3g} mm, plane {}", run.specimen.seed, run.specimen.grains,
-                                run.specimen.mean_edge * 1e3, name_of(run.header.plane)),
+                   {fmt::format("seed {}, {} crystals, mean diameter {:.3g} mm, plane {}", run.specimen.seed,
+                                run.specimen.crystals, run.specimen.grain_diameter * 1e3, name_of(run.header.plane)),
                     strength_label(runs[0])}};
     if (!definition.empty()) text.notes.push_back(definition);
     return text;
