@@ -60,12 +60,10 @@ Outcome run(TestKind test, double rate) {
     return outcome;
 }
 
-/// \param rate speed of each platen, m/s; the test is repeated at half of it
+/// \param rate of each platen, m/s, then half of it; forces on a slipping confined specimen differ by 2.2 % at any, a run warns
+/// at 5 %
 void expect_quasi_static(TestKind test, double rate) {
     const std::string name(name_of(test));
-    // A confined specimen cracks and slips up to the strain limit: 0.0215 at most at 8 and 4 mm/s, 0.0225 at 4 and 2 mm/s.
-    // The limit is that beyond which a run warns (share/file/equilibrium.cpp).
-    const double largest_difference = test == TestKind::triaxial ? 0.05 : 0.02;
     double peak = 0;
     for (const double share : {1.0, 0.5}) {
         const Outcome o = run(test, share * rate);
@@ -73,7 +71,7 @@ void expect_quasi_static(TestKind test, double rate) {
         EXPECT_GT(o.cracks, 5);  // the specimen failed
         EXPECT_GT(o.header.peak_axial_stress, 10 * MPa);
         verify("specimens: quasi-static, difference of the platen forces before the peak, " + name,
-               o.header.platen_force_difference, 0, largest_difference, "equilibrium", 1);
+               o.header.platen_force_difference, 0, test == TestKind::triaxial ? 0.05 : 0.02, "equilibrium", 1);
         verify("specimens: quasi-static, kinetic over strain energy before the peak, " + name, o.kinetic_over_strain, 0, 1e-3,
                "equilibrium", 1);
         verify("specimens: energy balance to the end, " + name, o.header.energy_balance_error, 0, 5e-3,
