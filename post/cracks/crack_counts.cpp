@@ -10,6 +10,7 @@
 #include "post/run/crystals.hpp"
 #include "post/table/column.hpp"
 #include "share/base/units.hpp"
+#include "share/file/specimen_measures.hpp"
 
 #include <fmt/format.h>
 
@@ -176,7 +177,7 @@ RunClasses classes_of_run(const std::string& run, const Specimen& specimen, cons
                           const CrackLabel& label, const std::optional<double>& peak) {
     RunClasses classes{run, definition_of(label), count_by_class(specimen, cracks, peak)};
     if (specimen.grain_crystal.empty()) return classes;
-    classes.crystals = ClassCounts{"crystals cracked", n_crystals(specimen)};
+    classes.crystals = ClassCounts{"crystals cracked", number_of_crystals(specimen)};
     if (peak) classes.crystals->at_peak = count_cracked_crystals(specimen, cracks, peak);
     classes.crystals->at_end = count_cracked_crystals(specimen, cracks);
     return classes;

@@ -10,6 +10,7 @@
 #include "post/run/crystals.hpp"
 #include "post/table/column.hpp"
 #include "share/base/union_find.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
 
@@ -130,7 +131,7 @@ std::vector<std::size_t> count_pieces(const Specimen& specimen, const std::vecto
         const auto [a, b] = grains[c];
         if (crystal_of(specimen, a) == crystal_of(specimen, b) && holds(state[c])) pieces.join(a, b);
     }
-    std::vector<std::size_t> counts(n_crystals(specimen), 0);
+    std::vector<std::size_t> counts(number_of_crystals(specimen), 0);
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
         if (pieces.find(g) == g) ++counts[crystal_of(specimen, g)];
     }
@@ -142,7 +143,7 @@ std::vector<std::size_t> count_pieces(const Specimen& specimen, const std::vecto
 std::vector<Crystal> find_crystals(const Specimen& specimen, const std::vector<Crack>& cracks,
                                    const std::vector<std::array<std::uint8_t, 2>>& state, const Fragments& fragments) {
     const auto grains = grains_of_contacts(specimen);
-    std::vector<Crystal> crystals(n_crystals(specimen));
+    std::vector<Crystal> crystals(number_of_crystals(specimen));
     const auto moments = first_moments(specimen);
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
         Crystal& crystal = crystals[crystal_of(specimen, g)];

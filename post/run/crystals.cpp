@@ -20,11 +20,6 @@ std::size_t crystal_of(const Specimen& specimen, std::size_t grain) {
     return specimen.grain_crystal.empty() ? grain : static_cast<std::size_t>(specimen.grain_crystal[grain]);
 }
 
-std::size_t n_crystals(const Specimen& specimen) {
-    if (specimen.grain_crystal.empty()) return specimen.n_grains();
-    return static_cast<std::size_t>(*std::max_element(specimen.grain_crystal.begin(), specimen.grain_crystal.end())) + 1;
-}
-
 std::vector<std::array<std::size_t, 2>> grains_of_contacts(const Specimen& specimen) {
     const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
     std::vector<std::array<std::size_t, 2>> grains;
@@ -41,7 +36,7 @@ bool is_within_crystal(const Specimen& specimen, std::size_t contact) {
 
 std::string grains_label(const Specimen& specimen) {
     if (specimen.grain_crystal.empty()) return fmt::format("{} grains", specimen.n_grains());
-    return fmt::format("{} crystals of {} elements", n_crystals(specimen), specimen.n_grains());
+    return fmt::format("{} crystals of {} elements", number_of_crystals(specimen), specimen.n_grains());
 }
 
 std::map<std::string, std::string> specimen_options(const H5Input& file) {

@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "share/file/h5_file.hpp"
-#include "share/file/specimen.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
 
 std::size_t crystal_of(const Specimen& specimen, std::size_t grain);
-std::size_t n_crystals(const Specimen& specimen);
 
 /// The two grains of each contact [c].
 std::vector<std::array<std::size_t, 2>> grains_of_contacts(const Specimen& specimen);
