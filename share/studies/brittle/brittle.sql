@@ -21,6 +21,7 @@ WITH fractures AS (
     UNION ALL SELECT 4, 'CI_over_UCS', crack_initiation_MPa / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 5, 'CI_by_lateral_response_over_UCS', crack_initiation_lateral_response_pseudo_3d_MPa / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 6, 'CI_by_count_over_UCS', crack_initiation_count_MPa / ucs, place, variant FROM uniaxial
+    UNION ALL SELECT 6.5, 'CI_by_10_percent_lost_over_UCS', crack_initiation_count_damage_10_MPa / ucs, place, variant FROM uniaxial
     -- Without a reversal before the peak the volume begins to grow at the peak.
     UNION ALL SELECT 7, 'CD_over_UCS', ifnull(crack_damage_MPa, ucs) / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 8, 'CD_2d_over_UCS', ifnull(crack_damage_2d_MPa, ucs) / ucs, place, variant FROM uniaxial
@@ -29,8 +30,9 @@ WITH fractures AS (
     UNION ALL SELECT 11, 'share_of_cracks_between_crystals', between_share, place, variant FROM uniaxial
     UNION ALL SELECT 12, 'Brazilian_MPa', tensile_strength_MPa, place, variant FROM tests WHERE series = 'brazilian'
     UNION ALL SELECT 13, 'direct_tension_MPa', tensile_strength_MPa, place, variant FROM tests WHERE series = 'tension'
-    UNION ALL SELECT 15, 'work_of_fracture_J/m2', work, place, variant FROM tests WHERE series = 'tension'
-    UNION ALL SELECT 16, CASE series WHEN 'half-disc 0.5' THEN 'K_IC_MPa.m^0.5' ELSE replace(series, 'half-disc ', 'K_IC_at_') END, toughness, place, variant
+    UNION ALL SELECT 15, 'work_of_fracture_J/m2', work, place, variant FROM tests
+        WHERE series = 'tension' AND abs(end_stress) < 0.1 * tensile_strength_MPa
+    UNION ALL SELECT 16, CASE series WHEN 'half-disc 0.5' THEN 'K_IC_MPa.m^0.5' WHEN 'beam' THEN 'K_IC_of_beams' ELSE replace(series, 'half-disc ', 'K_IC_at_') END, toughness, place, variant
         FROM tests WHERE test = 'bend'
     UNION ALL SELECT 17 + confining_pressure_MPa, 'first_peak' || at, ifnull(first_peak_MPa, peak_compressive_stress_MPa), place, variant FROM confined
         WHERE series <> 'to the limit'
