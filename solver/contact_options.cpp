@@ -122,6 +122,9 @@ void apply_contact_options(const ContactOptions& o, SimulationRequest& request) 
     request.material.contact = overlay(o.given, request.material.contact);
     request.contact = contact_parameters(request.material, request.plane, o.fracture_energy);
     check_energies(request.contact, request.law);
+    if (description_of(request.law).reads(&ContactParameters::bridging_strength)) {
+        require_sound_bridges(request.contact, request.material.file.string() + ": [contact], with the options given");
+    }
     request.fracture_energy = o.fracture_energy;
     request.fracture_energy_choice = description_of(request.law).reads(&ContactParameters::fracture_energy)
                                          ? name_of(effective_fracture_energy(request.material, o.fracture_energy).kind)

@@ -112,7 +112,9 @@ ContactParameters flaw_contact(const Material& material, PlaneCondition plane, c
             "contacts have other than [contact]",
             flaw_name, material.file.string()));
     }
-    return derived_contact(overlay(own->second, given_contact(material, plane, choice)), material.rock, plane);
+    GivenContact given = given_contact(material, plane, choice);
+    given.bridging_strength = given.bridging_energy = 0;  // nothing interlocks across a joint unless its table says so
+    return derived_contact(overlay(own->second, given), material.rock, plane);
 }
 
 double length_within_crystals(const Specimen& specimen, const std::string& class_name) {
@@ -142,7 +144,9 @@ ContactParameters contact_within_crystals(const Material& material, PlaneConditi
 
     GivenContact given = given_contact(material, plane, choice);
     if (!has_table && !is_rock) given = given_between(material, plane, given, phase, phase);
-    take_factors(fabric.within, material, plane, given);
+    GivenContact within = fabric.within;
+    for (auto* factor : {&within.bridging_strength, &within.bridging_energy}) *factor = factor->value_or(0);
+    take_factors(within, material, plane, given);
     if (has_table) {
         given = overlay(table->second, given);
     } else {

@@ -21,6 +21,7 @@ struct Property {
     const char* name;
     double Row::*member;
     Dimension dimension;
+    bool may_lack = false;  ///< files may have none: it is 0 then
 };
 constexpr std::array<Property<Phase>, 3> phase_properties{{{"young_modulus", &Phase::young_modulus, Dimension::stress},
                                                            {"poisson_ratio", &Phase::poisson_ratio, Dimension::one},
@@ -29,7 +30,7 @@ const std::vector<Property<ContactParameters>>& contact_properties() {
     static const std::vector<Property<ContactParameters>> all = [] {
         std::vector<Property<ContactParameters>> rows;
         for (const ContactParameter& row : all_contact_parameters()) {
-            rows.push_back({row.quantity.name.data(), row.value, row.quantity.dimension});
+            rows.push_back({row.quantity.name.data(), row.value, row.quantity.dimension, row.may_lack});
         }
         rows.push_back({"critical_opening", &ContactParameters::critical_opening, Dimension::length});
         rows.push_back({"critical_sliding", &ContactParameters::critical_sliding, Dimension::length});
@@ -52,7 +53,9 @@ void visit_header(Header& h, Visit&& visit) {
     visit("mode_i_toughness", h.rock.mode_i_toughness, Dimension::toughness);
     visit("mode_ii_toughness", h.rock.mode_ii_toughness, Dimension::toughness);
     visit("tensile_strength", h.rock.tensile_strength, Dimension::stress);
-    for (const auto& [name, member, dimension] : contact_properties()) visit(name, h.contact.*member, dimension);
+    for (const auto& [name, member, dimension, may_lack] : contact_properties()) {
+        visit(name, h.contact.*member, dimension, may_lack);
+    }
     visit("platen_friction", h.platen_friction, Dimension::angle);
     visit("confining_pressure", h.confining_pressure, Dimension::stress);
     visit("rate", h.rate);
@@ -86,7 +89,7 @@ struct HeaderWriter {
     H5Output& file;
     void operator()(const char* name, const std::string& value) const { file.attribute(schema::run_group, name, value); }
     void operator()(const char* name, const std::int64_t& value) const { file.attribute(schema::run_group, name, value); }
-    void operator()(const char* name, const double& value, Dimension dimension) const {
+    void operator()(const char* name, const double& value, Dimension dimension, bool /*may_lack*/ = false) const {
         file.quantity(schema::run_group, name, value, si_unit(dimension));
     }
 };
@@ -97,8 +100,9 @@ struct HeaderReader {
     void operator()(const char* name, std::int64_t& value) const {
         value = file.attribute<std::int64_t>(schema::run_group, name);
     }
-    void operator()(const char* name, double& value, Dimension /*dimension*/) const {
-        value = file.attribute<double>(schema::run_group, name);
+    void operator()(const char* name, double& value, Dimension /*dimension*/, bool may_lack = false) const {
+        value =
+            may_lack ? file.attribute_or<double>(schema::run_group, name, 0) : file.attribute<double>(schema::run_group, name);
         if (!std::isfinite(value)) {
             throw InputError(fmt::format("{}: attribute {} of {} is {}; a finite number is needed", file.name(), name,
                                          schema::run_group, value));
@@ -124,7 +128,7 @@ void write_properties(H5Output& file, const std::string& group, const std::vecto
                       const Properties& properties, const std::vector<Row>& rows) {
     file.create_group(group);
     file.attribute(group, "names", names);
-    for (const auto& [name, member, dimension] : properties) {
+    for (const auto& [name, member, dimension, may_lack] : properties) {
         std::vector<double> values;
         for (const Row& row : rows) values.push_back(row.*member);
         file.write<double>(group + "/" + name, std::span<const double>(values), {names.size()}, si_unit(dimension),
@@ -135,7 +139,8 @@ void write_properties(H5Output& file, const std::string& group, const std::vecto
 /// Reads properties into as many rows as there are. \throws InputError
 template <class Properties, class Row>
 void read_properties(const H5Input& file, const std::string& group, const Properties& properties, std::vector<Row>& rows) {
-    for (const auto& [name, member, dimension] : properties) {
+    for (const auto& [name, member, dimension, may_lack] : properties) {
+        if (may_lack && !file.has(group + "/" + name)) continue;
         const std::vector<double> values = file.read<double>(group + "/" + name, {rows.size()});
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (!std::isfinite(values[i])) {

@@ -29,6 +29,8 @@ struct ContactValues {
     Value residual_tensile_strength{};  ///< after failure, Pa
     Value residual_cohesion{};          ///< after failure, Pa
     Value residual_friction_angle{};    ///< after failure, rad
+    Value bridging_strength{};          ///< σb, of what still holds an opened contact, Pa; 0: nothing does
+    Value bridging_energy{};            ///< Gb, that it takes to open it fully, J/m²
 };
 using ContactValue = double ContactValues<double>::*;
 
@@ -51,6 +53,7 @@ struct ContactParameter {
     const char* usual;           ///< in words: what it is unless given; of a needed one its first guess
     bool every_law = false;      ///< every law reads it; others are read by the laws that name them
     bool follows_plane = false;  ///< unless given it depends on the plane condition
+    bool may_lack = false;       ///< files from before it have none; it is 0 there
     /// Its value unless given, from the rows before it; null where a material needs to give it.
     double (*derive)(const ContactValues<double>& before, const Rock& rock, PlaneCondition plane) = nullptr;
 
@@ -71,5 +74,8 @@ GivenContact overlay(GivenContact given, const GivenContact& base);
 /// All parameters of a contact between grains of a rock (Eqs 3–5, 8, 11, 14). A needed value that is not given is 0. Each law
 /// checks for itself whether the fracture energies suffice for its curves.
 ContactParameters derived_contact(const GivenContact& given, const Rock& rock, PlaneCondition plane);
+/// Bridges have a strength and an energy or neither, and hold less than the contact did before it cracked.
+/// \param where names the contacts \throws InputError
+void require_sound_bridges(const ContactParameters& contact, const std::string& where);
 
 }  // namespace graincrack

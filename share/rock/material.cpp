@@ -100,12 +100,13 @@ std::vector<TomlKey> ratio_keys(ContactRatios& ratios) {
     const auto key = [](const char* name, std::optional<double>& target, const char* meaning) {
         return TomlKey{name, {name, Dimension::one, 0, 1e6, meaning, true}, to(target)};
     };
-    return {
-        key("tensile_strength", ratios.tensile_strength, "tensile strength of a contact over that of the rock"),
-        key("cohesion", ratios.cohesion, "cohesion of a contact over its tensile strength"),
-        key("process_zone", ratios.fracture_energy, "E G_I/tc^2 of a contact over the grain size"),
-        key("mode_ii_fracture_energy", ratios.mode_ii_fracture_energy, "G_II of a contact over its G_I"),
-        key("open_shear_strength", ratios.open_shear_strength, "shear strength of an open contact over its tensile strength")};
+    return {key("tensile_strength", ratios.tensile_strength, "tensile strength of a contact over that of the rock"),
+            key("cohesion", ratios.cohesion, "cohesion of a contact over its tensile strength"),
+            key("process_zone", ratios.fracture_energy, "E G_I/tc^2 of a contact over the grain size"),
+            key("mode_ii_fracture_energy", ratios.mode_ii_fracture_energy, "G_II of a contact over its G_I"),
+            key("open_shear_strength", ratios.open_shear_strength, "shear strength of an open contact over its tensile strength"),
+            key("bridging_strength", ratios.bridging_strength, "bridging strength of a contact over its tensile strength"),
+            key("bridging_energy", ratios.bridging_energy, "bridging energy of a contact over K_IC^2/E~ of the rock")};
 }
 
 /// `given`, and where it has no value what the ratios make of the values before it in the table of contact parameters; a value
@@ -119,6 +120,8 @@ GivenContact with_ratios(GivenContact given, const ContactRatios& ratios, const 
     const std::optional<double>& tc = given.tensile_strength;
     follow(&GivenContact::cohesion, tc);
     follow(&GivenContact::open_shear_strength, tc);
+    follow(&GivenContact::bridging_strength, tc);
+    follow(&GivenContact::bridging_energy, fpz::mode_i_fracture_energy(rock, plane));
     if (tc && grain_size) follow(&GivenContact::fracture_energy, *grain_size * *tc * *tc / rock.young_modulus);
     follow(&GivenContact::mode_ii_fracture_energy, given.fracture_energy.value_or(fpz::mode_i_fracture_energy(rock, plane)));
     return given;

@@ -49,10 +49,12 @@ constexpr std::int64_t detections_between_updates = 8;
 /// Groups of pairs, of one node each, whose geometry is found side by side.
 constexpr std::size_t groups_at_a_time = 32;
 
-/// True if a contact point has no cohesion left.
+/// True if a contact point has no cohesion and no bridge left.
 template <class Law>
 bool is_lost(const ContactLaw& law, const State& s, std::size_t point) {
-    return s.failed[point] != 0 && contact_law::damage<Law>(law, point_history(s, point)) >= 1;
+    if (s.failed[point] == 0) return false;
+    const ContactHistory history = point_history(s, point);
+    return history.bridge == 0 && contact_law::damage<Law>(law, history) >= 1;
 }
 
 /// Contact points of this rank's own that debonded since the last update.

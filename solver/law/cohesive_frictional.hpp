@@ -16,8 +16,9 @@
 // The sudden loss of the paper is the limit of small G_II. Where G_II is no more than the energy of the path to the peak,
 // cc δcs (e − 2), there is no softening: cohesion is lost at once, and friction starts from the traction the point had (Eq 12).
 //
-// Energy: that of `consistent`. Every part of the dissipation, by the fall of β and by slip, is never negative. On crossing δn =
-// 0 friction is zero and β can only fall: the law has a potential. Failure in one mode always weakens the other.
+// Bridges are those of `bridge.hpp`. Energy: that of `consistent`. Every part of the dissipation, by the fall of β and by slip,
+// is never negative. On crossing δn = 0 friction is zero and β can only fall: the law has a potential. Failure in one mode always
+// weakens the other.
 #pragma once
 
 #include "solver/law/cohesive_damage.hpp"
@@ -32,7 +33,8 @@ struct CohesiveFrictional {
         .potential = true,
         .friction_beside_cohesion = true,
         .parameters = {&ContactParameters::fracture_energy, &ContactParameters::mode_ii_fracture_energy,
-                       &ContactParameters::open_shear_strength, &ContactParameters::residual_friction_angle}};
+                       &ContactParameters::open_shear_strength, &ContactParameters::residual_friction_angle,
+                       &ContactParameters::bridging_strength, &ContactParameters::bridging_energy}};
     static constexpr bool damages_intact = true;
     static constexpr bool remembers_largest = false;
     static FractureEnergies min_energies(const ContactLaw& law) { return {min_opening_energy(law), 0}; }
@@ -49,15 +51,14 @@ struct CohesiveFrictional {
             if (advance_intact<CohesiveFrictional>(law, to, r)) return;
             fail(law, to, r);
         }
-        if (h.integrity == 0) {
+        if (is_residual(law, h)) {
             advance_residual(law, to, r);
             return;
         }
         advance_softening<CohesiveFrictional>(law, to, r);
-        h.separated = h.separated || (to.opening >= 0 && h.integrity == 0);
+        h.separated = h.separated || (to.opening >= 0 && is_residual(law, h));
     }
-    /// A contact closes: the normal traction is zero there, so friction starts from zero.
-    static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
+    static void close(const ContactLaw& law, ContactResponse& r) { close_bridge(law, r); }
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) { return damaged_energy(law, h); }
     static double damage(const ContactLaw& law, const ContactHistory& h) {
         return h.failed() ? 1 - remaining_cohesion(law, h.integrity) : 0;
@@ -66,23 +67,36 @@ struct CohesiveFrictional {
     static double remaining_cohesion(const ContactLaw& law, const ContactHistory& h) {
         return remaining_cohesion(law, h.motion.opening, h.motion.sliding, h.integrity);
     }
-    static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() && h.integrity == 0; }
+    static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) {
+        return h.failed() && h.integrity == 0 && h.bridge == 0;
+    }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
-    /// Cohesion past the peak, and friction beside it while closed.
+    /// Cohesion past the peak, friction beside it while closed, a bridge beside it while open.
     GRAINCRACK_INLINE static SofteningResponse softening(const ContactLaw& law, const SofteningPoint& p) {
         const bool closed = p.opening < 0;
         const IntactPoint motion{p.old_opening, p.old_sliding, p.opening, p.sliding, p.integrity};
         const double integrity = std::min(p.integrity, integrity_at(law, p.opening, p.sliding));
         const double limit = -law.kt * std::min(p.opening, 0.0) * tan_friction(law, integrity);
         const FrictionReturn friction = friction_return(law.ks, p.old_sliding, p.sliding, p.slip, limit);
-        return {(closed ? 1.0 : integrity) * law.kt * p.opening,
-                integrity * law.ks * p.sliding + (closed ? friction.shear : 0.0),
-                integrity,
-                closed ? friction.slip : p.slip,
-                energy_of_fall(law, motion, p.integrity - integrity),
-                closed ? friction.dissipated : 0.0,
-                integrity > 0 ? stays_on_its_side(motion) : 0.0,
-                remaining_cohesion(law, p.opening, p.sliding, integrity)};
+        SofteningResponse r{(closed ? 1.0 : integrity) * law.kt * p.opening,
+                            integrity * law.ks * p.sliding + (closed ? friction.shear : 0.0),
+                            integrity,
+                            closed ? friction.slip : p.slip,
+                            energy_of_fall(law, motion, p.integrity - integrity),
+                            closed ? friction.dissipated : 0.0,
+                            integrity > 0 ? stays_on_its_side(motion) : 0.0,
+                            remaining_cohesion(law, p.opening, p.sliding, integrity)};
+        if (law.bridge > 0) {
+            const Bridge bridge = advance_bridge(law, motion, integrity, p.bridge, p.slip);
+            r.normal += bridge.normal;
+            r.shear += bridge.shear;
+            r.slip = slip_of_bridge(p.opening, p.bridge, r.slip);
+            r.fracture += bridge.fracture;
+            r.holds = integrity + bridge.integrity > 0 ? stays_on_its_side(motion) : 0.0;
+            r.remaining_cohesion = remaining_with_bridge(r.remaining_cohesion, bridge.remaining);
+            r.bridge = bridge.integrity;
+        }
+        return r;
     }
 
 private:

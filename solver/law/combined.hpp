@@ -156,7 +156,7 @@ struct Combined {
         h.separated = advance_softening<Combined>(law, to, r) == 0 || h.separated;
     }
     /// A contact closes: the normal traction is zero there, so friction starts from zero.
-    static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
+    static void close(const ContactLaw& /*law*/, ContactResponse& r) { r.history.slip = r.history.motion.sliding; }
 
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
         const double cohesive = cohesive_energy(law, stretch_of(law, h.motion), cohesion_of(law, h));

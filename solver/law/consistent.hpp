@@ -15,8 +15,8 @@
 // A point that failed closed carries friction on all of its area, starting from the traction it had (Eq 12). One that failed open
 // carries friction on the fraction D of the area that it has lost, starting from zero when it closes (Alfano & Sacco 2006, Int J
 // Numer Meth Engng 68: friction on the damaged part). When a point fails while closed, both shares continue with their mean slip;
-// the energy is convex in the slip, so the loss is never negative. On crossing δn = 0 β can only fall, which dissipates energy:
-// the law has a potential. Failure in one mode always weakens the other.
+// the energy is convex in the slip, so the loss is never negative. Bridges are those of `bridge.hpp`. On crossing δn = 0 β can
+// only fall, which dissipates energy: the law has a potential. Failure in one mode always weakens the other.
 #pragma once
 
 #include "solver/law/cohesive_damage.hpp"
@@ -29,7 +29,8 @@ struct Consistent {
         .name = "consistent",
         .meaning = "one damage variable, an energy everywhere",
         .potential = true,
-        .parameters = {&ContactParameters::fracture_energy, &ContactParameters::open_shear_strength}};
+        .parameters = {&ContactParameters::fracture_energy, &ContactParameters::open_shear_strength,
+                       &ContactParameters::bridging_strength, &ContactParameters::bridging_energy}};
     static constexpr bool damages_intact = true;
     static FractureEnergies min_energies(const ContactLaw& law) { return {min_opening_energy(law), 0}; }
     static void complete(ContactLaw& law) {
@@ -43,6 +44,7 @@ struct Consistent {
         ContactHistory& h = r.history;
         const bool open = to.opening >= 0;
         const double load = cohesive_load(law, to.opening, to.sliding);
+        const IntactPoint motion = intact_point(h, to);
         double frictional_shear = 0;
         if (!open) {
             const ResidualResponse friction = residual_response(law, residual_point(h, to));
@@ -51,7 +53,7 @@ struct Consistent {
             r.dissipation.friction += h.friction_fraction * friction.friction;
         }
         if (load <= 1) {
-            const IntactResponse cohesion = intact(law, intact_point(h, to));
+            const IntactResponse cohesion = intact(law, motion);
             h.integrity = cohesion.integrity;
             r.dissipation.fracture += cohesion.fracture;
         } else if (open) {
@@ -62,15 +64,15 @@ struct Consistent {
         const double shear = h.integrity * law.ks * to.sliding;
         r.traction = open ? ContactTraction{h.integrity * law.kt * to.opening, shear}
                           : ContactTraction{law.kt * to.opening, shear + h.friction_fraction * frictional_shear};
-        h.separated = h.separated || (open && h.integrity == 0);
+        if (law.bridge > 0 && h.failed()) bear_bridge(law, motion, r);
+        h.separated = h.separated || (open && h.integrity == 0 && h.bridge == 0);
         h.motion = to;
     }
-    /// A contact closes: the normal traction is zero there, so friction starts from zero.
-    static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.motion.sliding; }
+    static void close(const ContactLaw& law, ContactResponse& r) { close_bridge(law, r); }
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) { return damaged_energy(law, h); }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.friction_fraction; }
     static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) {
-        return h.failed() && h.integrity == 0 && h.friction_fraction == 1;
+        return h.failed() && h.integrity == 0 && h.bridge == 0 && h.friction_fraction == 1;
     }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
 
@@ -84,6 +86,16 @@ private:
         h.friction_fraction = std::max(h.friction_fraction, lost);
         r.dissipation.fracture += energy_of_fall(law, intact_point(h, to), h.integrity - integrity);
         h.integrity = integrity;
+    }
+    /// Adds what the bridge bears to the traction.
+    static void bear_bridge(const ContactLaw& law, const IntactPoint& motion, ContactResponse& r) {
+        ContactHistory& h = r.history;
+        const Bridge bridge = advance_bridge(law, motion, h.integrity, h.bridge, h.slip);
+        h.slip = slip_of_bridge(motion.opening, h.bridge, h.slip);
+        h.bridge = bridge.integrity;
+        r.traction.normal += bridge.normal;
+        r.traction.shear += bridge.shear;
+        r.dissipation.fracture += bridge.fracture;
     }
     /// Past the peak of the closed branch: the cohesive fraction continues with friction, from the traction it had.
     /// \return the traction of friction on the whole area, Pa

@@ -27,6 +27,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "share/rock/material.hpp"
@@ -55,6 +56,10 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
     law.dut = p.ultimate_opening;
     law.inv_dct = 1 / law.dct;
     law.inv_dcs = 1 / law.dcs;
+    const bool is_bridged =
+        description.reads(&ContactParameters::bridging_strength) && p.bridging_strength > 0 && p.bridging_energy > 0;
+    law.bridge = is_bridged ? p.bridging_strength / law.tc : 0;
+    law.bridge_decay = is_bridged ? law.bridge * law.bridge / (2 * std::numbers::e * p.bridging_energy) : 0;
     contact_law::with_law(variant, [&law](auto kind) { decltype(kind)::complete(law); });
     return law;
 }
@@ -92,7 +97,7 @@ void cross(const ContactLaw& law, bool opens, ContactResponse& r) {
     if (opens) {
         Law::advance(law, edge, r);
     } else {
-        Law::close(law, r.history);
+        Law::close(law, r);
         r.history.motion.opening = -std::numeric_limits<double>::denorm_min();  // the closed branch at δn → 0−
     }
     const double released = before - Law::stored_energy(law, r.history);
@@ -129,11 +134,16 @@ double damage(const ContactLaw& law, const ContactHistory& history) {
 template <class Law>
 double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) {
     if (!history.failed() || history.separated) return history.failed() ? 0 : 1;
+    double cohesion = 0;
     if constexpr (requires { Law::remaining_cohesion(law, history); }) {
-        return Law::remaining_cohesion(law, history);
+        cohesion = Law::remaining_cohesion(law, history);
     } else {
-        return 1 - Law::damage(law, history);
+        cohesion = 1 - Law::damage(law, history);
     }
+    if (history.bridge == 0) return cohesion;
+    const Bridge bridge =
+        advance_bridge(law, intact_point(history, history.motion), history.integrity, history.bridge, history.slip);
+    return remaining_with_bridge(cohesion, bridge.remaining);
 }
 
 }  // namespace contact_law
@@ -159,7 +169,7 @@ inline double damage(const ContactLaw& law, const ContactHistory& history) {
 }
 
 /// Share of the peak of its cohesive traction that a contact point can still bear, 0 to 1: 1 up to its failure. Below the last of
-/// `damage_levels` the point is broken.
+/// `damage_levels` the point is broken. Down to one half a bridge does not count.
 inline double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant,
                                  [&](auto kind) { return contact_law::remaining_cohesion<decltype(kind)>(law, history); });

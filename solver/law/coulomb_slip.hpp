@@ -60,7 +60,9 @@ struct CoulombSlip {
         h.motion = to;
     }
     /// The shear spring of a point that has separated starts anew; that of another continues.
-    static void close(const ContactLaw& /*law*/, ContactHistory& h) { h.slip = h.separated ? h.motion.sliding : h.slip; }
+    static void close(const ContactLaw& /*law*/, ContactResponse& r) {
+        if (r.history.separated) r.history.slip = r.history.motion.sliding;
+    }
 
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
         if (h.separated && h.motion.opening >= 0) return 0;

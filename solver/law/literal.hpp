@@ -48,8 +48,8 @@ struct Literal {
         r.history.motion = to;
     }
     /// A contact closes: the normal traction is zero there, so friction starts from zero.
-    static void close(const ContactLaw& /*law*/, ContactHistory& h) {
-        if (h.failed()) h.slip = h.motion.sliding;
+    static void close(const ContactLaw& /*law*/, ContactResponse& r) {
+        if (r.history.failed()) r.history.slip = r.history.motion.sliding;
     }
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
         if (h.motion.opening < 0) return closed_energy(law, h);

@@ -7,7 +7,7 @@
 // - `complete(law)`: sets the constants that are its own; `stiffest_shear` in any case, `softens_in_shear` if it does
 // - `advance(law, to, r)`: a point moves to a motion on its side of δn = 0: sets r.traction, brings r.history up to date, adds to
 //   r.dissipation
-// - `close(law, history)`: an open point has arrived at δn = 0 (as history.motion says) and is about to be closed
+// - `close(law, r)`: an open point has arrived at δn = 0 (as r.history.motion says) and is about to be closed
 // - `stored_energy(law, history)`: recoverable energy per area, a function of state
 // - `damage(law, history)`: 0 to 1
 // - `remaining_cohesion(law, history)`, if it is not 1 − `damage`: fraction of its peak that the cohesion of a failed point can

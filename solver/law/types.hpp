@@ -61,6 +61,8 @@ struct ContactLaw {
     double inv_op, inv_sp;       ///< 1/m
     double o_range, s_range;  ///< (o_r − o_p)/o_p, (s_r − s_p)/s_p (combined); s = λu − 1 while closed (cohesive-frictional)
     bool softens_in_shear;    ///< a closed point loses its cohesion over a distance, beside friction
+    double bridge;            ///< ρ = σb/tc, 0 without bridges (consistent, cohesive-frictional)
+    double bridge_decay;      ///< ρ²/(2 e Gb) (likewise), m²/J
 };
 
 struct ContactMotion {
@@ -82,6 +84,7 @@ struct ContactHistory {
     double slip = 0;                            ///< frictional slip: τ = ks (δs − slip), m
     double integrity = 1;                       ///< β (consistent, cohesive-frictional)
     double friction_fraction = 0;               ///< a (consistent, cohesive-frictional)
+    double bridge = 0;                          ///< b, the integrity of its bridge (likewise)
     bool failed_open = false;                   ///< passed the peak of the open branch
     bool failed_closed = false;                 ///< passed the peak of the closed branch
     bool separated = false;                     ///< past δut, or open after a failure that left nothing
@@ -122,6 +125,7 @@ inline PointState point_state(const ContactHistory& h) {
 }
 
 /// The fraction of its cohesion that remains when a point is damaged by 10, 50 and 90 %. A point below the last one is broken.
+/// The first two are of the brittle part, whatever a bridge bears.
 inline constexpr std::array<double, 3> damage_levels{0.9, 0.5, 0.1};
 /// The next mark of a point that has passed so many; 0, which no point falls below, after the last.
 constexpr double damage_level(std::size_t passed) { return passed < damage_levels.size() ? damage_levels[passed] : 0; }

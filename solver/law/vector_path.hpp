@@ -31,6 +31,7 @@ struct SofteningPoint {
     double slip;                      ///< before, m
     double largest_open = 0;          ///< before, as in `ContactHistory`
     double largest_slid = 0;
+    double bridge = 0;
 };
 /// The response of `update_contact` to it, where `holds`.
 struct SofteningResponse {
@@ -43,6 +44,7 @@ struct SofteningResponse {
     double remaining_cohesion;  ///< fraction of the peak that its cohesion can bear, 0 to 1
     double largest_open = 0;
     double largest_slid = 0;
+    double bridge = 0;
 };
 
 /// A residual point, one of which `is_residual` of its law says that no cohesion is left, before and after a motion.
@@ -77,7 +79,8 @@ inline IntactPoint intact_point(const ContactHistory& h, const ContactMotion& to
     return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity};
 }
 inline SofteningPoint softening_point(const ContactHistory& h, const ContactMotion& to) {
-    return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity, h.slip, h.largest_open, h.largest_slid};
+    return {h.motion.opening, h.motion.sliding, to.opening,     to.sliding, h.integrity,
+            h.slip,           h.largest_open,   h.largest_slid, h.bridge};
 }
 inline ResidualPoint residual_point(const ContactHistory& h, const ContactMotion& to) {
     return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip};
@@ -106,6 +109,7 @@ double advance_softening(const ContactLaw& law, const ContactMotion& to, Contact
     r.history.slip = now.slip;
     r.history.largest_open = now.largest_open;
     r.history.largest_slid = now.largest_slid;
+    r.history.bridge = now.bridge;
     r.history.motion = to;
     return now.remaining_cohesion;
 }

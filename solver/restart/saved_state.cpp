@@ -41,7 +41,7 @@ void visit_members(T& v, Act&& act) {
 template <Is<ContactHistory> T, class Act>
 void visit_members(T& h, Act&& act) {
     visit_all(act, h.motion.opening, h.motion.sliding, h.max_displacement, h.largest_open, h.largest_slid, h.slip, h.integrity,
-              h.friction_fraction, h.failed_open, h.failed_closed, h.separated);
+              h.friction_fraction, h.bridge, h.failed_open, h.failed_closed, h.separated);
     act(h.first_mode);
 }
 template <Is<NodeEdgeContact> T, class Act>

@@ -59,7 +59,7 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
                 if (s.failed[i] == 0) {
                     const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
                     intact.front() += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
-                } else if (law.softens_in_shear && s.residual[i] == 0) {
+                } else if (law.softens_in_shear && s.residual[i] == 0 && s.integrity[i] > 0) {
                     slides = true;  // it loses cohesion as it slides on
                 } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
                     const double limit = contact_law::residual_limit(law, -law.kt * opening);

@@ -24,7 +24,9 @@ Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
                 : contact_within_crystals(r.material, r.plane, r.fracture_energy, flaw, length_within_crystals(specimen, flaw)));
     }
     const std::vector<std::string> names = contact_class_names(specimen);
+    const bool may_bridge = description_of(r.law).reads(&ContactParameters::bridging_strength);
     for (std::size_t k = n_uniform; k < fabric.contacts.size(); ++k) {
+        if (may_bridge) require_sound_bridges(fabric.contacts[k], r.material.file.string() + ": contacts " + names[k]);
         const FractureEnergies least = min_fracture_energies(make_contact_law(fabric.contacts[k], r.law));
         if (!(fabric.contacts[k].fracture_energy >= least.opening &&
               fabric.contacts[k].mode_ii_fracture_energy >= least.sliding)) {

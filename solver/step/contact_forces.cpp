@@ -25,6 +25,7 @@ struct ContactLanes {
     alignas(64) double softening[2 * n];                          ///< 1 if it has failed and cohesion is left, else 0
     alignas(64) double tensile[2 * n];                            ///< 1 if a softening point failed in tension, else 0
     alignas(64) double largest_open[2 * n], largest_slid[2 * n];  ///< of softening points, as in `ContactHistory`
+    alignas(64) double bridge[2 * n];                             ///< of softening points, as in `ContactHistory`
     alignas(64) double residual[2 * n];                           ///< 1 if it carries nothing but friction, else 0
     alignas(64) double released[2 * n];  ///< 1 if the contact has been released to node–edge contacts, else 0
     alignas(64) double done[2 * n];      ///< 1 where one of these responses holds or the contact has been released; else 0: the
@@ -104,6 +105,7 @@ void find_softening(const State& s, Range range, ContactLanes& b) {
         b.tensile[k] = softening && history->first_mode == CrackMode::tensile ? 1.0 : 0.0;
         b.largest_open[k] = softening ? history->largest_open : 0.0;
         b.largest_slid[k] = softening ? history->largest_slid : 0.0;
+        b.bridge[k] = softening ? history->bridge : 0.0;
         found += b.softening[k];
     }
     b.any_softening = found > 0;
@@ -209,10 +211,11 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
     const double* const next_level = points.next_level;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
         const SofteningResponse r = Law::softening(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k],
-                                                         slip[k], b.largest_open[k], b.largest_slid[k]});
+                                                         slip[k], b.largest_open[k], b.largest_slid[k], b.bridge[k]});
         const double softening = r.holds * b.softening[k];
         b.largest_open[k] = softening != 0 ? r.largest_open : b.largest_open[k];
         b.largest_slid[k] = softening != 0 ? r.largest_slid : b.largest_slid[k];
+        b.bridge[k] = softening != 0 ? r.bridge : b.bridge[k];
         b.normal_traction[k] = softening != 0 ? r.normal : b.normal_traction[k];
         b.shear_traction[k] = softening != 0 ? r.shear : b.shear_traction[k];
         integrity[k] = softening != 0 ? r.integrity : integrity[k];
@@ -229,14 +232,15 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
     b.passing = sum_values_by_lanes(2 * count, b.passes);
 }
 
-/// Keeps the largest motions of softening points.
-void store_largest(Range range, const ContactLanes& b, State& s) {
+/// Keeps the largest motions and the bridges of softening points.
+void store_histories(Range range, const ContactLanes& b, State& s) {
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
         if (b.softening[k] != 0) {
             ContactHistory& history = s.points.of(first + static_cast<std::size_t>(k));
             history.largest_open = b.largest_open[k];
             history.largest_slid = b.largest_slid[k];
+            history.bridge = b.bridge[k];
         }
     }
 }
@@ -442,7 +446,7 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
                 book_fracture(points, count, b, sums, [&b](std::int32_t k) { return b.tensile[k] != 0; });
                 sums.friction += sum_friction(count, b);
             });
-            if constexpr (Law::remembers_largest) store_largest(range, b, s);
+            if (Law::remembers_largest || law.bridge > 0) store_histories(range, b, s);
             if (b.passing > 0) record_softening(a, chunk, step, s, b);
         }
     }

@@ -25,6 +25,7 @@ void expect_equal(const ContactLaw& law, const SofteningResponse& softening, con
     EXPECT_EQ(softening.slip, full.history.slip);
     EXPECT_EQ(softening.largest_open, full.history.largest_open);
     EXPECT_EQ(softening.largest_slid, full.history.largest_slid);
+    EXPECT_EQ(softening.bridge, full.history.bridge);
     EXPECT_EQ(softening.remaining_cohesion, remaining_cohesion(law, full.history));
     EXPECT_EQ(softening.fracture, full.dissipation.fracture);
     EXPECT_EQ(softening.friction, full.dissipation.friction);
@@ -58,13 +59,15 @@ Count compare_on_path(const ContactLaw& law, double peak_sliding, int seed) {
 }
 
 template <class Law>
-void compare(double cohesion, double peak_factor) {
+void compare(double cohesion, double peak_factor, double bridge = 0) {
     Material material = test::augig_granite();
     material.contact.cohesion = cohesion;
     material.contact.mode_ii_fracture_energy = 330;
     ContactParameters c =
         contact_parameters(material, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i, 0});
     c.residual_friction_angle = 20 * test::degree;
+    c.bridging_strength = bridge * c.tensile_strength;
+    c.bridging_energy = bridge * c.fracture_energy;
     const ContactLaw law = make_contact_law(c, Law::description.variant);
     Count all;
     for (int seed = 0; seed < 20; ++seed) {
@@ -78,7 +81,7 @@ void compare(double cohesion, double peak_factor) {
 
 // The peaks of sliding are at e cc/ks and at 2 cc/ks.
 TEST(SofteningResponse, OfCohesiveFrictionalAgreesWithTheFullLaw) {
-    compare<contact_law::CohesiveFrictional>(14 * MPa, std::exp(1.0));
+    for (const double bridge : {0.0, 0.5}) compare<contact_law::CohesiveFrictional>(14 * MPa, std::exp(1.0), bridge);
 }
 TEST(SofteningResponse, OfCombinedAgreesWithTheFullLaw) { compare<contact_law::Combined>(14 * MPa, 2); }
 

@@ -174,6 +174,16 @@ TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
     EXPECT_EQ(fabric_text(material_of(granite_text + fabric_text(material.fabric)).fabric), fabric_text(material.fabric));
     expect_one_line<InputError>([&] { flaw_contact(material, PlaneCondition::strain, std::nullopt, "fault"); },
                                 {"class fault", "granite.toml", "[flaws.fault]"});
+    const std::string bridges = "bridging_strength = \"5 MPa\"\nbridging_energy = \"80 J/m2\"\n";
+    const auto bridging = [&](const std::string& own, bool is_joint) {
+        const Material m = material_of(granite_text + bridges + own);
+        return is_joint ? flaw_contact(m, PlaneCondition::strain, std::nullopt, "joint").bridging_strength
+                        : contact_within_crystals(m, PlaneCondition::strain, std::nullopt, "within_rock", 0).bridging_strength;
+    };
+    EXPECT_EQ(bridging("[flaws.joint]\ncohesion = \"1 MPa\"\n", true), 0);
+    EXPECT_EQ(bridging("[flaws.joint]\n" + bridges, true), 5e6);
+    EXPECT_EQ(bridging("", false), 0);
+    EXPECT_EQ(bridging("[pairs.within]\nbridging_strength = 0.5\n", false), 2.5e6);
     expect_refused("[flaws.Joint]\ncohesion = \"1 MPa\"\n", {"flaws.Joint", "small letters"});
     expect_refused("[flaws.joint]\ncohesoin = \"1 MPa\"\n", {"flaws.joint.cohesoin", "did you mean cohesion"});
 }

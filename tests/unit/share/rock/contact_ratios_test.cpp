@@ -35,6 +35,8 @@ cohesion = 6.6
 process_zone = 0.7
 mode_ii_fracture_energy = 40
 open_shear_strength = 4
+bridging_strength = 0.5
+bridging_energy = 2
 )";
 const std::string stone_fabric = "[fabric]\ngrain_size = \"4 mm\"\n";
 
@@ -60,6 +62,8 @@ TEST_F(Ratios, GiveWhatContactDoesNot) {
     const double energy = 0.7 * 4e-3 * 8e6 * 8e6 / 50e9;  // 3.584 J/m²
     EXPECT_DOUBLE_EQ(p.fracture_energy, energy);
     EXPECT_DOUBLE_EQ(p.mode_ii_fracture_energy, 40 * energy);
+    EXPECT_DOUBLE_EQ(p.bridging_strength, 4e6);
+    EXPECT_DOUBLE_EQ(p.bridging_energy, 2 * fpz::mode_i_fracture_energy(stone.rock, PlaneCondition::strain));
     EXPECT_DOUBLE_EQ(contact_parameters(stone, PlaneCondition::stress, std::nullopt).fracture_energy, energy);
     EXPECT_EQ(effective_fracture_energy(stone, std::nullopt).kind, FractureEnergyChoice::Kind::value);
     EXPECT_DOUBLE_EQ(effective_fracture_energy(stone, std::nullopt).value, energy);

@@ -185,7 +185,8 @@ TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
         "line 13: rok: unknown table (did you mean rock?); known are phases, pairs, flaws, strength, rock, contact, ratios, "
         "platen, fabric, laboratory");
     EXPECT_EQ(complaint(stone + "cohesio = 3\n"),
-              "line 13: contact.cohesio: unknown key (did you mean cohesion?); known are cohesion, fracture_energy, "
+              "line 13: contact.cohesio: unknown key (did you mean cohesion?); known are bridging_energy, bridging_strength, "
+              "cohesion, fracture_energy, "
               "friction_angle, law, "
               "mode_ii_fracture_energy, normal_stiffness, open_shear_strength, residual_cohesion, residual_friction_angle, "
               "residual_tensile_strength, shear_stiffness, tensile_strength");
@@ -308,6 +309,21 @@ TEST_F(MaterialFile, ParametersOfSingleLaws) {
     EXPECT_EQ(given.residual_tensile_strength, 1e6);
     EXPECT_EQ(given.residual_cohesion, 2e6);
     EXPECT_DOUBLE_EQ(given.residual_friction_angle, 30 * degree);
+    EXPECT_EQ(derived.bridging_strength, 0);
+    EXPECT_EQ(derived.bridging_energy, 0);
+}
+
+TEST_F(MaterialFile, BridgesNeedBothValuesAndHoldLessThanTheContact) {
+    ContactParameters c = contact_parameters(read_material("augig-granite"), PlaneCondition::strain, std::nullopt);
+    require_sound_bridges(c, "x");
+    c.bridging_strength = 5e6;
+    expect_one_line<InputError>([&] { require_sound_bridges(c, "x.toml"); },
+                                {"x.toml: bridging_strength is 5 MPa", "bridging_energy is 0"});
+    c.bridging_energy = 80;
+    require_sound_bridges(c, "x");
+    c.bridging_strength = c.tensile_strength;
+    expect_one_line<InputError>([&] { require_sound_bridges(c, "x.toml"); },
+                                {"bridging_strength is 24.15 MPa and tensile_strength is 24.15 MPa"});
 }
 
 TEST(FractureEnergyOption, WordsAndValues) {

@@ -17,6 +17,7 @@ ContactHistory slipped_history() {
     h.slip = 1e-6;
     h.integrity = 0.25;
     h.friction_fraction = 0.5;
+    h.bridge = 0.125;
     h.failed_closed = true;
     h.first_mode = CrackMode::shear;
     return h;
