@@ -69,6 +69,18 @@ GRAINCRACK_INLINE double remaining_with_bridge(double brittle, double bridge) {
     constexpr double below_half = damage_levels[1] * (1 - std::numeric_limits<double>::epsilon());
     return std::max(brittle, std::min(bridge, below_half));
 }
+/// Adds the bridge to the softening response of a point.
+GRAINCRACK_INLINE void add_bridge(const ContactLaw& law, const SofteningPoint& p, SofteningResponse& r) {
+    const IntactPoint motion{p.old_opening, p.old_sliding, p.opening, p.sliding, p.integrity};
+    const Bridge bridge = advance_bridge(law, motion, r.integrity, p.bridge, p.slip);
+    r.normal += bridge.normal;
+    r.shear += bridge.shear;
+    r.slip = slip_of_bridge(p.opening, p.bridge, r.slip);
+    r.fracture += bridge.fracture;
+    r.holds = r.integrity + bridge.integrity > 0 ? stays_on_its_side(motion) : 0.0;
+    r.remaining_cohesion = remaining_with_bridge(r.remaining_cohesion, bridge.remaining);
+    r.bridge = bridge.integrity;
+}
 /// ½ b (kt δn² + ks (δs − slip)²) while open.
 inline double bridge_energy(const ContactLaw& law, const ContactHistory& h) {
     const double opened = h.motion.opening;

@@ -71,31 +71,26 @@ struct CohesiveFrictional {
         return h.failed() && h.integrity == 0 && h.bridge == 0;
     }
     static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
-    /// Cohesion past the peak, friction beside it while closed, a bridge beside it while open.
+    /// Cohesion past the peak, and friction beside it while closed.
     GRAINCRACK_INLINE static SofteningResponse softening(const ContactLaw& law, const SofteningPoint& p) {
         const bool closed = p.opening < 0;
         const IntactPoint motion{p.old_opening, p.old_sliding, p.opening, p.sliding, p.integrity};
         const double integrity = std::min(p.integrity, integrity_at(law, p.opening, p.sliding));
         const double limit = -law.kt * std::min(p.opening, 0.0) * tan_friction(law, integrity);
         const FrictionReturn friction = friction_return(law.ks, p.old_sliding, p.sliding, p.slip, limit);
-        SofteningResponse r{(closed ? 1.0 : integrity) * law.kt * p.opening,
-                            integrity * law.ks * p.sliding + (closed ? friction.shear : 0.0),
-                            integrity,
-                            closed ? friction.slip : p.slip,
-                            energy_of_fall(law, motion, p.integrity - integrity),
-                            closed ? friction.dissipated : 0.0,
-                            integrity > 0 ? stays_on_its_side(motion) : 0.0,
-                            remaining_cohesion(law, p.opening, p.sliding, integrity)};
-        if (law.bridge > 0) {
-            const Bridge bridge = advance_bridge(law, motion, integrity, p.bridge, p.slip);
-            r.normal += bridge.normal;
-            r.shear += bridge.shear;
-            r.slip = slip_of_bridge(p.opening, p.bridge, r.slip);
-            r.fracture += bridge.fracture;
-            r.holds = integrity + bridge.integrity > 0 ? stays_on_its_side(motion) : 0.0;
-            r.remaining_cohesion = remaining_with_bridge(r.remaining_cohesion, bridge.remaining);
-            r.bridge = bridge.integrity;
-        }
+        return {(closed ? 1.0 : integrity) * law.kt * p.opening,
+                integrity * law.ks * p.sliding + (closed ? friction.shear : 0.0),
+                integrity,
+                closed ? friction.slip : p.slip,
+                energy_of_fall(law, motion, p.integrity - integrity),
+                closed ? friction.dissipated : 0.0,
+                integrity > 0 ? stays_on_its_side(motion) : 0.0,
+                remaining_cohesion(law, p.opening, p.sliding, integrity)};
+    }
+    /// The same with a bridge beside it while open.
+    GRAINCRACK_INLINE static SofteningResponse bridged_softening(const ContactLaw& law, const SofteningPoint& p) {
+        SofteningResponse r = softening(law, p);
+        add_bridge(law, p, r);
         return r;
     }
 

@@ -16,7 +16,8 @@
 // - `is_residual(law, history)`: true if friction while closed is all that is left, as in `residual_response`; a law may always
 //   answer false
 // - `softening(law, point)`, if the law has it: the response of a point past its peak, with cohesion left, without a branch;
-//   with it `remembers_largest`: true if it changes the largest motions
+//   with it `remembers_largest`: true if it changes the largest motions; `bridged_softening`, if it may have bridges, the same
+//   with its bridge
 // - `damages_intact`: true if `intact` changes the integrity or dissipates fracture energy
 #pragma once
 

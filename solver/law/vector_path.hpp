@@ -98,10 +98,18 @@ bool advance_intact(const ContactLaw& law, const ContactMotion& to, ContactRespo
     return true;
 }
 
+/// The softening response of a law that has one, with its bridge if there is one.
+template <class Law>
+SofteningResponse softening_response(const ContactLaw& law, const SofteningPoint& p) {
+    if constexpr (requires { Law::bridged_softening(law, p); }) {
+        if (law.bridge > 0) return Law::bridged_softening(law, p);
+    }
+    return Law::softening(law, p);
+}
 /// Moves a point past its peak by the softening response, whether that holds or not. \return the cohesion that is left
 template <class Law>
 double advance_softening(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
-    const SofteningResponse now = Law::softening(law, softening_point(r.history, to));
+    const SofteningResponse now = softening_response<Law>(law, softening_point(r.history, to));
     r.traction = {now.normal, now.shear};
     r.dissipation.fracture += now.fracture;
     r.dissipation.friction += now.friction;

@@ -199,8 +199,14 @@ constexpr bool has_softening = requires(const ContactLaw& law, const SofteningPo
     Law::softening(law, p);
 };
 
-/// The softening response of softening points.
+/// True if it has one with a bridge.
 template <class Law>
+constexpr bool may_be_bridged = requires(const ContactLaw& law, const SofteningPoint& p) {
+    Law::bridged_softening(law, p);
+};
+
+/// The softening response of softening points.
+template <class Law, bool bridged>
 GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, const Points& points, std::int32_t count,
                                                 ContactLanes& b) {
     const ContactLaw law = constants;
@@ -210,8 +216,14 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, con
     double* __restrict const slip = points.slip;
     const double* const next_level = points.next_level;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const SofteningResponse r = Law::softening(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], integrity[k],
-                                                         slip[k], b.largest_open[k], b.largest_slid[k], b.bridge[k]});
+        const SofteningPoint point{old_opening[k], old_sliding[k],    b.opening[k],      b.sliding[k], integrity[k],
+                                   slip[k],        b.largest_open[k], b.largest_slid[k], b.bridge[k]};
+        SofteningResponse r;
+        if constexpr (bridged) {
+            r = Law::bridged_softening(law, point);
+        } else {
+            r = Law::softening(law, point);
+        }
         const double softening = r.holds * b.softening[k];
         b.largest_open[k] = softening != 0 ? r.largest_open : b.largest_open[k];
         b.largest_slid[k] = softening != 0 ? r.largest_slid : b.largest_slid[k];
@@ -442,7 +454,11 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
     if constexpr (has_softening<Law>) {
         if (b.any_softening) {
             run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-                apply_softening_response<Law>(law, points, count, b);
+                if (may_be_bridged<Law> && law.bridge > 0) {
+                    apply_softening_response<Law, may_be_bridged<Law>>(law, points, count, b);
+                } else {
+                    apply_softening_response<Law, false>(law, points, count, b);
+                }
                 book_fracture(points, count, b, sums, [&b](std::int32_t k) { return b.tensile[k] != 0; });
                 sums.friction += sum_friction(count, b);
             });
