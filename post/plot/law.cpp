@@ -187,19 +187,24 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
         if (d.name == options.own) curves.own = curves.laws.size();
         curves.laws.push_back(make_contact_law(contact, d.variant));
     }
+    const bool is_bridged = curves.laws[curves.own].bridge > 0;
     const bool wide = style.page_width >= 1400;
     const PictureStyle part = style.of_part(wide ? std::floor(style.page_width / 3) : style.page_width);
-    const ChartText heading{
-        style.title.empty() ? title : style.title,
-        {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²", contact.critical_opening * micro,
-                     contact.ultimate_opening * micro, contact.fracture_energy),
-         fmt::format("sliding: δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro,
-                     contact.cohesion * in_megapascals)}};
+    ChartText heading{style.title.empty() ? title : style.title,
+                      {fmt::format("opening: δct {:.3g} µm, δut {:.3g} µm, Gf {:.4g} J/m²", contact.critical_opening * micro,
+                                   contact.ultimate_opening * micro, contact.fracture_energy),
+                       fmt::format("sliding: δcs {:.3g} µm, cc {:.4g} MPa", contact.critical_sliding * micro,
+                                   contact.cohesion * in_megapascals)}};
+    if (is_bridged) {
+        heading.subtitle.push_back(
+            fmt::format("bridges: {:.4g} MPa, {:.4g} J/m²", contact.bridging_strength * in_megapascals, contact.bridging_energy));
+    }
     Drawing page(static_cast<int>(style.page_width), 0);
     const TextColumn column{page_margin, page.width() - page_margin};
     page.set_height(draw_heading(page, heading, column, 14));
+    const double last = is_bridged ? 2 * contact.bridging_energy / contact.bridging_strength : 0;
     const std::vector<Drawing> charts{
-        draw_open(curves, contact, "opening, unloaded half-way", 1.05 * contact.ultimate_opening, part),
+        draw_open(curves, contact, "opening, unloaded half-way", 1.05 * std::max(contact.ultimate_opening, last), part),
         draw_open(curves, contact, "the same near the peak", 4 * contact.critical_opening, part),
         draw_shear(curves, contact, options.normal_stress, part)};
     page = stacked({page, wide ? side_by_side(charts) : stacked(charts)});

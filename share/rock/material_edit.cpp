@@ -63,7 +63,12 @@ void check(const MaterialSetting& setting) {
 
 /// A line of a TOML file, with a comment if it has one.
 std::string edited_line(const std::string& key, const std::string& value, const std::string& comment) {
-    const bool bare = value.find_first_not_of("+-0123456789.eE") == std::string::npos;
+    // TOML has no .5, 5. and 007: such numbers are texts there.
+    const std::string_view digits = std::string_view(value).substr(value.starts_with('-') || value.starts_with('+') ? 1 : 0);
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const bool bare = value.find_first_not_of("+-0123456789.eE") == std::string::npos && !digits.empty() &&
+                      is_digit(digits.front()) && is_digit(digits.back()) &&
+                      !(digits.size() > 1 && digits[0] == '0' && is_digit(digits[1]));
     const std::string line = bare ? key + " = " + value : fmt::format("{} = \"{}\"", key, value);
     return comment.empty() ? line : fmt::format("{:<39} # {}", line, comment);
 }

@@ -16,24 +16,13 @@ namespace {
 
 using test::augig_contact;
 using test::ContactWalk;
+using test::every_law;
 using test::expect_close;
 using test::verify;
 using test::verify_between;
 
 constexpr int n_paths = 24;
 using Path = std::vector<ContactMotion>;
-
-/// Every law, and with bridges those that may have them: to the end of the paths.
-std::vector<ContactLaw> every_law(const ContactParameters& c) {
-    std::vector<ContactLaw> laws = test::all_laws(c);
-    ContactParameters bridged = c;
-    bridged.bridging_strength = 0.45 * c.tensile_strength;
-    bridged.bridging_energy = 0.3 * bridged.bridging_strength * c.ultimate_opening;
-    for (const ContactLaw& law : test::all_laws(bridged)) {
-        if (law.bridge > 0) laws.push_back(law);
-    }
-    return laws;
-}
 
 /// A number in (−1, 1) that is the same everywhere.
 double next(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; }

@@ -80,7 +80,7 @@ LoadedSpecimen loaded(const ContactLaw& law, TestKind test, double fraction = 0.
 TEST(EnergyBalance, ClosesThroughFailure) {
     ContactParameters weak = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
     weak.cohesion = 30 * test::MPa;
-    for (ContactLaw law : test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
+    for (ContactLaw law : test::every_law(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
         SCOPED_TRACE(name_of(law.variant));
         if (law.variant == LawVariant::coulomb_slip) {
             law = make_contact_law(weak, law.variant);  // its strength grows with pressure: hardly a contact failed
@@ -96,7 +96,7 @@ TEST(EnergyBalance, ClosesThroughFailure) {
 // Under tension damage before the peak (consistent) dissipates a share of the energy that must not be left out.
 TEST(EnergyBalance, ClosesThroughFailureInTension) {
     for (const ContactLaw& law :
-         test::all_laws(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
+         test::every_law(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
         SCOPED_TRACE(name_of(law.variant));
         const LoadedSpecimen specimen = loaded(law, TestKind::tension);
         EXPECT_GT(specimen.failed, 5U);

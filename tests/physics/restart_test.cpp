@@ -58,6 +58,10 @@ SimulationRequest restart_request(const RestartCase& c) {
     r.material = c.has_phases ? test::granite_of_phases() : c.has_crystals ? test::granite_with_flaw() : test::augig_granite();
     r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
     r.law = c.law;
+    if (c.law == LawVariant::cohesive_frictional || c.test == TestKind::tension) {
+        r.contact.bridging_strength = 0.5 * r.contact.tensile_strength;
+        r.contact.bridging_energy = 0.5 * r.contact.fracture_energy;
+    }
     r.loading.test = c.test;
     r.loading.rate = c.rate;
     r.loading.platen_speed = c.speed;

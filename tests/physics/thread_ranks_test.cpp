@@ -108,6 +108,8 @@ std::vector<RunOnRanks> runs_on_ranks() {
 
     SimulationRequest torn = request_for_ranks(TestKind::tension, LawVariant::consistent, false);
     torn.peak_drop = 0.7;
+    torn.contact.bridging_strength = 0.3 * torn.contact.tensile_strength;
+    torn.contact.bridging_energy = 0.2 * torn.contact.fracture_energy;
     torn.threads = 2;
     add("torn", grains_for_ranks, torn, {2, 4}, 20, 0);
 

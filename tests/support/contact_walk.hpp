@@ -19,6 +19,18 @@ inline std::vector<ContactLaw> all_laws(const ContactParameters& contact) {
     return laws;
 }
 
+/// Every law, and with bridges those that may have them: to the end of the paths.
+inline std::vector<ContactLaw> every_law(const ContactParameters& c) {
+    std::vector<ContactLaw> laws = all_laws(c);
+    ContactParameters bridged = c;
+    bridged.bridging_strength = 0.45 * c.tensile_strength;
+    bridged.bridging_energy = 0.3 * bridged.bridging_strength * c.ultimate_opening;
+    for (const ContactLaw& law : all_laws(bridged)) {
+        if (law.bridge > 0) laws.push_back(law);
+    }
+    return laws;
+}
+
 class ContactWalk {
 public:
     explicit ContactWalk(const ContactLaw& law, const ContactHistory& start = {}) : law_(law), history_(start) {}

@@ -38,11 +38,15 @@ TEST_F(MaterialWith, ChangesItsLinesAndNoOthers) {
 
 TEST_F(MaterialWith, AddsTables) {
     const std::string stone = file("name = \"stone\"\n");
-    const std::string changed = material_with(
-        stone, {{"laboratory.cohesion", "21 MPa"}, {"contact.cohesion", "7e7"}, {"contact.tensile_strength", "9 MPa"}});
+    const std::string changed = material_with(stone, {{"laboratory.cohesion", "21 MPa"},
+                                                      {"contact.cohesion", "7e7"},
+                                                      {"contact.tensile_strength", "9 MPa"},
+                                                      {"rock.poisson_ratio", ".2"}});
     const auto read = read_incomplete_material(file(changed));
-    EXPECT_EQ(read.values, (std::map<std::string, double>{
-                               {"contact.cohesion", 70e6}, {"contact.tensile_strength", 9e6}, {"laboratory.cohesion", 21e6}}));
+    EXPECT_EQ(read.values, (std::map<std::string, double>{{"contact.cohesion", 70e6},
+                                                          {"contact.tensile_strength", 9e6},
+                                                          {"laboratory.cohesion", 21e6},
+                                                          {"rock.poisson_ratio", 0.2}}));
 }
 
 TEST_F(MaterialWith, TakesThePlaceOfAnExample) {
