@@ -50,8 +50,6 @@ std::vector<double> values_of(const Target& target, const std::vector<const Meas
     return values;
 }
 
-double log_or_nan(double value) { return value > 0 ? std::log(value) : NAN; }
-
 /// The prediction of the surfaces for a target that was not met.
 struct Misfit {
     bool expected = false;      ///< it is off at the optimum of the surfaces too
@@ -207,7 +205,7 @@ void Calibration::find_elasticity() {
 void Calibration::add_value(std::size_t r, const std::vector<const Measures*>& runs) {
     Response& response = fit_.responses[r];
     const std::vector<double> values = values_of(response.target, runs);
-    response.values.push_back(values.empty() ? NAN : log_or_nan(sample(values).mean.value));
+    response.values.push_back(values.empty() ? NAN : response.target.logarithm(sample(values).mean.value));
     response.tests += runs.size();
     response.measured += values.size();
     peaks_[r].push_back(!values.empty());
@@ -249,7 +247,7 @@ std::string Calibration::text_of_first_point() const {
     for (const Response& response : fit_.responses) {
         const Target& t = response.target;
         if (t.use != Use::fit || t.is_elastic()) continue;
-        const double found = std::exp(response.values.front());
+        const double found = t.of_logarithm(response.values.front());
         values.push_back(std::isnan(found)
                              ? "no " + t.symbol()
                              : fmt::format("{} {} (target {})", t.symbol(), t.text(rounded(found, 3)), t.text(t.value)));
@@ -278,7 +276,8 @@ void Calibration::fit(const Box& box) {
         const Response& response = fit_.responses[r];
         if (response.target.use != Use::fit || response.target.is_elastic()) continue;
         if (response.surface) {
-            residuals.push_back({&*response.surface, std::log(response.target.value), response.target.log_deviation()});
+            const Target& t = response.target;
+            residuals.push_back({&*response.surface, t.logarithm(t.value), t.log_deviation()});
         }
         if (!response.target.property.needs_first_peak || response.measured == response.tests) continue;
         std::vector<std::size_t> tested;
@@ -309,7 +308,7 @@ void Calibration::fit(const Box& box) {
 bool Calibration::meets_targets() const {
     return std::all_of(fit_.responses.begin(), fit_.responses.end(), [&](const Response& response) {
         if (response.target.use != Use::fit || response.target.is_elastic() || !response.surface) return true;
-        const double off = response.surface->value(fit_.optimum.point) - std::log(response.target.value);
+        const double off = response.surface->value(fit_.optimum.point) - response.target.logarithm(response.target.value);
         return std::abs(off) <= 0.25 * response.target.log_deviation();
     });
 }
@@ -513,7 +512,7 @@ void Calibration::predict() {
         const Outcome* const outcome = find_of(decision.outcomes, response.target);
         if (outcome == nullptr || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 3) continue;
         const auto n = static_cast<double>(specimens_at_point({response.target.test()}));
-        response.pure_error = *outcome->ours->deviation / outcome->ours->mean.value / std::sqrt(n);
+        response.pure_error = response.target.log_deviation(outcome->ours->mean.value, *outcome->ours->deviation) / std::sqrt(n);
         response.pure_freedom = static_cast<int>(outcome->ours->n) - 1;
     }
     decision.fit = fit_;
@@ -541,7 +540,7 @@ Misfit Calibration::misfit_of(const Outcome& outcome) const {
                 fmt::format("{} of {} tests of the designs have a value of {}", response->measured, response->tests, t.symbol())};
     }
     const DesignPoint& point = fit_.optimum.point;
-    const double requested = std::log(t.value);
+    const double requested = t.logarithm(t.value);
     const double here = response->surface->value(point);
     const double allowed = 0.5 * t.log_deviation() + 2 * std::sqrt(response->surface->variance(point));
     const bool lacking = outcome.ours && outcome.ours->n < outcome.tests && outcome.verdict == "outside";

@@ -25,7 +25,7 @@ std::string label_of(Ending ending);
 /// A quantity at all points of the designs. Targets come first, then what else the same tests measure.
 struct Response {
     Target target;
-    std::vector<double> values;           ///< ln of the mean over the specimens of a point; NaN: none of them has it
+    std::vector<double> values;           ///< logarithm of the mean over the specimens of a point; NaN: none has it
     std::optional<LocalSurface> surface;  ///< through the points inside the last box
     std::optional<double> pure_error;     ///< standard deviation of a value between equal points, by repeated tests
     int pure_freedom = 0;                 ///< its degrees of freedom

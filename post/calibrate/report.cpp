@@ -180,7 +180,8 @@ std::string values_text(const Problem& problem, const Decision& decision) {
 
 std::string surfaces_text(const Fit& fit) {
     std::string text =
-        "\nLeast-squares fits of ln(response) in the last box. Scatter is the standard deviation about the surface; √(PRESS/n) "
+        "\nLeast-squares fits of ln(response) in the last box, for a drop of what is left behind it. Scatter is the standard "
+        "deviation about the surface; √(PRESS/n) "
         "is the same for values predicted without their own test. Scatter at equal points is that of the repeated tests at the "
         "end; lack of fit is the probability that the scatter about the surface is no larger than that.\n";
     text += markdown_head(
@@ -198,7 +199,7 @@ std::string surfaces_text(const Fit& fit) {
         }
         text += markdown_row({r.target.symbol(), std::to_string(s.n_values()), std::to_string(s.n_quadratic()),
                               percent(s.scatter()), percent(s.prediction_error()), r.pure_error ? percent(*r.pure_error) : "",
-                              lack, r.target.text(std::exp(s.value(fit.optimum.point)))});
+                              lack, r.target.text(r.target.of_logarithm(s.value(fit.optimum.point)))});
     }
     return text;
 }
@@ -207,7 +208,7 @@ std::string identify_text(const Problem& problem, const Fit& fit) {
     Cells head{"response"};
     for (const Parameter& p : problem.parameters) head.push_back(p.key);
     std::string text =
-        "\nd ln(response)/d ln(parameter) at the optimum with 95 % intervals; bold: the interval does not contain 0. "
+        "\nd ln(response)/d ln(parameter) at the optimum, for a drop of what is left, with 95 % intervals; bold: without 0. "
         "identify.tsv has the same numbers.\n\n![Sensitivities](identify.png)\n" +
         markdown_head(head);
     const std::vector<Sensitivity> all = sensitivities(problem.parameters, fit);

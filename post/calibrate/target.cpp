@@ -53,6 +53,13 @@ std::string Target::test() const {
 
 double Target::usual_deviation() const { return property.deviation * (property.absolute ? 1 : value); }
 
+double Target::logarithm(double value_in_si) const {
+    const double of = base(value_in_si);
+    return of > 0 ? std::log(of) : NAN;
+}
+
+double Target::of_logarithm(double logarithm) const { return base(std::exp(logarithm)); }
+
 std::string Target::text(double value_in_si) const {
     return fmt::format("{:.4g}{}{}", value_in_si / property.si, property.unit.empty() ? "" : " ", property.unit);
 }

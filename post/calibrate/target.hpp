@@ -1,6 +1,7 @@
 // Targets of a calibration: properties that a rock has in the laboratory and the assemblage shall have too.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -32,8 +33,17 @@ struct Target {
     /// Its value in a run, SI; NaN if the tables have none.
     [[nodiscard]] double read(const Measures& measures) const;
     [[nodiscard]] double usual_deviation() const;  ///< of its value, by its property
-    [[nodiscard]] double log_deviation() const { return deviation / value; }
+    /// What surfaces are of: ln of a value, for a fall of what is left behind it, as a test may also rise; NaN: it has none.
+    [[nodiscard]] double logarithm(double value_in_si) const;
+    [[nodiscard]] double of_logarithm(double logarithm) const;  ///< the inverse
+    /// A deviation from a value in its logarithm.
+    [[nodiscard]] double log_deviation(double value_in_si, double off) const { return off / std::abs(base(value_in_si)); }
+    [[nodiscard]] double log_deviation() const { return log_deviation(value, deviation); }
     [[nodiscard]] std::string text(double value_in_si) const;  ///< with the unit: "8.8 MPa"
+
+private:
+    [[nodiscard]] bool is_fall() const { return property.name == "drop"; }
+    [[nodiscard]] double base(double value_in_si) const { return is_fall() ? 1 - value_in_si : value_in_si; }
 };
 
 /// A target of the name, without a value. \throws InputError naming `where` if there is none

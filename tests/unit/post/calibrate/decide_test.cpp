@@ -195,6 +195,39 @@ TEST(Calibration, AMissOfNewSpecimensCorrectsTheSurfaces) {
     EXPECT_EQ(std::count(stages.begin(), stages.end(), "fit"), 2);
 }
 
+// What is left behind a peak under 8 MPa follows the residual friction angle; at half of the points the stress rises there.
+TEST(Calibration, AFallThatPointsDoNotHaveDeterminesTheResidualFriction) {
+    SyntheticRock rock = rock_with(0.3);
+    rock.responses["triaxial8MPa residual_MPa"].exponents = {{"contact.residual_friction_angle", 1}};
+    auto planted = nothing_planted(rock);
+    planted["contact.residual_friction_angle"] = -0.2;
+    Problem problem = rock.problem(planted);
+    problem.targets.erase(std::remove_if(problem.targets.begin(), problem.targets.end(),
+                                         [](const Target& t) { return t.name() == "residual_8MPa"; }),
+                          problem.targets.end());
+    Target fall = target_of("drop_8MPa", "targets");
+    fall.value = 1 - std::exp(-0.2);
+    fall.deviation = 0.1;
+    problem.targets.push_back(fall);
+    Laboratory laboratory(rock);
+    const FindRun without = laboratory.find();
+    std::map<const Measures*, Measures> with_drop;
+    const double reference = rock.responses["triaxial8MPa residual_MPa"].reference;
+    const Decision decision = decide(problem, [&](const RequestedRun& run) {
+        const Measures* found = without(run);
+        Measures& measures = with_drop[found] = *found;
+        if (const auto left = found->find("residual_MPa"); left != found->end()) {
+            measures["drop_percent"] = 100 * (1 - left->second / reference);
+        }
+        return static_cast<const Measures*>(&measures);
+    });
+    EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
+    for (const auto& [key, value] : decision.point) {
+        if (key != "contact.residual_friction_angle") continue;
+        EXPECT_NEAR(std::log(value / rock.reference.at(key)), -0.2, 0.05);
+    }
+}
+
 // No response follows the residual friction angle: it is named, stays at the first guess, and prevents nothing.
 TEST(Calibration, WhatTheDataDoNotTellIsKept) {
     SyntheticRock rock = rock_with(0.3);

@@ -33,6 +33,18 @@ TEST(CalibrationTarget, ToughnessIsOfHalfDiscs) {
     EXPECT_EQ(target.fitted_name(), "mode_i_toughness");
 }
 
+TEST(CalibrationTarget, SurfacesOfAFallAreOfWhatIsLeft) {
+    calibrate::Target fall = target_of("drop_50MPa", "targets");
+    fall.value = 0.42;
+    fall.deviation = 0.1;
+    EXPECT_DOUBLE_EQ(fall.logarithm(-0.1), std::log(1.1));
+    EXPECT_NEAR(fall.of_logarithm(std::log(1.1)), -0.1, 1e-12);
+    EXPECT_DOUBLE_EQ(fall.log_deviation(), 0.1 / 0.58);
+    const calibrate::Target strength = target_of("uniaxial", "targets");
+    EXPECT_NEAR(strength.of_logarithm(strength.logarithm(122e6)), 122e6, 1);
+    EXPECT_TRUE(std::isnan(strength.logarithm(-1)));
+}
+
 TEST(CalibrationTarget, ANameThatBeginsWithAnotherIsNotTakenForIt) {
     EXPECT_EQ(target_of("crack_initiation_8MPa", "targets").property.name, "crack_initiation");
     EXPECT_EQ(target_of("crack_initiation_count", "targets").property.name, "crack_initiation_count");
