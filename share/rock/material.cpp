@@ -172,8 +172,17 @@ std::vector<TomlKeys> tables_of(Material& material) {
     return tables;
 }
 
-/// The keys of a table by its path, one of `tables_of` or of the fabric; nothing if there is no such table.
+/// A table that holds the value of K_IC and the test that it is of.
+constexpr const char* toughness_table = "laboratory.mode_i_toughness";
+
+/// The keys of a table by its path, one of `tables_of`, of K_IC or of the fabric; nothing if there is no such table.
 std::optional<TomlKeys> table_at(Material& material, const std::vector<std::string>& path) {
+    if (fmt::format("{}", fmt::join(path, ".")) == toughness_table) {
+        TomlKeys table{toughness_table, toughness_test_keys(material.toughness_test)};
+        const auto set = [&material](double value) { material.laboratory["mode_i_toughness"] = value; };
+        table.keys.push_back({"value", quantity::mode_i_toughness, set});
+        return table;
+    }
     for (TomlKeys& table : tables_of(material)) {
         if (path == std::vector<std::string>{table.path}) return table;
     }
@@ -203,8 +212,9 @@ std::string meaning_of(const std::string& key) {
                        key == grain_size_of_ratio ? ", over which ratios.process_zone is" : "");
 }
 
-/// Reads a key of a table of a material, if the table has it.
+/// Reads a key of a table of a material, if the table has it as a value: what is a table has been read.
 void read_key(TomlTable& table, const TomlKey& key, IncompleteMaterial& read) {
+    if (table.has(key.name) && !table.has_value(key.name)) return;
     if (key.is_word()) {
         std::string word;
         table.given(key.name, word);
@@ -218,6 +228,22 @@ void read_key(TomlTable& table, const TomlKey& key, IncompleteMaterial& read) {
     key.set(value);
     read.values[table.path() + "." + key.name] = value;
     note_value(table.shown(key.name), key.quantity, value, table.where(key.name), read.material.notes);
+}
+
+/// What the keys of a measured K_IC mean together. \throws InputError
+void finish_toughness(const TomlTable& table, IncompleteMaterial& read) {
+    if (!table.has_value("value")) table.refuse("value", "missing; K_IC is needed, such as value = \"1.5 MPa.m^0.5\"");
+    read.values[table.path()] = *read.material.laboratory_value("mode_i_toughness");
+    ToughnessTest& test = read.material.toughness_test;
+    if (test.method.empty() && (test.size > 0 || test.notch > 0 || test.span > 0)) {
+        table.refuse("method", "missing; a size belongs to a test, such as method = \"half-disc\"");
+    }
+    const char* const wrong = test.method == "beam" ? "diameter" : "height";
+    if (table.has_value(wrong)) table.refuse(wrong, "does not belong to the method; a beam has a height, others a diameter");
+    test = completed(test);
+    const double whole = test.method == "beam" ? test.size : test.size / 2;
+    if (!test.is_known() || test.notch < whole) return;
+    table.refuse("notch", fmt::format("{} leaves no ligament; less than {:.4g} mm fits", table.shown("notch"), 1e3 * whole));
 }
 
 /// Reads a table of a material and those in it. \param read lacks the needed keys that tables of the fabric do not have
@@ -236,6 +262,7 @@ void read_table(TomlTable table, IncompleteMaterial& read) {
         }
     }
     table.refuse_others();
+    if (table.path() == toughness_table) finish_toughness(table, read);
 }
 
 /// Adds the phases of a file of phases to those that a material gives itself.

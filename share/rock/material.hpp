@@ -13,6 +13,7 @@
 #include "share/rock/contact_parameters.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 #include "share/rock/material_fabric.hpp"
+#include "share/rock/toughness_test.hpp"
 
 namespace graincrack {
 
@@ -40,6 +41,7 @@ struct Material {
     MaterialFabric fabric;             ///< [phases], [pairs], [strength]
     double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;
+    ToughnessTest toughness_test;  ///< of mode_i_toughness of [laboratory]
     /// A value of [laboratory]; empty if it has none.
     [[nodiscard]] std::optional<double> laboratory_value(const std::string& key) const;
     FittedProperties fitted;

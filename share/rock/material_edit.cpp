@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 
 #include "share/base/error.hpp"
 #include "share/base/shared_file.hpp"
@@ -61,15 +62,20 @@ void check(const MaterialSetting& setting) {
     static_cast<void>(parse_quantity(value, found.quantity, key));
 }
 
-/// A line of a TOML file, with a comment if it has one.
-std::string edited_line(const std::string& key, const std::string& value, const std::string& comment) {
+/// A value as a TOML file has it: a bare number, or a text in quotes.
+std::string text_of(const std::string& value) {
     // TOML has no .5, 5. and 007: such numbers are texts there.
     const std::string_view digits = std::string_view(value).substr(value.starts_with('-') || value.starts_with('+') ? 1 : 0);
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     const bool bare = value.find_first_not_of("+-0123456789.eE") == std::string::npos && !digits.empty() &&
                       is_digit(digits.front()) && is_digit(digits.back()) &&
                       !(digits.size() > 1 && digits[0] == '0' && is_digit(digits[1]));
-    const std::string line = bare ? key + " = " + value : fmt::format("{} = \"{}\"", key, value);
+    return bare ? value : '"' + value + '"';
+}
+
+/// A line of a TOML file, with a comment if it has one.
+std::string edited_line(const std::string& key, const std::string& value, const std::string& comment) {
+    const std::string line = key + " = " + text_of(value);
     return comment.empty() ? line : fmt::format("{:<39} # {}", line, comment);
 }
 
@@ -79,9 +85,11 @@ std::string comment_of_example(const std::string& line) {
     return at == std::string::npos ? "" : line.substr(at + 4);
 }
 
+bool is_header(const std::string& line) { return line.find_first_not_of(" \t") == line.find('['); }
+
 std::string path_of(const std::vector<std::string>& section) { return fmt::format("{}", fmt::join(section, ".")); }
 
-/// Lines of a file, and those to add behind some of them.
+/// The lines of a file, in which a value can be set once.
 class Edit {
 public:
     Edit(const std::string& text, const std::string& name) : toml_(parse_toml(text, name)) {
@@ -90,40 +98,55 @@ public:
     }
     /// \throws InputError
     void set(const MaterialSetting& setting) {
-        const auto [table, key] = parts_of(setting.first);
-        const auto same = [&, t = table, k = key](const TomlEntry& entry) {
-            return path_of(entry.section) == t && entry.key == k;
-        };
-        const auto found = std::find_if(toml_.entries.begin(), toml_.entries.end(), same);
-        if (found == toml_.entries.end()) {
-            if (const auto example = example_of(table, key); example != lines_.end()) {
-                *example = edited_line(key, setting.second, comment_of_example(*example));
-                return;
-            }
-            return add(table, edited_line(key, setting.second, "added"));
+        const auto& [whole, value] = setting;
+        if (section(whole) != nullptr) return set({whole + ".value", value});
+        const auto [table, key] = parts_of(whole);
+        if (const TomlEntry* const plain = entry(table)) {
+            line_of(plain->line) = fmt::format("{} = {{value = {}}}", plain->key, text_of(plain->values[0].text));
+            return set_in_row(plain->line, setting);
         }
-        const auto on_line = [&](const TomlEntry& entry) { return entry.line == found->line; };
-        if (std::count_if(toml_.entries.begin(), toml_.entries.end(), on_line) > 1 || found->values.empty()) {
-            throw InputError(fmt::format("{}: line {}: {} shares its line with other keys; each needs a line of its own",
-                                         toml_.file, found->line, setting.first));
+        const TomlSection* const there = section(table);
+        if (there != nullptr && !is_header(line_of(there->line))) return set_in_row(there->line, setting);
+        if (const TomlEntry* const found = entry(whole)) {
+            line_of(found->line) = edited_line(key, value, "was " + found->values[0].text);
+        } else if (const auto example = example_of(table, key); example != lines_.end()) {
+            *example = edited_line(key, value, comment_of_example(*example));
+        } else {
+            add(table, edited_line(key, value, "added"));
         }
-        lines_[static_cast<std::size_t>(found->line) - 1] = edited_line(key, setting.second, "was " + found->values[0].text);
     }
-    [[nodiscard]] std::string text() const {
-        std::string text;
-        for (std::size_t i = 0; i < lines_.size(); ++i) {
-            text += lines_[i] + "\n";
-            const auto [from, to] = added_.equal_range(static_cast<int>(i) + 1);
-            for (auto line = from; line != to; ++line) text += line->second + "\n";
-        }
-        for (const auto& [table, lines] : new_tables_) {
-            text += fmt::format("\n[{}]\n", table);
-            for (const std::string& line : lines) text += line + "\n";
-        }
-        return text;
-    }
+    [[nodiscard]] std::string text() const { return fmt::format("{}\n", fmt::join(lines_, "\n")); }
 
 private:
+    [[nodiscard]] const TomlEntry* entry(const std::string& whole) const {
+        const auto is = [&](const TomlEntry& e) { return path_of(e.section) + (e.section.empty() ? "" : ".") + e.key == whole; };
+        const auto found = std::find_if(toml_.entries.begin(), toml_.entries.end(), is);
+        return found == toml_.entries.end() ? nullptr : &*found;
+    }
+    [[nodiscard]] const TomlSection* section(const std::string& table) const {
+        const auto found = std::find_if(toml_.sections.begin(), toml_.sections.end(),
+                                        [&](const TomlSection& each) { return path_of(each.name) == table; });
+        return found == toml_.sections.end() ? nullptr : &*found;
+    }
+    std::string& line_of(int number) { return lines_[static_cast<std::size_t>(number) - 1]; }
+    /// Sets a key of the table that stands on a line, {value = "1 MPa", notch = "2 mm"}.
+    void set_in_row(int number, const MaterialSetting& setting) {
+        const std::string key = parts_of(setting.first).second;
+        std::string& line = line_of(number);
+        constexpr std::size_t longest = 1000;
+        const std::size_t end = line.find('}');
+        if (std::count(line.begin(), line.end(), '{') != 1 || end == std::string::npos || line.size() > longest) {
+            throw InputError(fmt::format("{}: line {}: {} shares its line with other keys; each needs a line of its own",
+                                         toml_.file, number, setting.first));
+        }
+        const std::string changed = key + " = " + text_of(setting.second);
+        std::smatch old;
+        if (std::regex_search(line, old, std::regex("([{,] *)" + key + " *= *(\"[^\"]*\"|'[^']*'|[^,} ]+)"))) {
+            line = old.prefix().str() + old[1].str() + changed + old.suffix().str();
+        } else {
+            line.insert(end, ", " + changed);
+        }
+    }
     /// The line of a template that has the key of a table with an example as a comment; the end if there is none.
     std::vector<std::string>::iterator example_of(const std::string& table, const std::string& key) {
         auto from = lines_.end();
@@ -137,32 +160,30 @@ private:
         return found == to ? lines_.end() : found;
     }
     void add(const std::string& table, const std::string& line) {
-        int last = 0;
-        for (const TomlSection& section : toml_.sections) {
-            if (path_of(section.name) == table) last = section.line;
-        }
-        if (last == 0) {
-            new_tables_[table].push_back(line);
+        const TomlSection* const there = section(table);
+        if (there == nullptr) {
+            lines_.insert(lines_.end(), {"", "[" + table + "]", line});
             return;
         }
-        for (const TomlEntry& entry : toml_.entries) {
-            if (path_of(entry.section) == table) last = std::max(last, entry.line);
+        int last = there->line;
+        for (const TomlEntry& each : toml_.entries) {
+            if (path_of(each.section) == table) last = std::max(last, each.line);
         }
-        added_.emplace(last, line);
+        lines_.insert(lines_.begin() + last, line);
     }
 
     TomlFile toml_;
     std::vector<std::string> lines_;
-    std::multimap<int, std::string> added_;  ///< by the number of the line before
-    std::map<std::string, std::vector<std::string>> new_tables_;
 };
 
-std::string with_settings(Edit edit, const std::vector<MaterialSetting>& settings) {
+std::string with_settings(std::string text, const std::string& name, const std::vector<MaterialSetting>& settings) {
     for (const MaterialSetting& setting : settings) {
         check(setting);
+        Edit edit(text, name);
         edit.set(setting);
+        text = edit.text();
     }
-    return edit.text();
+    return text;
 }
 
 }  // namespace
@@ -202,11 +223,11 @@ std::string material_of_kind(const std::string& kind, const std::string& name) {
 
 std::string material_with(const std::string& name_or_file, const std::vector<MaterialSetting>& settings) {
     const std::string file = read_incomplete_material(name_or_file).material.file.string();
-    return with_settings(Edit(text_of_toml(file), file), settings);
+    return with_settings(text_of_toml(file), file, settings);
 }
 
 std::string new_material(const std::string& kind, const std::string& name, const std::vector<MaterialSetting>& settings) {
-    return with_settings(Edit(material_of_kind(kind, name), name), settings);
+    return with_settings(material_of_kind(kind, name), name, settings);
 }
 
 }  // namespace graincrack

@@ -72,8 +72,26 @@ TEST_F(MaterialWith, EntersValuesIntoATemplate) {
         {"rock.colour: unknown key"});
 }
 
+TEST_F(MaterialWith, ChangesTablesOnALine) {
+    const auto toughness = [&](const std::string& was, const std::vector<MaterialSetting>& settings) {
+        const std::string text =
+            material_with(file("name = \"stone\"\n[laboratory]\nmode_i_toughness = " + was + "\n"), settings);
+        return text.substr(text.find("mode_i"), text.rfind('}') + 1 - text.find("mode_i"));
+    };
+    const std::string key = "laboratory.mode_i_toughness";
+    EXPECT_EQ(toughness("1.5e6", {{key + ".method", "half-disc"}, {key + ".diameter", "75 mm"}, {key, "1.4 MPa.m^0.5"}}),
+              "mode_i_toughness = {value = \"1.4 MPa.m^0.5\", method = \"half-disc\", diameter = \"75 mm\"}");
+    EXPECT_EQ(toughness("{value = 1.5e6, method = 'ring'}  # ring", {{"rock.density", "2700"}}),
+              "mode_i_toughness = {value = 1.5e6, method = 'ring'}");
+    const std::string begun = new_material("granite", "rock", {{key + ".method", "half-disc"}, {key, "1.4e6"}});
+    EXPECT_EQ(read_incomplete_material(file(begun)).values.at(key), 1.4e6);
+    EXPECT_NE(material_with(file("name = \"stone\"\ncontact = {cohesion = 1e6}\n"), {{"contact.cohesion", "2 MPa"}})
+                  .find("contact = {cohesion = \"2 MPa\"}"),
+              std::string::npos);
+}
+
 TEST_F(MaterialWith, SaysWhatItCannotSet) {
-    const std::string stone = file("name = \"stone\"\ncontact = {cohesion = 1e6, friction_angle = 0.5}\n");
+    const std::string stone = file("name = \"stone\"\npairs = {within = {cohesion = 1.5}}\n");
     const auto with = [&](const std::string& key, const std::string& value) {
         return [=] { std::ignore = material_with(stone, {{key, value}}); };
     };
@@ -81,7 +99,8 @@ TEST_F(MaterialWith, SaysWhatItCannotSet) {
                                 {"contact.cohesoin: unknown key", "did you mean contact.cohesion?"});
     expect_one_line<UsageError>(with("rock.density", "1 MPa"), {"rock.density", "kg/m3"});
     expect_one_line<UsageError>(with("name", "a \"b\""), {"name=a \"b\"", "without quotes"});
-    expect_one_line<InputError>(with("contact.cohesion", "2 MPa"), {"stone.toml: line 2", "contact.cohesion shares its line"});
+    expect_one_line<InputError>(with("pairs.within.cohesion", "2"),
+                                {"stone.toml: line 2", "pairs.within.cohesion shares its line"});
 }
 
 TEST(MaterialKeys, HoldQuantities) {

@@ -217,6 +217,38 @@ TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
     EXPECT_NE(complaint_about(folder.string()).find("cannot be read"), std::string::npos);
 }
 
+TEST_F(MaterialFile, AMeasuredToughnessMayNameItsTest) {
+    const auto read = [&](const std::string& table) {
+        return read_material(write(stone + "\n[laboratory]\nmode_i_toughness = " + table + "\n").string());
+    };
+    const Material half_disc = read("{value = '1.5 MPa.m^0.5', method = 'half-disc', diameter = '75 mm'}");
+    EXPECT_EQ(half_disc.laboratory_value("mode_i_toughness"), 1.5e6);
+    EXPECT_EQ(half_disc.toughness_test.text(), "half-disc, diameter 75 mm, notch 18.75 mm, span 45 mm");
+    const Material beam = read("{value = 1e6, method = 'beam', height = '40 mm', notch = '12 mm'}");
+    EXPECT_EQ(beam.toughness_test.text(), "beam, height 40 mm, notch 12 mm, span 160 mm");
+    EXPECT_EQ(beam.toughness_test.caveat(beam.toughness_test), "");
+    EXPECT_EQ(beam.toughness_test.caveat(usual_half_disc(0.075)), "other specimen");
+    EXPECT_EQ(half_disc.toughness_test.caveat(usual_half_disc(0.08)), "other specimen");
+    const ToughnessTest rod = read("{value = 1e6, method = 'short-rod', diameter = '50 mm'}").toughness_test;
+    EXPECT_EQ(rod.text(), "short-rod, of which no specimen is made here");
+    EXPECT_EQ(rod.caveat(usual_half_disc(0.05)), "other specimen");
+    for (const char* table : {"'1.5 MPa.m^0.5'", "{value = 1e6}", "{value = 1e6, method = 'half-disc'}"}) {
+        const ToughnessTest unknown = read(table).toughness_test;
+        EXPECT_NE(unknown.text().find("of a size that the material does not name"), std::string::npos) << table;
+        EXPECT_EQ(unknown.caveat(usual_half_disc(0.08)), "size not known") << table;
+    }
+    const auto refused = [&](const std::string& table, const std::string& part) {
+        test::expect_one_line<InputError>([&] { read(table); }, {"laboratory.mode_i_toughness", part});
+    };
+    refused("{method = 'half-disc'}", "value: missing; K_IC is needed");
+    refused("{value = 1e6, method = 'half-disk'}", "unknown word \"half-disk\"; half-disc or beam or");
+    refused("{value = 1e6, diameter = '75 mm'}", "method: missing; a size belongs to a test");
+    refused("{value = 1e6, method = 'half-disc', height = '75 mm'}", "height: does not belong to the method");
+    refused("{value = 1e6, method = 'half-disc', diameter = '75 mm', notch = '40 mm'}",
+            "40 mm leaves no ligament; less than 37.5");
+    refused("{value = 1e6, method = 'half-disc', diametre = '75 mm'}", "did you mean diameter?");
+}
+
 TEST_F(MaterialFile, NotesWhatIsWithoutUnitOrFarOffAnyRock) {
     const std::string units = "name = 'stone'\n" + rock + contact;
     const Material plain = read_material(write(std::string(units).replace(units.find("25.8e9"), 6, "'25.8 GPa'")).string());
