@@ -72,7 +72,8 @@ Command toughness_command() {
     return make_command<std::optional<TableFormat>>(
         "toughness",
         "fracture toughness K_IC from direct tension of rectangles with a central notch, and from bending of notched beams and "
-        "half-discs; one row per run",
+        "half-discs, with its size and K_IC at infinite size by the strip-yield law, whose zone bears the tensile strength of "
+        "contacts; one row per run",
         {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs,
         [](OptionSet set, std::optional<TableFormat>& format) { add_format(set, format); },
         [](const std::optional<TableFormat>& format, const Call& call) {

@@ -7,6 +7,7 @@
 
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
+#include "post/measure/strip_yield.hpp"
 #include "post/run/crystals.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
@@ -40,6 +41,20 @@ namespace {
 /// How far the middle of a notch may lie from that of the specimen, as a share of the width.
 constexpr double central = 0.1;
 
+/// The specimen of a measured toughness, to the longest crack for which its formula may serve.
+CrackedSpecimen cracked_specimen(const Toughness& toughness, const std::string& shape, double span) {
+    constexpr double of_beam = 0.9;       // Guinea et al.: any notch
+    constexpr double of_half_disc = 0.8;  // beyond the suggested method's 0.6, where Y' is a parabola
+    constexpr double of_plate = 0.7;      // Feddersen
+    const double a = toughness.crack_length;
+    const double size = toughness.size;
+    if (shape == "beam") return {a, of_beam * size, [=](double x) { return notched_beam_intensity(1, x, span, size); }};
+    if (shape == "half-disc") {
+        return {a, of_half_disc * size / 2, [=](double x) { return half_disc_intensity(1, x, span, size / 2); }};
+    }
+    return {a, of_plate * size / 2, [=](double x) { return centre_crack_intensity(1, 2 * x, size); }};
+}
+
 /// The notch that the mesher was asked for, m; empty if the run does not say, or not so that it can be read.
 std::optional<double> requested_notch(const RunReader& reader) {
     try {
@@ -66,6 +81,7 @@ Toughness of_plate(const RunData& run, const Specimen& specimen, const Strength&
         throw InputError(run.name + ": a joint through the whole width has no toughness; a shorter --slit has one");
     }
     toughness.crack_length = toughness.notch_length / 2;
+    toughness.size = specimen.width;
     toughness.ligament = (specimen.width - toughness.notch_length) / 2;
     toughness.mode_i_toughness = centre_crack_intensity(strength.value(), toughness.notch_length, specimen.width);
     return toughness;
@@ -84,6 +100,7 @@ Toughness of_bending(const RunData& run, const Specimen& specimen, const Strengt
     Toughness toughness;
     toughness.notch_length = toughness.crack_length = notch->length();
     toughness.ligament = specimen.height - toughness.notch_length;
+    toughness.size = is_beam ? specimen.height : specimen.width;
     if (!(toughness.ligament > 1e-9 * specimen.height)) {
         throw InputError(run.name + ": a joint through the whole height has no toughness; a shorter notch has one");
     }
@@ -112,7 +129,6 @@ Toughness of_bending(const RunData& run, const Specimen& specimen, const Strengt
 
 struct ToughnessRow {
     RunData run;
-    double peak_load = 0;  ///< N per metre of thickness
     Toughness toughness;
 };
 
@@ -135,9 +151,13 @@ const Columns<ToughnessRow>& toughness_columns() {
         {"plane", none, [](const R& r) { return name_of(r.run.header.plane); }},
         {"test", none, [](const R& r) { return r.run.header.test; }},
         {"shape", none, [](const R& r) { return r.run.specimen.shape; }},
-        {"peak_load", kilonewton_per_metre, [](const R& r) { return r.peak_load; }},
+        {"peak_load", kilonewton_per_metre, [](const R& r) { return r.toughness.peak_load; }},
         {"span", millimetre, [](const R& r) { return r.run.header.span > 0 ? Cell(r.run.header.span) : Cell(); }},
-        {"ligament_over_characteristic_length", none, [](const R& r) { return r.toughness.ligament_ratio(); }}};
+        {"ligament_over_characteristic_length", none, [](const R& r) { return r.toughness.ligament_ratio(); }},
+        {"size", millimetre, [](const R& r) { return r.toughness.size; }},
+        {"zone", millimetre, [](const R& r) { return r.toughness.zone; }},
+        {"strip_yield_mode_i_toughness", unit::toughness, [](const R& r) { return r.toughness.by_strip_yield; }},
+        {"mode_i_toughness_at_infinite_size", unit::toughness, [](const R& r) { return r.toughness.at_infinite_size; }}};
     return all;
 }
 
@@ -147,10 +167,14 @@ const Columns<ToughnessRow>& toughness_terminal_columns() {
     static const Columns<R> all{{"run", none, [](const R& r) { return r.run.name; }},
                                 {"test", none, [](const R& r) { return r.run.header.test; }},
                                 {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
+                                {"size", millimetre, [](const R& r) { return r.toughness.size; }},
                                 {"notch", millimetre, [](const R& r) { return r.toughness.notch_length; }},
-                                {"peak load", kilonewton_per_metre, [](const R& r) { return r.peak_load; }},
+                                {"peak load", kilonewton_per_metre, [](const R& r) { return r.toughness.peak_load; }},
                                 {"K_IC", unit::toughness, [](const R& r) { return r.toughness.mode_i_toughness; }},
+                                {"at infinite size", unit::toughness, [](const R& r) { return r.toughness.at_infinite_size; }},
                                 {"of a straight crack", unit::toughness, [](const R& r) { return r.toughness.predicted; }},
+                                {"that at this size", unit::toughness, [](const R& r) { return r.toughness.by_strip_yield; }},
+                                {"zone", millimetre, [](const R& r) { return r.toughness.zone; }},
                                 {"notch / process zone", none, [](const R& r) { return r.toughness.notch_ratio(); }}};
     return all;
 }
@@ -172,10 +196,16 @@ Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
     const Strength strength = measure_strength(run);
     Toughness toughness = (is_bent ? of_bending : of_plate)(run, specimen, strength);
     stopped_at_strain_limit(run, strength, StrainLimitRuns::refuse, "a toughness");
+    toughness.peak_load = strength.peak_load;
     toughness.strength = strength.value();
     toughness.predicted =
         std::sqrt(predict_moduli(run.header, specimen).plane_young_modulus * run.header.contact.fracture_energy);
-    toughness.characteristic_length = std::pow(toughness.predicted / run.header.contact.tensile_strength, 2);
+    const double tc = run.header.contact.tensile_strength;
+    toughness.characteristic_length = std::pow(toughness.predicted / tc, 2);
+    const CrackedSpecimen cracked = cracked_specimen(toughness, specimen.shape, run.header.span);
+    toughness.zone = strip_yield_zone(toughness.mode_i_toughness, tc);
+    toughness.by_strip_yield = toughness_at_size(toughness.predicted, tc, cracked);
+    toughness.at_infinite_size = toughness_at_infinite_size(toughness.mode_i_toughness, tc, cracked);
     return toughness;
 }
 
@@ -213,9 +243,8 @@ void write_toughness_table(std::ostream& out, const std::vector<std::string>& ru
     std::vector<ToughnessRow> rows;
     for (const std::string& path : runs) {
         const RunReader reader(path);
-        ToughnessRow& row = rows.emplace_back(ToughnessRow{run_data(reader), 0, {}});
+        ToughnessRow& row = rows.emplace_back(ToughnessRow{run_data(reader), {}});
         row.toughness = measure_toughness(reader, row.run);
-        row.peak_load = measure_strength(row.run).peak_load;
     }
     write_table(out, toughness_columns(), toughness_terminal_columns(), rows, format);
     out.flush();

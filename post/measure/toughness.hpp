@@ -34,12 +34,17 @@ struct Toughness {
     std::optional<double> requested_notch_length;  ///< m; empty if the run does not say
     double crack_length = 0;                       ///< a: half the notch of a plate, that of a beam or half-disc, m
     double ligament = 0;                           ///< uncracked length before a tip, m
+    double size = 0;                               ///< m: diameter of a half-disc, height of a beam, width of a plate
+    double peak_load = 0;                          ///< N per metre of thickness
     double strength = 0;          ///< Pa, largest load over the whole width of a plate; in bending the nominal stress
     double mode_i_toughness = 0;  ///< Pa √m
     double predicted =
         0;  ///< Pa √m: √(E' Gf) of a straight crack along a contact, E' of the assemblage, E/(1 − ν²) in plane strain
-    double characteristic_length = 0;  ///< l_ch = E' Gf/tc² (Hillerborg et al. 1976), m: the scale of the process zone
-    std::string outside;               ///< where the formula is used beyond what it was made for; else empty
+    double characteristic_length = 0;        ///< l_ch = E' Gf/tc² (Hillerborg et al. 1976), m: the scale of the process zone
+    double zone = 0;                         ///< ρ of the strip-yield law at the measured toughness, with σt = tc, m
+    std::optional<double> by_strip_yield;    ///< what a specimen of this size shows of `predicted`, Pa √m
+    std::optional<double> at_infinite_size;  ///< of a rock whose specimen shows the measured toughness, Pa √m
+    std::string outside;                     ///< where the formula is used beyond what it was made for; else empty
     /// a/l_ch: small-scale yielding, on which K_IC rests, needs it large.
     [[nodiscard]] double notch_ratio() const { return crack_length / characteristic_length; }
     [[nodiscard]] double ligament_ratio() const { return ligament / characteristic_length; }

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
+#include "post/measure/strip_yield.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"
@@ -105,6 +107,42 @@ TEST_F(ToughnessTable, OfAHalfDiscSaysWhereTheSuggestedMethodEnds) {
     const std::string table = table_of(bent("half-disc", 0.01));
     EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 2e-3 / 0.09, 1e-6);
     EXPECT_NE(field(table, "warning").find("span/2R is 0.89 and a/R 0.22"), std::string::npos) << field(table, "warning");
+}
+
+/// A half-disc as it was measured with materials of known √(Ẽ G): diameter 80 mm, slit 20 mm, span 48 mm.
+const CrackedSpecimen half_disc_of_80{0.02, 0.032, [](double a) { return half_disc_intensity(1, a, 0.048, 0.04); }};
+
+// A zone as long as the measured toughness makes it, and one as long as that of the rock makes it, bound what Ghouli's law may be
+// read as; the first is ours, and at 8 MPa the upper end.
+TEST(StripYield, AHalfDiscShowsLessThanItsRockHas) {
+    const std::array<std::array<double, 3>, 4> rows{
+        {{1.48, 0.76, 1.065}, {0.89, 0.69, 0.78}, {0.52, 0.47, 0.49}, {0.37, 0.35, 0.36}}};
+    for (const auto& [infinite, low, high] : rows) {
+        const double shown = toughness_at_size(infinite * 1e6, 8e6, half_disc_of_80).value() * 1e-6;
+        EXPECT_GE(shown, low);
+        EXPECT_LE(shown, high);
+        EXPECT_NEAR(toughness_at_infinite_size(shown * 1e6, 8e6, half_disc_of_80).value(), infinite * 1e6, 10);
+    }
+    EXPECT_NEAR(strip_yield_zone(1.5e6, 8e6), 13.806e-3, 1e-6);
+}
+
+TEST(StripYield, SizeMattersNoMoreWhereTheZoneIsSmallAndHasNoSolutionWhereItIsTheLigament) {
+    const CrackedSpecimen large{20, 32, [](double a) { return half_disc_intensity(1, a, 48, 40); }};
+    EXPECT_NEAR(toughness_at_size(1.48e6, 8e6, large).value(), 1.48e6, 0.01e6);
+    EXPECT_FALSE(toughness_at_size(3e6, 8e6, half_disc_of_80));
+    EXPECT_FALSE(toughness_at_infinite_size(1.48e6, 8e6, half_disc_of_80));  // ρ = 13.4 mm
+}
+
+TEST_F(ToughnessTable, HasTheSizeAndTheStripYieldLaw) {
+    const std::string table = table_of(bent("beam", 0.01));
+    const double shown = std::stod(field(table, "mode_i_toughness_MPa.m^0.5"));
+    EXPECT_NEAR(std::stod(field(table, "size_mm")), 20, 1e-4);
+    EXPECT_NEAR(std::stod(field(table, "zone_mm")), 1e3 * strip_yield_zone(shown, 24.15), 1e-6);  // tc of the run
+    EXPECT_GT(std::stod(field(table, "mode_i_toughness_at_infinite_size_MPa.m^0.5")), shown);
+    EXPECT_LT(std::stod(field(table, "strip_yield_mode_i_toughness_MPa.m^0.5")),
+              std::stod(field(table, "predicted_mode_i_toughness_MPa.m^0.5")));
+    EXPECT_NEAR(std::stod(field(table_of(bent("half-disc", 0.01)), "size_mm")), 90, 1e-4);
+    EXPECT_NEAR(std::stod(field(table_of(notched_tension(-0.02, 0.02)), "size_mm")), 80, 1e-4);
 }
 
 TEST_F(ToughnessTable, OpenBoundariesAreNoPartOfTheNotch) {
