@@ -420,7 +420,9 @@ Outcome Calibration::outcome_of(const Target& target, const std::vector<const Me
     const auto share = static_cast<double>(values.size()) / static_cast<double>(runs.size());
     if (std::isfinite(target.value)) {
         const bool lacking = target.property.needs_first_peak && share < study().first_peak_fraction;
-        outcome.verdict = !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
+        // A fitted one is asked of the specimen that it is tested on.
+        const std::string caveat = target.use == Use::fit ? "" : target.caveat(study().specimens.bend());
+        outcome.verdict = !caveat.empty() ? caveat : !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
     }
     return outcome;
 }

@@ -46,7 +46,8 @@ struct Outcome {
     Target target;
     std::optional<Sample> ours;  ///< SI; empty if no test has it
     std::size_t tests = 0;
-    std::string verdict;  ///< within, outside, undecided; empty for a prediction without a measured value
+    /// within, outside, undecided; of K_IC also why there is none; empty for a prediction without a measured value
+    std::string verdict;
 };
 
 /// A decision and the numbers that it used, for the report.

@@ -168,6 +168,8 @@ Basis basis_of(const Material& rock, double edge) {
 /// Ratios with a box whatever the material has; first guesses where it has none.
 const Parameter ratio_boxes[] = {
     {"ratios.process_zone", true, 0.3, 3, 0.1, 10, 0.7, "process zones about as long as grains"},
+    {"ratios.bridging_strength", false, 0.3, 0.8, 0.05, 0.95, 0.55, "bridges bear about half of the tensile strength"},
+    {"ratios.bridging_energy", true, 0.3, 2, 0.1, 5, 1, "bridges give the rock its K_IC"},
     {"pairs.within.tensile_strength", false, 1, 1.5, 1, 2, 1.25, "crystals somewhat stronger than their boundaries"},
     {"pairs.within.fracture_energy", true, 1, 30, 1, 100, 8, "crystals tougher than their boundaries"}};
 

@@ -31,6 +31,17 @@ std::string count_of(std::size_t n, const char* one, const char* several, const 
     return fmt::format("{} {}{}{}", n, n == 1 ? one : several, n == 0 ? "" : ": ", fmt::join(names, ", "));
 }
 
+/// On what K_IC was tested, and on what the laboratory measured it.
+std::string toughness_test_text(const Problem& problem) {
+    const auto toughness = std::find_if(problem.targets.begin(), problem.targets.end(),
+                                        [](const Target& t) { return t.property.name == "toughness"; });
+    if (toughness == problem.targets.end()) return "K_IC was not tested";
+    const ToughnessTest tested = problem.study.specimens.bend();
+    const std::string text = "K_IC was tested on: " + tested.text();
+    if (toughness->caveat(tested).empty()) return text + ", as in the laboratory";
+    return fmt::format("{}; the laboratory's is {}", text, toughness->measured_on->text());
+}
+
 /// How many free parameters, targets of both kinds and first peaks there are, what became of K_IC, and what is fixed.
 std::string summary_text(const Material& rock, const std::optional<Material>& at, const Problem& problem,
                          const Decision& decision, std::size_t n_runs) {
@@ -53,12 +64,10 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
     if (at) {
         const ContactParameters contact = contact_parameters(*at, PlaneCondition::strain, std::nullopt);
         const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * contact.fracture_energy);
-        const bool is_tested = std::any_of(problem.targets.begin(), problem.targets.end(),
-                                           [](const Target& t) { return t.property.name == "toughness"; });
         text += fmt::format(
-            "- K_IC was {}tested on half-discs. The fracture energy of contacts, {:.4g} J/m², corresponds to √(Ẽ G_I) = {:.3g} "
+            "- {}. The fracture energy of contacts, {:.4g} J/m², corresponds to √(Ẽ G_I) = {:.3g} "
             "MPa √m; the rock has {:.3g} MPa √m\n",
-            is_tested ? "" : "not ", contact.fracture_energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
+            toughness_test_text(problem), contact.fracture_energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
         Cells fixed;
         for (const ContactParameter& row : all_contact_parameters()) {
             const std::string key = "contact." + row.key();

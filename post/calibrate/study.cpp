@@ -54,7 +54,7 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
             {"height", {quantity::height, number(study.specimens.height)}},
             {"diameter", {quantity::diameter, number(study.specimens.diameter)}},
             {"half_disc_diameter",
-             {quantity::diameter, [&study](const std::vector<double>& v) { study.specimens.half_disc_diameter = v[0]; }}},
+             {quantity::diameter, [&study](const std::vector<double>& v) { study.specimens.bend_size = v[0]; }}},
             {"grains", {grains, grains_of(study.specimens.grains)}},
             {"disc_grains", {grains, grains_of(study.specimens.disc_grains)}},
             {"mean_edge", {quantity::mean_edge, edge}},
@@ -132,16 +132,20 @@ std::pair<std::string, std::string> grain_options(const GrainFabric& said) {
     return {options, name};
 }
 
-/// The shape of the specimens of a test as the mesher has it, and a name for it. The slit of a half-disc has half its radius
+constexpr double beam_over_span = 1.1;
+
+/// The shape of the specimens of a test as the mesher has it, and a name for it.
 std::pair<std::string, std::string> shape_options(const Specimens& s, Loading loading) {
     constexpr double mm = 1e3;
     if (loading == Loading::splitting) {
         return {fmt::format("disc --diameter {:.6g}mm", s.diameter * mm), fmt::format("disc{:.6g}", s.diameter * mm)};
     }
     if (loading == Loading::bending) {
-        const double diameter = s.half_disc_diameter.value_or(s.diameter) * mm;
-        return {fmt::format("half-disc --diameter {:.6g}mm --slit {:.6g}mm", diameter, diameter / 4),
-                fmt::format("half-disc{:.6g}", diameter)};
+        const ToughnessTest bend = s.bend();
+        const std::string size =
+            bend.method == "beam" ? fmt::format("--width {:.6g}mm --height", beam_over_span * bend.span * mm) : "--diameter";
+        return {fmt::format("{} {} {:.6g}mm --slit {:.6g}mm", bend.method, size, bend.size * mm, bend.notch * mm),
+                fmt::format("{}{:.6g}", bend.method, bend.size * mm)};
     }
     return {fmt::format("rectangle --width {:.6g}mm --height {:.6g}mm", s.width * mm, s.height * mm),
             fmt::format("rectangle{:.6g}x{:.6g}", s.width * mm, s.height * mm)};
@@ -154,9 +158,7 @@ std::pair<std::string, std::string> size_option(const Specimens& s, Loading load
     };
     if (s.grain_size) return length("--grain-size", "d", *s.grain_size);
     if (s.edge) return length("--edge", "e", *s.edge);
-    const double n = loading == Loading::splitting ? s.disc_grains
-                     : loading == Loading::bending ? s.half_disc_grains()
-                                                   : s.grains;
+    const double n = loading == Loading::splitting ? s.disc_grains : loading == Loading::bending ? s.bend_grains() : s.grains;
     return {fmt::format(" --grains {:.7g}", n), fmt::format("g{:.7g}", n)};
 }
 
@@ -176,9 +178,17 @@ double Specimens::mean_edge() const {
     return std::sqrt(4 * width * height / (std::numbers::sqrt3 * grains));
 }
 
-double Specimens::half_disc_grains() const {
-    const double ratio = half_disc_diameter.value_or(diameter) / diameter;
-    return std::max(2.0, std::round(0.5 * ratio * ratio * disc_grains));
+ToughnessTest Specimens::bend() const {
+    const ToughnessTest made = of_laboratory.value_or(usual_half_disc(diameter));
+    const double scale = bend_size.value_or(made.size) / made.size;
+    return {made.method, scale * made.size, scale * made.notch, scale * made.span};
+}
+
+double Specimens::bend_grains() const {
+    const ToughnessTest made = bend();
+    const double area =
+        made.method == "beam" ? beam_over_span * made.span * made.size : std::numbers::pi / 8 * made.size * made.size;
+    return std::max(2.0, std::round(area / (std::numbers::pi / 4 * diameter * diameter) * disc_grains));
 }
 
 std::vector<Test> tests_of(const std::vector<Target>& targets) {
@@ -200,6 +210,7 @@ std::vector<Test> tests_of(const std::vector<Target>& targets) {
 
 Study read_study(const Material& rock, const TomlFile& file, const std::vector<std::string>& settings) {
     Study study;
+    if (rock.toughness_test.is_known()) study.specimens.of_laboratory = rock.toughness_test;
     study.specimens.grain_size = rock.grains.grain_size;
     if (rock.grains.tessellation == "trigon" && rock.grains.grain_size) {
         take_size_of_crystals(study.specimens, *rock.grains.grain_size);
@@ -258,9 +269,7 @@ RunRow row_of(const Material& rock, const Study& study, const RequestedRun& run)
     }
     row.solve = run.test.name;
     if (test.is_confined) row.solve += " --confining-pressure " + pressure_text(run.test.confining_pressure);
-    if (test.loading == Loading::bending) {
-        row.solve += fmt::format(" --span {:.6g}mm", 0.6e3 * s.half_disc_diameter.value_or(s.diameter));  // ISRM 2014
-    }
+    if (test.loading == Loading::bending) row.solve += fmt::format(" --span {:.6g}mm", s.bend().span * 1e3);
     // As the Brazilian test, with which they are compared.
     if (test.is_tensile() && test.plane != PlaneCondition::stress) row.solve += " --plane stress";
     if (test.loading == Loading::compression) {

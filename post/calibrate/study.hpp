@@ -43,21 +43,22 @@ struct RequestedRun {
 using FindRun = std::function<const Measures*(const RequestedRun&)>;
 
 /// The paper's specimens, unless set or the material's [fabric] has a grain size: rectangles of 80 mm × 160 mm with 1,122 grains,
-/// discs of 80 mm with 452, half-discs of the same diameter with half of them. Crystals that break, of a size that [fabric]
-/// gives, have specimens in proportion to it.
+/// discs of 80 mm with 452, half-discs of the same diameter with half of them, or the laboratory's specimen of K_IC. Crystals
+/// that break, of a size that [fabric] gives, have specimens in proportion to it.
 struct Specimens {
     double width = 0.08;   ///< m
     double height = 0.16;  ///< m
     double diameter = 0.08;
-    std::optional<double> half_disc_diameter;  ///< m; empty: that of the discs
+    std::optional<ToughnessTest> of_laboratory;  ///< on which K_IC is tested; empty if the laboratory's is not known
+    std::optional<double> bend_size;             ///< m: the same at another diameter or height, `half_disc_diameter` of [study]
     double grains = 1122;
     double disc_grains = 452;
     std::optional<double> edge;        ///< m: mean edge of the grains, instead of their numbers
     std::optional<double> grain_size;  ///< m: mean equal-area diameter of the grains, instead of both
     /// Mean edge, m: as it is set, or that of equilateral grains of that diameter, or of those that fill a rectangle.
     [[nodiscard]] double mean_edge() const;
-    /// Grains of a half-disc that are as large as those of the discs.
-    [[nodiscard]] double half_disc_grains() const;
+    [[nodiscard]] ToughnessTest bend() const;  ///< of K_IC; unless known, a half-disc of the diameter of the discs
+    [[nodiscard]] double bend_grains() const;  ///< as large as those of the discs
 };
 
 /// How a calibration is done. All numbers are set before it begins.

@@ -51,6 +51,8 @@ std::string Target::test() const {
     return std::string(test->name);
 }
 
+std::string Target::caveat(const ToughnessTest& tested) const { return measured_on ? measured_on->caveat(tested) : ""; }
+
 double Target::usual_deviation() const { return property.deviation * (property.absolute ? 1 : value); }
 
 double Target::logarithm(double value_in_si) const {
@@ -154,6 +156,10 @@ Target given_target(TomlTable row) {
 
 }  // namespace
 
+void set_toughness_test(Target& target, const Material& material) {
+    if (target.property.name == "toughness") target.measured_on = material.toughness_test;
+}
+
 double disagreement(const Material& rock) {
     const auto angle = rock.laboratory_value("friction_angle");
     const auto cohesion = rock.laboratory_value("cohesion");
@@ -186,7 +192,8 @@ std::vector<Target> given_targets(const TomlFile& file) {
 std::vector<Target> targets_of(const Material& rock, const TomlFile& file, double confining_pressure,
                                const std::vector<double>& predicted_pressures) {
     std::vector<Target> targets = given_targets(file);
-    if (targets.empty()) return laboratory_targets(rock, confining_pressure, predicted_pressures);
+    if (targets.empty()) targets = laboratory_targets(rock, confining_pressure, predicted_pressures);
+    for (Target& target : targets) set_toughness_test(target, rock);
     if (std::none_of(targets.begin(), targets.end(), [](const Target& t) { return t.use == Use::fit; })) {
         throw InputError(fmt::format("{}: [targets] has none to be fitted", file.file));
     }

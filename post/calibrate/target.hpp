@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Target {
     double value = 0;               ///< SI; NaN of a prediction without a measured value
     double deviation = 0;           ///< of the measured value, SI; also how far the confirmation may be off
     Use use = Use::fit;
+    std::optional<ToughnessTest> measured_on = {};  ///< of K_IC: what the laboratory measured it on, as far as the material says
 
     [[nodiscard]] std::string name() const;         ///< "first_peak_8MPa"
     [[nodiscard]] std::string fitted_name() const;  ///< of the same in [fitted]: "confined_strength_8MPa"
@@ -32,6 +34,8 @@ struct Target {
     [[nodiscard]] bool is_elastic() const { return property.name == "young_modulus" || property.name == "poisson_ratio"; }
     /// Its value in a run, SI; NaN if the tables have none.
     [[nodiscard]] double read(const Measures& measures) const;
+    /// Why a value of K_IC on this specimen has no verdict, as `ToughnessTest::caveat`; "" if it may have one.
+    [[nodiscard]] std::string caveat(const ToughnessTest& tested) const;
     [[nodiscard]] double usual_deviation() const;  ///< of its value, by its property
     /// What surfaces are of: ln of a value, for a fall of what is left behind it, as a test may also rise; NaN: it has none.
     [[nodiscard]] double logarithm(double value_in_si) const;
@@ -48,6 +52,9 @@ private:
 
 /// A target of the name, without a value. \throws InputError naming `where` if there is none
 Target target_of(const std::string& name, const std::string& where);
+
+/// Adds to a target of K_IC what the laboratory of the material measured it on.
+void set_toughness_test(Target& target, const Material& material);
 
 /// The rows of [targets]; none without that table. \throws InputError naming file and key of what is wrong
 std::vector<Target> given_targets(const TomlFile& file);

@@ -13,6 +13,7 @@
 #include "post/run/crack_label.hpp"
 #include "post/run/load_curve.hpp"
 #include "share/base/quantities.hpp"
+#include "share/rock/toughness_test.hpp"
 
 namespace graincrack {
 
@@ -23,7 +24,8 @@ struct MeasuredRun {
     Strength strength;
     std::optional<Moduli> moduli;
     std::optional<AllThresholds> thresholds;  ///< of compression tests
-    std::optional<double> mode_i_toughness;   ///< Pa √m, of half-discs with a slit that have a peak
+    std::optional<double> mode_i_toughness;   ///< Pa √m, of half-discs and beams with a slit that have a peak
+    ToughnessTest bend;                       ///< of that
     ModeCounts by_sign_at_peak;               ///< by the event of the run and the sign of the opening then
 
     /// \param stress what gives a stress of `AllThresholds` \return empty of a test without them

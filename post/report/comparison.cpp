@@ -39,8 +39,9 @@ std::string laboratory_cell(const LaboratoryProperty& property) {
     if (!property.is_measured()) return "";
     const double si = property.target.property.si;
     const char* const mark = property.has_own_deviation ? "" : "*";
+    const auto& test = property.target.measured_on;
     return number(property.target.value / si) + " ± " + number(property.target.deviation / si, 2) + mark +
-           unit_text(property.target);
+           unit_text(property.target) + (test ? "\n" + test->text() : "");
 }
 
 std::string difference_cell(const Target& target, double computed) {
@@ -84,11 +85,13 @@ public:
             if (!sample) continue;
             is_tested = true;
             const Estimate computed = computed_of(*sample, property);
-            const Agreement agreement = property.is_measured() ? agreement_of(target, computed) : Agreement::unknown;
+            const std::string caveat = property.is_measured() ? target.caveat(group.first().bend) : "";
+            const Agreement agreement =
+                property.is_measured() && caveat.empty() ? agreement_of(target, computed) : Agreement::unknown;
             usual_deviation_ = usual_deviation_ || (property.is_measured() && !property.has_own_deviation);
             row({group.with_specimen(property.name()), laboratory_cell(property), computed_cell(computed, sample->n, target),
-                 property.is_measured() ? difference_cell(target, computed.value) : "", verdict_of(agreement, sample->n),
-                 name_of(property.origin)},
+                 property.is_measured() ? difference_cell(target, computed.value) : "",
+                 caveat.empty() ? verdict_of(agreement, sample->n) : caveat, name_of(property.origin)},
                 agreement);
         }
         if (is_tested || !property.is_measured()) return;
@@ -218,7 +221,10 @@ std::optional<double> value_of(const MeasuredRun& test, const Target& target) {
     const RunHeader& header = test.data.header;
     const bool is_asked = header.test == target.test() &&
                           std::abs(header.confining_pressure - target.confining_pressure) <= 1e-6 * target.confining_pressure;
-    if (!is_asked || distinct_shape(test.data) != (header.loading() == Loading::bending ? "half-disc" : "")) return std::nullopt;
+    const bool is_known = target.measured_on && target.measured_on->is_known();
+    const std::string shape = header.loading() == Loading::bending ? test.bend.method : distinct_shape(test.data);
+    const std::string usual = header.loading() == Loading::bending ? "half-disc" : "";
+    if (!is_asked || shape != (is_known ? target.measured_on->method : usual)) return std::nullopt;
     return target.property.value(test);
 }
 

@@ -161,7 +161,9 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
             property.has_own_deviation = false;
         }
         if (!property.is_measured()) property.origin = PropertyOrigin::unknown;
-        if (material) property.half_interval_of_one = half_interval_of_one(*material, property.target);
+        if (!material) continue;
+        property.half_interval_of_one = half_interval_of_one(*material, property.target);
+        calibrate::set_toughness_test(property.target, *material);
     }
     std::stable_sort(all.begin(), all.end(), [](const LaboratoryProperty& a, const LaboratoryProperty& b) {
         return std::pair(order_of(a.target.property), a.target.confining_pressure) <

@@ -40,12 +40,14 @@ ProvenanceEntries provenance_of(const H5Input& file) {
     return entries;
 }
 
-/// Empty without a slit or a peak.
-std::optional<double> toughness_of(const RunData& run, const Specimen& specimen) {
+/// Nothing without a slit or a peak.
+void add_toughness(MeasuredRun& report, const Specimen& specimen) {
     try {
-        return measure_toughness(run, specimen).mode_i_toughness;
+        const Toughness toughness = measure_toughness(report.data, specimen);
+        report.mode_i_toughness = toughness.mode_i_toughness;
+        report.bend = ToughnessTest{specimen.shape, toughness.size, toughness.notch_length, report.data.header.span};
     } catch (const InputError&) {
-        return std::nullopt;
+        return;
     }
 }
 
@@ -65,8 +67,7 @@ TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label)
     report.grains = grain_moduli(header, specimen);
     report.class_names = contact_class_names(specimen);
     if (is_compression(header)) report.thresholds = measure_all_thresholds(report.data, report.curve, log);
-    const bool is_half_disc = header.loading() == Loading::bending && specimen.shape == "half-disc";
-    if (is_half_disc) report.mode_i_toughness = toughness_of(report.data, specimen);
+    if (header.loading() == Loading::bending) add_toughness(report, specimen);
     std::optional<BrazilianSplit> split;
     if (splits(report.data)) split = measure_split(report.data, report.curve, specimen, log);
     report.caveats = caveats_of(report.data, split);

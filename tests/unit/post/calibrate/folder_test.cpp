@@ -159,7 +159,7 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
          {"# Augig granite: calibrated",
           "- 3 free parameters: contact.tensile_strength, contact.cohesion, contact.friction_angle\n",
           "- 5 fitted targets: E, ν, Brazilian strength, UCS, first peak at 8 MPa\n",
-          "- 2 predicted targets: first peak at 4 MPa", "- K_IC was not tested on half-discs", "√(Ẽ G_I) = 1.5 MPa √m",
+          "- 2 predicted targets: first peak at 4 MPa", "- K_IC was not tested.", "√(Ẽ G_I) = 1.5 MPa √m",
           "contact.fracture_energy 78.", "J/m2 (derived)",
           "- first peaks: UCS in 20 of 20 tests; first peak at 8 MPa in 20 of 20 tests", "## Targets", "## Values", "## Surfaces",
           "## What tells what", "## Steps", "| crack damage, MPa | not measured |  |  | 0 of 3 |"}) {
@@ -227,10 +227,32 @@ TEST_F(CalibrateFolder, ToughnessIsComparedOnHalfDiscs) {
     write_rock(stone);
     EXPECT_EQ(to_the_end(rock(), 1).decision.ending, Ending::calibrated);
     const std::string report = text("report.md");
-    EXPECT_NE(report.find("| K_IC, MPa√m | predicted | 1.3 | 1.2 (1.2 to 1.2) | 3 of 3 | -7.69 % | ± 10 % | within |"),
+    EXPECT_NE(report.find("| K_IC, MPa√m | predicted | 1.3 | 1.2 (1.2 to 1.2) | 3 of 3 | -7.69 % | ± 10 % | size not known |"),
               std::string::npos)
         << report;
-    EXPECT_NE(report.find("- K_IC was tested on half-discs."), std::string::npos);
+    EXPECT_NE(
+        report.find("- K_IC was tested on: half-disc, diameter 80 mm, notch 20 mm, span 48 mm; the laboratory's is of a size "
+                    "that the material does not name."),
+        std::string::npos);
+}
+
+TEST_F(CalibrateFolder, ToughnessIsTestedOnTheSpecimenOfTheLaboratory) {
+    const auto row = [&](const std::string& test, const std::vector<std::string>& settings = {}) {
+        write_rock(granite() + "mode_i_toughness = {value = \"1.3 MPa.m^0.5\", " + test + "}\n");
+        return row_for(tests_of(read_problem(material(), settings).targets).back(), settings);
+    };
+    const std::string half_disc = "method = \"half-disc\", diameter = \"75 mm\", notch = \"18 mm\"";
+    EXPECT_EQ(row(half_disc).mesh, "half-disc --diameter 75mm --slit 18mm --grains 199 --seed 7");
+    EXPECT_EQ(row(half_disc).solve, "bend --span 45mm --plane stress");
+    EXPECT_EQ(row(half_disc, {"half_disc_diameter=150mm"}).mesh, "half-disc --diameter 150mm --slit 36mm --grains 795 --seed 7");
+    EXPECT_EQ(row("method = \"beam\", height = \"40 mm\", notch = \"12 mm\"").mesh,
+              "beam --width 176mm --height 40mm --slit 12mm --grains 633 --seed 7");
+    EXPECT_EQ(row("method = \"short-rod\", diameter = \"50 mm\"").mesh.find("half-disc --diameter 80mm --slit 20mm "), 0U);
+    row("method = \"half-disc\", diameter = \"80 mm\"");
+    EXPECT_EQ(to_the_end(rock(), 1).decision.ending, Ending::calibrated);
+    EXPECT_NE(text("report.md").find("| -7.69 % | ± 10 % | within |"), std::string::npos) << text("report.md");
+    EXPECT_NE(text("report.md").find("span 48 mm, as in the laboratory."), std::string::npos);
+    EXPECT_EQ(read_material(folder_.file("calibrated.toml")).toughness_test.size, 0.08);
 }
 
 TEST_F(CalibrateFolder, HalfDiscsHaveTheGrainsOfDiscs) {
