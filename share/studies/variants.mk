@@ -19,6 +19,8 @@ RATE ?= 0.006
 DISC_RATE ?= 0.003
 # Direct tension ends when so much of its peak is lost; its work of fracture is known from 0.9 on.
 TENSION_DROP ?= 0.95
+# The same of Brazilian tests; empty: the solver's default
+BRAZILIAN_DROP ?=
 UNIAXIAL_PEAK_DROP ?= 0.15
 PARTS ?= $(call unique,$(shell tail -n +2 variants.tsv | cut -f 2))
 VARIANTS ?= $(foreach r,$(table_of_variants),$(if $(filter $(PARTS),$(call entry,2)),$(call entry,1)))
@@ -58,6 +60,7 @@ name_of_mesh = $(if $(1),$(subst $(space),,$(subst --,-,$(subst per-crystal,,$(s
 rate_of = $(if $(filter brazilian tension half-disc,$(1)),$(DISC_RATE),$(RATE))
 in_plane_stress := $(call setting,stress,--plane stress)
 settings_of_tension := $(in_plane_stress) $(call drop,$(TENSION_DROP)) $(call cap,0.001)
+settings_of_brazilian := $(if $(BRAZILIAN_DROP),$(call drop,$(BRAZILIAN_DROP)))
 settings_of_half-disc := $(in_plane_stress) $(call drop,0.3)
 # $(call settings_of,TEST,VARIANT)
 settings_of = $(call setting,$(2),$(solve_of_$(2))) $(call rt,$(call rate_of,$(1))) $(settings_of_$(1))
