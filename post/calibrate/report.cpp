@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/measure/toughness.hpp"
 #include "post/statistics/response_surface.hpp"
 #include "share/base/units.hpp"
 
@@ -63,11 +64,12 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
     }
     if (at) {
         const ContactParameters contact = contact_parameters(*at, PlaneCondition::strain, std::nullopt);
-        const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * contact.fracture_energy);
+        const double energy = total_fracture_energy(contact);
+        const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * energy);
         text += fmt::format(
-            "- {}. The fracture energy of contacts, {:.4g} J/m², corresponds to √(Ẽ G_I) = {:.3g} "
+            "- {}. The fracture energy of contacts, {:.4g} J/m², corresponds to √(Ẽ G) = {:.3g} "
             "MPa √m; the rock has {:.3g} MPa √m\n",
-            toughness_test_text(problem), contact.fracture_energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
+            toughness_test_text(problem), energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
         Cells fixed;
         for (const ContactParameter& row : all_contact_parameters()) {
             const std::string key = "contact." + row.key();

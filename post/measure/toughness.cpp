@@ -36,6 +36,17 @@ double half_disc_intensity(double load, double notch, double span, double radius
     return load * std::sqrt(std::numbers::pi * notch) / (2 * radius) * shape;
 }
 
+double total_fracture_energy(const ContactParameters& contact) {
+    const double tc = contact.tensile_strength;
+    const double bridge = contact.bridging_strength;
+    const double brittle_end = 2 * contact.fracture_energy / tc;
+    const double bridge_end = bridge > 0 ? 2 * contact.bridging_energy / bridge : 0;
+    if (bridge_end <= brittle_end) return contact.fracture_energy;
+    const double crossing = (tc - bridge) / (tc / brittle_end - bridge / bridge_end);
+    return contact.fracture_energy + bridge * fpz::square(bridge_end - crossing) / (2 * bridge_end) -
+           tc * fpz::square(brittle_end - crossing) / (2 * brittle_end);
+}
+
 namespace {
 
 /// How far the middle of a notch may lie from that of the specimen, as a share of the width.
@@ -199,7 +210,7 @@ Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
     toughness.peak_load = strength.peak_load;
     toughness.strength = strength.value();
     toughness.predicted =
-        std::sqrt(predict_moduli(run.header, specimen).plane_young_modulus * run.header.contact.fracture_energy);
+        std::sqrt(predict_moduli(run.header, specimen).plane_young_modulus * total_fracture_energy(run.header.contact));
     const double tc = run.header.contact.tensile_strength;
     toughness.characteristic_length = std::pow(toughness.predicted / tc, 2);
     const CrackedSpecimen cracked = cracked_specimen(toughness, specimen.shape, run.header.span);

@@ -29,6 +29,10 @@ double half_disc_intensity(double load, double notch, double span, double radius
 inline constexpr double least_span_of_half_disc = 0.5, largest_span_of_half_disc = 0.8;
 inline constexpr double least_notch_of_half_disc = 0.4, largest_notch_of_half_disc = 0.6;
 
+/// Energy to open a contact fully, J/m²: G_I and Gb are areas under two linear softenings, from tc and σb, of which the higher
+/// holds.
+double total_fracture_energy(const ContactParameters& contact);
+
 struct Toughness {
     double notch_length = 0;  ///< m, between the ends of the grain boundaries that were broken from the start
     std::optional<double> requested_notch_length;  ///< m; empty if the run does not say
@@ -38,9 +42,9 @@ struct Toughness {
     double peak_load = 0;                          ///< N per metre of thickness
     double strength = 0;          ///< Pa, largest load over the whole width of a plate; in bending the nominal stress
     double mode_i_toughness = 0;  ///< Pa √m
-    double predicted =
-        0;  ///< Pa √m: √(E' Gf) of a straight crack along a contact, E' of the assemblage, E/(1 − ν²) in plane strain
-    double characteristic_length = 0;        ///< l_ch = E' Gf/tc² (Hillerborg et al. 1976), m: the scale of the process zone
+    /// Pa √m: √(E' G) of a straight crack along a contact, E' of the assemblage, E/(1 − ν²) in plane strain, G with bridges
+    double predicted = 0;
+    double characteristic_length = 0;        ///< l_ch = E' G/tc² (Hillerborg et al. 1976), m: the scale of the process zone
     double zone = 0;                         ///< ρ of the strip-yield law at the measured toughness, with σt = tc, m
     std::optional<double> by_strip_yield;    ///< what a specimen of this size shows of `predicted`, Pa √m
     std::optional<double> at_infinite_size;  ///< of a rock whose specimen shows the measured toughness, Pa √m

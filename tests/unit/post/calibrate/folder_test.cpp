@@ -159,7 +159,7 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
          {"# Augig granite: calibrated",
           "- 3 free parameters: contact.tensile_strength, contact.cohesion, contact.friction_angle\n",
           "- 5 fitted targets: E, ν, Brazilian strength, UCS, first peak at 8 MPa\n",
-          "- 2 predicted targets: first peak at 4 MPa", "- K_IC was not tested.", "√(Ẽ G_I) = 1.5 MPa √m",
+          "- 2 predicted targets: first peak at 4 MPa", "- K_IC was not tested.", "√(Ẽ G) = 1.5 MPa √m",
           "contact.fracture_energy 78.", "J/m2 (derived)",
           "- first peaks: UCS in 20 of 20 tests; first peak at 8 MPa in 20 of 20 tests", "## Targets", "## Values", "## Surfaces",
           "## What tells what", "## Steps", "| crack damage, MPa | not measured |  |  | 0 of 3 |"}) {
@@ -422,12 +422,18 @@ TEST_F(CalibrateFolder, CrystalsThatBreakBeginNear) {
 
     const std::string named =
         "[parameters]\n\"ratios.process_zone\" = {}\n\"pairs.within.tensile_strength\" = {}\n"
-        "\"pairs.within.fracture_energy\" = {}\n\"contact.cohesion\" = {}\n";
+        "\"pairs.within.fracture_energy\" = {}\n\"contact.cohesion\" = {}\n\"ratios.bridging_strength\" = {}\n"
+        "\"ratios.bridging_energy\" = {}\n";
     stone.erase(stone.find("# cohesion = \"74.57 MPa\""), 2);
     const Problem ratios = parameters(named);
     expect_box(ratios, "ratios.process_zone", 0.3, 0.7, 3);
     expect_box(ratios, "pairs.within.tensile_strength", 1, 1.25, 1.5);
     expect_box(ratios, "pairs.within.fracture_energy", 1, 8, 30);
+    expect_box(ratios, "ratios.bridging_strength", 0.3, 0.55, 0.8);
+    expect_box(ratios, "ratios.bridging_energy", 0.3, 1, 2);
+    EXPECT_TRUE(box_of(ratios, "ratios.bridging_energy").logarithmic);
+    EXPECT_FALSE(box_of(ratios, "ratios.bridging_strength").logarithmic);
+    EXPECT_EQ(box_of(ratios, "ratios.bridging_strength").most, 0.95);
     EXPECT_TRUE(box_of(ratios, "ratios.process_zone").logarithmic);
     EXPECT_FALSE(box_of(ratios, "pairs.within.tensile_strength").logarithmic);
     // The material's own are the first guess; outside of the box there is one about them.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -133,6 +134,28 @@ TEST(StripYield, SizeMattersNoMoreWhereTheZoneIsSmallAndHasNoSolutionWhereItIsTh
     EXPECT_FALSE(toughness_at_infinite_size(1.48e6, 8e6, half_disc_of_80));  // ρ = 13.4 mm
 }
 
+// By sums of the higher of two lines.
+TEST(Toughness, EnergyWithBridgesIsThatUnderTheHigherOfTwoSoftenings) {
+    ContactParameters contact;
+    contact.tensile_strength = 9e6;
+    contact.fracture_energy = 5;
+    EXPECT_EQ(total_fracture_energy(contact), 5);
+    for (const double strength : {0.5e6, 4e6, 8e6}) {
+        for (const double energy : {0.01, 2.0, 80.0}) {
+            contact.bridging_strength = strength;
+            contact.bridging_energy = energy;
+            const double longest = std::max(2 * 5 / 9e6, 2 * energy / strength);
+            double sum = 0;
+            for (int i = 0; i < 100000; ++i) {
+                const double opening = (i + 0.5) * 1e-5 * longest;
+                const double bridge = strength * (1 - opening * strength / (2 * energy));
+                sum += 1e-5 * longest * std::max({0.0, 9e6 * (1 - opening * 9e6 / 10), bridge});
+            }
+            EXPECT_NEAR(total_fracture_energy(contact), sum, 1e-5 * sum) << strength << " " << energy;
+        }
+    }
+}
+
 TEST_F(ToughnessTable, HasTheSizeAndTheStripYieldLaw) {
     const std::string table = table_of(bent("beam", 0.01));
     const double shown = std::stod(field(table, "mode_i_toughness_MPa.m^0.5"));
@@ -143,6 +166,13 @@ TEST_F(ToughnessTable, HasTheSizeAndTheStripYieldLaw) {
               std::stod(field(table, "predicted_mode_i_toughness_MPa.m^0.5")));
     EXPECT_NEAR(std::stod(field(table_of(bent("half-disc", 0.01)), "size_mm")), 90, 1e-4);
     EXPECT_NEAR(std::stod(field(table_of(notched_tension(-0.02, 0.02)), "size_mm")), 80, 1e-4);
+    const RunReader reader(folder_.file("run.h5"));
+    RunData run = run_data(reader);
+    const double brittle = measure_toughness(run, reader.specimen()).predicted;
+    run.header.contact.bridging_strength = 5e6;
+    run.header.contact.bridging_energy = 200;
+    EXPECT_NEAR(measure_toughness(run, reader.specimen()).predicted / brittle,
+                std::sqrt(total_fracture_energy(run.header.contact) / run.header.contact.fracture_energy), 1e-9);
 }
 
 TEST_F(ToughnessTable, OpenBoundariesAreNoPartOfTheNotch) {
