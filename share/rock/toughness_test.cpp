@@ -16,12 +16,12 @@ bool is_made_here(const std::string& method) { return method == half_disc || met
 
 }  // namespace
 
-ToughnessTest usual_half_disc(double diameter) { return {half_disc, diameter, diameter / 4, 0.6 * diameter}; }
+ToughnessTest usual_half_disc(double diameter) { return completed({half_disc, diameter}); }
 
 ToughnessTest completed(ToughnessTest test) {
-    const ToughnessTest usual = usual_half_disc(test.size);
-    if (test.method == half_disc && test.notch == 0) test.notch = usual.notch;
-    if (is_made_here(test.method) && test.span == 0) test.span = test.method == half_disc ? usual.span : 4 * test.size;
+    if (!is_made_here(test.method)) return test;
+    if (test.notch == 0) test.notch = test.size * (test.method == beam ? 0.5 : 0.25);
+    if (test.span == 0) test.span = test.size * (test.method == beam ? 4 : 0.6);
     return test;
 }
 

@@ -30,7 +30,7 @@ struct ToughnessTest {
 /// method (Kuruppu et al. 2014).
 ToughnessTest usual_half_disc(double diameter);
 
-/// The test with what it lacks: notch and span of `usual_half_disc`; a span of four heights of a beam (ASTM E399).
+/// The test with what it lacks: notch and span of `usual_half_disc`, of a beam half its height and four heights (ASTM E399).
 ToughnessTest completed(ToughnessTest test);
 
 /// The keys of a material, bound to `test`, which must stay where it is.

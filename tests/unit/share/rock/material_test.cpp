@@ -224,8 +224,8 @@ TEST_F(MaterialFile, AMeasuredToughnessMayNameItsTest) {
     const Material half_disc = read("{value = '1.5 MPa.m^0.5', method = 'half-disc', diameter = '75 mm'}");
     EXPECT_EQ(half_disc.laboratory_value("mode_i_toughness"), 1.5e6);
     EXPECT_EQ(half_disc.toughness_test.text(), "half-disc, diameter 75 mm, notch 18.75 mm, span 45 mm");
-    const Material beam = read("{value = 1e6, method = 'beam', height = '40 mm', notch = '12 mm'}");
-    EXPECT_EQ(beam.toughness_test.text(), "beam, height 40 mm, notch 12 mm, span 160 mm");
+    const Material beam = read("{value = 1e6, method = 'beam', height = '40 mm'}");
+    EXPECT_EQ(beam.toughness_test.text(), "beam, height 40 mm, notch 20 mm, span 160 mm");
     EXPECT_EQ(beam.toughness_test.caveat(beam.toughness_test), "");
     EXPECT_EQ(beam.toughness_test.caveat(usual_half_disc(0.075)), "other specimen");
     EXPECT_EQ(half_disc.toughness_test.caveat(usual_half_disc(0.08)), "other specimen");
