@@ -27,6 +27,6 @@ WITH tests AS (
 ), cuts AS (
     SELECT run, 1000 * total(length * within) AS cut, 1000 * total(length) AS crack FROM points GROUP BY run
 )
-SELECT file, variant, series, seed, notch_mm, "mode_i_toughness_MPa.m^0.5" AS K, "predicted_mode_i_toughness_MPa.m^0.5" AS straight_K, NULL AS strip_yield_K,
+SELECT file, variant, series, seed, notch_mm, "mode_i_toughness_MPa.m^0.5" AS K, "predicted_mode_i_toughness_MPa.m^0.5" AS straight_K, "strip_yield_mode_i_toughness_MPa.m^0.5" AS strip_yield_K,
     ifnull(front, 0) AS front_mm, ifnull(length, 0) AS zone_mm, ifnull(width, 0) AS zone_width_mm, crack AS crack_mm, cut AS cut_mm
 FROM tests LEFT JOIN cracks USING (run) LEFT JOIN zones USING (run) LEFT JOIN cuts USING (run) ORDER BY place
