@@ -123,10 +123,15 @@ private:
         const auto found = std::find_if(toml_.entries.begin(), toml_.entries.end(), is);
         return found == toml_.entries.end() ? nullptr : &*found;
     }
+    /// A table with a line of its own: that of [phases.mica] is none of [phases].
     [[nodiscard]] const TomlSection* section(const std::string& table) const {
-        const auto found = std::find_if(toml_.sections.begin(), toml_.sections.end(),
-                                        [&](const TomlSection& each) { return path_of(each.name) == table; });
-        return found == toml_.sections.end() ? nullptr : &*found;
+        const auto& all = toml_.sections;
+        const auto found = std::find_if(all.begin(), all.end(), [&](const TomlSection& s) { return path_of(s.name) == table; });
+        if (found == all.end()) return nullptr;
+        const bool is_of_another = std::any_of(all.begin(), all.end(), [&](const TomlSection& s) {
+            return s.line == found->line && s.name.size() > found->name.size();
+        });
+        return is_of_another ? nullptr : &*found;
     }
     std::string& line_of(int number) { return lines_[static_cast<std::size_t>(number) - 1]; }
     /// Sets a key of the table that stands on a line, {value = "1 MPa", notch = "2 mm"}.

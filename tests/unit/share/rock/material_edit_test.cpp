@@ -49,6 +49,12 @@ TEST_F(MaterialWith, AddsTables) {
                                                           {"rock.poisson_ratio", 0.2}}));
 }
 
+TEST_F(MaterialWith, AddsATableThatOnlyTablesBelowItHave) {
+    const std::string stone = "name = \"stone\"\n[phases.quartz]\nfraction = 1\n";
+    EXPECT_EQ(material_with(file(stone), {{"phases.contrast", "0.75"}}),
+              stone + "\n[phases]\ncontrast = 0.75                         # added\n");
+}
+
 TEST_F(MaterialWith, TakesThePlaceOfAnExample) {
     const std::string stone = file(
         "name = \"stone\"\n[rock]\n# young_modulus = \"25.8 GPa\"              # E\n[laboratory]\n# young_modulus = \"25.8 "
