@@ -124,6 +124,8 @@ void apply_contact_options(const ContactOptions& o, SimulationRequest& request) 
     check_energies(request.contact, request.law);
     if (description_of(request.law).reads(&ContactParameters::bridging_strength)) {
         require_sound_bridges(request.contact, request.material.file.string() + ": [contact], with the options given");
+    } else {
+        request.contact.bridging_strength = request.contact.bridging_energy = 0;  // the run has none, and its file says so
     }
     request.fracture_energy = o.fracture_energy;
     request.fracture_energy_choice = description_of(request.law).reads(&ContactParameters::fracture_energy)

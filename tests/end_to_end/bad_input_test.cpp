@@ -150,6 +150,9 @@ const std::vector<BadInput> solver{
      "graincrack-solve triaxial rectangle.h5 --material augig-granite --confining-pressure 1GPa --max-strain 0.005 --quiet -o "
      "out.h5",
      2, "--max-strain"},
+    {"BridgesWithoutEnergy",
+     "graincrack-solve brazilian disc.h5 --material augig-granite --contact-bridging-strength 5MPa -o out.h5", 3,
+     "bridging_energy is 0"},
     {"UnknownLaw", "graincrack-solve brazilian disc.h5 --material augig-granite --contact-law scaled -o out.h5", 2,
      "cohesive-frictional"},
     {"ParameterOfAnotherLaw",

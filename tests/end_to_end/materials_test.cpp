@@ -72,6 +72,21 @@ TEST(Materials, GiveTheirValuesToScripts) {
     EXPECT_NE(unit.err.find("--unit mm: contact.cohesion is a stress; one of Pa"), std::string::npos) << unit.err;
 }
 
+// Else what is computed of the run would count bridges that it did not have.
+TEST(Materials, ARunByALawWithoutBridgesHasNoneOfTheMaterials) {
+    const Shell shell;
+    shell.must(
+        "graincrack-post material with augig-granite --set ratios.bridging_strength=0.5 --set ratios.bridging_energy=1 >m.toml\n"
+        "graincrack-mesh rectangle --width 10mm --height 20mm --grains 30 --quiet -o s.h5");
+    for (const auto& [law, bridges] : {std::pair("consistent", true), std::pair("combined", false)}) {
+        shell.must(
+            std::string("graincrack-solve tension s.h5 --material m.toml --rate 20mm/s --max-strain 1e-5 --quiet -o run.h5 "
+                        "--contact-law ") +
+            law);
+        EXPECT_EQ(RunReader(shell.file("run.h5")).header().contact.bridging_energy > 0, bridges) << law;
+    }
+}
+
 TEST(Materials, CracksByMineralAndFlawAddUpToThoseOfTheTest) {
     const Shell shell;
     write_text(shell.file("rock.toml"), content_of(GRAINCRACK_SOURCE "/share/materials/augig-granite.toml") + R"(
