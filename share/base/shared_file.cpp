@@ -48,6 +48,14 @@ fs::path SharedFolder::find(const std::string& name_or_file) const {
                                  known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")), fmt::join(looked_in, ", ")));
 }
 
+fs::path SharedFolder::below(const std::string& path) const {
+    std::error_code ignored;
+    for (const fs::path& place : places()) {
+        if (fs::is_regular_file(place / path, ignored)) return place / path;
+    }
+    return {};
+}
+
 const SharedFolder& materials() {
     static const SharedFolder folder{"material", "materials", "GRAINCRACK_MATERIALS"};
     return folder;

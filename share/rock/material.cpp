@@ -267,19 +267,16 @@ void read_table(TomlTable table, IncompleteMaterial& read) {
 
 /// Adds the phases of a file of phases to those that a material gives itself.
 void add_phases_of(const std::string& name, Material& material) {
-    std::error_code ignored;
-    for (const fs::path& folder : materials().places()) {
-        const fs::path file = folder / "phases" / (name + ".toml");
-        if (!fs::is_regular_file(file, ignored)) continue;
-        TomlTable toml(read_toml(file.string()));
-        IncompleteMaterial read;
-        if (const auto phases = toml.table("phases")) read_table(*phases, read);
-        toml.refuse_others();
-        material.fabric.phases.merge(read.material.fabric.phases);
-        return;
+    const fs::path file = materials().below(fmt::format("phases/{}.toml", name));
+    if (file.empty()) {
+        throw InputError(
+            fmt::format("{}: phases.from: there is no file phases/{}.toml beside the materials", material.file.string(), name));
     }
-    throw InputError(
-        fmt::format("{}: phases.from: there is no file phases/{}.toml beside the materials", material.file.string(), name));
+    TomlTable toml(read_toml(file.string()));
+    IncompleteMaterial read;
+    if (const auto phases = toml.table("phases")) read_table(*phases, read);
+    toml.refuse_others();
+    material.fabric.phases.merge(read.material.fabric.phases);
 }
 
 /// The needed keys that are not there, in the order of tables_of, before those of phases.

@@ -1,0 +1,331 @@
+#include "post/kind/kind_surface.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numbers>
+
+#include "share/base/error.hpp"
+#include "share/base/shared_file.hpp"
+#include "share/base/table_file.hpp"
+#include "share/base/text.hpp"
+#include "share/base/units.hpp"
+#include "share/rock/material_edit.hpp"
+
+namespace graincrack {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double floor_of_rocks = 0.03;  // standard deviation of ln
+
+/// A continuous factor, 0 at usual values of contacts without bridges and about ±1 at the ends of the design. \param pressure
+/// over tc; without one its factor, which no term has then, is 0
+struct Factor {
+    const char* name;
+    double (*of)(const KindCoordinates& at, double pressure);
+};
+using At = KindCoordinates;
+constexpr std::array<Factor, 8> continuous{{
+    {"ln(cohesion/5)", [](const At& at, double /*pressure*/) { return std::log(at.cohesion / 5); }},
+    {"(friction_angle_deg-44)/8", [](const At& at, double /*pressure*/) { return (at.friction_angle / degree - 44) / 8; }},
+    {"(residual_friction_angle_deg-26)/8",
+     [](const At& at, double /*pressure*/) { return (at.residual_friction_angle / degree - 26) / 8; }},
+    {"ln(process_zone/0.71)", [](const At& at, double /*pressure*/) { return std::log(at.process_zone / 0.71); }},
+    {"ln(mode_ii_fracture_energy/80)",
+     [](const At& at, double /*pressure*/) { return std::log(at.mode_ii_fracture_energy / 80); }},
+    {"bridging_strength", [](const At& at, double /*pressure*/) { return at.bridging_strength; }},
+    {"bridging_strength*ln(bridging_energy/8)",
+     [](const At& at, double /*pressure*/) {
+         return at.bridging_strength > 0 ? at.bridging_strength * std::log(at.bridging_energy / 8) : 0;
+     }},
+    {"ln(confining_pressure/1.5)", [](const At& /*at*/, double pressure) { return pressure > 0 ? std::log(pressure / 1.5) : 0; }},
+}};
+
+/// The coordinates that a design bounds.
+constexpr std::array bounded{
+    &KindCoordinates::cohesion,       &KindCoordinates::friction_angle,          &KindCoordinates::residual_friction_angle,
+    &KindCoordinates::process_zone,   &KindCoordinates::mode_ii_fracture_energy, &KindCoordinates::bridging_strength,
+    &KindCoordinates::bridging_energy};
+
+std::vector<double> factors_of(const KindCoordinates& at, double pressure, const std::string& kind,
+                               const std::vector<std::string>& kinds) {
+    std::vector<double> factors;
+    for (const Factor& factor : continuous) factors.push_back(factor.of(at, pressure / at.tensile_strength));
+    for (const std::string& each : kinds) factors.push_back(each == kind ? 1 : 0);
+    return factors;
+}
+
+/// Linear terms of the factors that vary, extended by products and squares of those that are continuous. \throws InputError
+KindModel fit_model(const std::string& property, std::vector<std::vector<double>> factors, std::vector<double> logarithms) {
+    std::vector<SurfaceTerm> linear;
+    std::vector<SurfaceTerm> quadratic;
+    for (const SurfaceTerm& term : quadratic_terms(factors.front().size())) {
+        bool varies = true;
+        bool is_continuous = true;
+        for (std::size_t k = 0; k < term.power.size(); ++k) {
+            if (term.power[k] == 0) continue;
+            varies &= std::any_of(factors.begin(), factors.end(), [&](const auto& row) { return row[k] != factors.front()[k]; });
+            is_continuous &= k < continuous.size();
+        }
+        if (varies && term.degree() < 2) linear.push_back(term);
+        if (varies && term.degree() == 2 && is_continuous) quadratic.push_back(term);
+    }
+    const std::size_t n = logarithms.size();
+    auto fitted = n < linear.size() + 2 ? std::nullopt : ResponseSurface::fit(linear, std::move(factors), std::move(logarithms));
+    if (!fitted) {
+        throw InputError(
+            fmt::format("surface of a kind: {} has {} values, which do not determine its {} linear terms; {} or more "
+                        "at different ratios are needed",
+                        property, n, linear.size(), linear.size() + 2));
+    }
+    const ResponseSurface surface = extend_forward(*std::move(fitted), quadratic);
+    return {.terms = surface.terms,
+            .coefficients = surface.coefficients,
+            .covariance = surface.variance() * surface.inverse,
+            .variance = surface.variance(),
+            .freedom = surface.freedom(),
+            .n_values = static_cast<int>(n),
+            .prediction_error = std::sqrt(surface.press() / static_cast<double>(n))};
+}
+
+/// ln of a mean over its unit, and the variance of that by the coefficients.
+std::pair<double, double> mean_at(const KindModel& model, const std::vector<double>& factors) {
+    Eigen::VectorXd terms(model.coefficients.size());
+    std::transform(model.terms.begin(), model.terms.end(), terms.begin(), [&](const auto& term) { return term(factors); });
+    return {terms.dot(model.coefficients), terms.dot(model.covariance * terms)};
+}
+
+/// What a surface does not vary, by the key of a material file.
+std::map<std::string, std::string> fixed_traits(const Material& material) {
+    const auto number = [](const std::optional<double>& value) { return value ? format_number(*value, 4) : "not given"; };
+    const GivenContact& contact = material.contact;
+    const auto open_shear = contact.open_shear_strength
+                                ? std::optional(*contact.open_shear_strength / kind_coordinates(material).tensile_strength)
+                                : material.ratios.open_shear_strength;
+    const GrainFabric& grains = material.grains;
+    std::map<std::string, std::string> traits{
+        {"contact.law", material.law.empty() ? "not given" : material.law},
+        {"contact.normal_stiffness", number(contact.normal_stiffness)},
+        {"contact.shear_stiffness", number(contact.shear_stiffness)},
+        {"contact.residual_tensile_strength", number(contact.residual_tensile_strength.value_or(0))},
+        {"contact.residual_cohesion", number(contact.residual_cohesion.value_or(0))},
+        {"ratios.open_shear_strength", number(open_shear)},
+        {"fabric.tessellation", grains.tessellation.empty() ? "not given" : grains.tessellation},
+        {"fabric.size_variation", number(grains.size_variation)},
+        {"fabric.elements_per_crystal", number(grains.elements_per_crystal)},
+        {"fabric.elongation", number(grains.elongation.value_or(1))},
+        {"platen.friction_angle", number(material.platen_friction_angle)}};
+    std::string table;
+    for (const std::string_view line : split(fabric_text(material.fabric), '\n')) {
+        const std::size_t equals = line.find(" = ");
+        if (line.starts_with('[')) table = line.substr(1, line.size() - 2);
+        if (equals != std::string_view::npos) {
+            traits[fmt::format("{}.{}", table, line.substr(0, equals))] = line.substr(equals + 3);
+        }
+    }
+    return traits;
+}
+
+/// The keys of traits that differ, with both values in words; one that is missing is not given.
+std::vector<std::string> differences_of(const std::map<std::string, std::string>& own,
+                                        const std::map<std::string, std::string>& kinds, const std::string& kind) {
+    std::map<std::string, std::string> keys = own;
+    keys.insert(kinds.begin(), kinds.end());
+    std::vector<std::string> found;
+    const auto value = [](const auto& traits, const std::string& key) {
+        return traits.contains(key) ? traits.at(key) : "not given";
+    };
+    for (const auto& [key, any] : keys) {
+        const std::string mine = value(own, key);
+        const std::string its = value(kinds, key);
+        if (mine != its) found.push_back(fmt::format("its {} is {}, that of {} {}", key, mine, kind, its));
+    }
+    return found;
+}
+
+}  // namespace
+
+KindCoordinates kind_coordinates(const Material& material) {
+    const ContactParameters contact = contact_parameters(material, PlaneCondition::strain, std::nullopt);
+    const double tc = contact.tensile_strength;
+    const double size = material.grains.grain_size.value_or(0);
+    const double unit_of_energy = tc * tc * size / material.rock.young_modulus;
+    return {.tensile_strength = tc,
+            .grain_size = size,
+            .cohesion = contact.cohesion / tc,
+            .friction_angle = contact.friction_angle,
+            .residual_friction_angle = contact.residual_friction_angle,
+            .process_zone = contact.fracture_energy / unit_of_energy,
+            .mode_ii_fracture_energy = contact.mode_ii_fracture_energy / contact.fracture_energy,
+            .bridging_strength = contact.bridging_strength / tc,
+            .bridging_energy = contact.bridging_energy / unit_of_energy};
+}
+
+double KindPrediction::specimen_at(double deviations) const { return value * std::exp(deviations * specimen_deviation); }
+
+std::vector<KindRow> read_kind_rows(const std::string& file) {
+    const TableFile table(file);
+    std::vector<KindRow> rows;
+    for (std::size_t i = 0; i < table.n_rows(); ++i) {
+        const auto number = [&](const char* column, bool may_be_zero = false) {
+            const double value = table.number(i, column);
+            if (std::isfinite(value) && (may_be_zero ? value >= 0 : value > 0)) return value;
+            throw InputError(fmt::format("{}: {} is \"{}\"; a number {} is needed", table.where(i), column, table.text(i, column),
+                                         may_be_zero ? "from 0 on" : "above 0"));
+        };
+        constexpr bool or_zero = true;
+        KindRow row;
+        row.kind = table.text(i, "kind");
+        row.point = table.text(i, "point");
+        row.is_rock = number("rock", or_zero) > 0;
+        row.at = {.tensile_strength = 1,
+                  .grain_size = 1,
+                  .cohesion = number("cohesion"),
+                  .friction_angle = number("friction_angle_deg") * degree,
+                  .residual_friction_angle = number("residual_friction_angle_deg") * degree,
+                  .process_zone = number("process_zone"),
+                  .mode_ii_fracture_energy = number("mode_ii_fracture_energy"),
+                  .bridging_strength = number("bridging_strength", or_zero),
+                  .bridging_energy = number("bridging_energy", or_zero)};
+        row.confining_pressure = number("confining_pressure", or_zero);
+        row.property = table.text(i, "property");
+        row.value = number("value");
+        row.specimens = number("specimens");
+        const auto& all = all_properties();
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.name == row.property; });
+        if (row.kind.empty() || found == all.end()) {
+            throw InputError(
+                fmt::format("{}: kind is \"{}\", property \"{}\"; a kind of rock and a property that can be a target "
+                            "are needed",
+                            table.where(i), row.kind, row.property));
+        }
+        if ((found->pressure == PressureOf::name) != (row.confining_pressure > 0)) {
+            throw InputError(fmt::format("{}: confining_pressure is {:.4g}; {} {}", table.where(i), row.confining_pressure,
+                                         row.property, row.confining_pressure > 0 ? "has none, 0" : "needs one above 0"));
+        }
+        if ((row.at.bridging_strength > 0) != (row.at.bridging_energy > 0)) {
+            throw InputError(fmt::format("{}: bridging_strength or bridging_energy is 0; both are, or neither", table.where(i)));
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<KindRow> kind_rows() {
+    const std::string file = materials().below("kinds/surface.tsv").string();
+    return file.empty() ? std::vector<KindRow>() : read_kind_rows(file);
+}
+
+std::optional<KindSurface> KindSurface::of(const Material& material, std::string* why) {
+    const auto none = [&](const std::string& reason) {
+        if (why != nullptr) *why = reason;
+        return std::optional<KindSurface>();
+    };
+    std::vector<KindRow> rows = kind_rows();
+    if (rows.empty()) return none("there is no kinds/surface.tsv beside the materials");
+    if (!material.grains.grain_size) return none("its fabric.grain_size is not given");
+    if (!(kind_coordinates(material).tensile_strength > 0)) return none("its contact.tensile_strength is not given");
+    const auto own = fixed_traits(material);
+    std::optional<std::vector<std::string>> least;
+    for (const RockKind& kind : rock_kinds()) {
+        if (std::none_of(rows.begin(), rows.end(), [&](const KindRow& row) { return row.kind == kind.name; })) continue;
+        const std::string file = materials().below("kinds/" + kind.name + ".toml").string();
+        const auto found = differences_of(own, fixed_traits(read_incomplete_material(file).material), kind.name);
+        if (found.empty()) return KindSurface(std::move(rows), kind.name);
+        if (!least || found.size() < least->size()) least = found;
+    }
+    return none(least ? least->front() : "kinds/surface.tsv has no kind that is beside the materials");
+}
+
+KindSurface::KindSurface(std::vector<KindRow> rows, std::string kind) : kind_(std::move(kind)) {
+    const auto rocks = std::stable_partition(rows.begin(), rows.end(), [](const KindRow& row) { return !row.is_rock; });
+    least_pressure_ = most_pressure_ = 0;
+    for (auto row = rows.begin(); row != rocks; ++row) {
+        if (row->kind != usual_kind && std::count(kinds_.begin(), kinds_.end(), row->kind) == 0) kinds_.push_back(row->kind);
+        const auto widen = [](double& least, double& most, double value) {
+            if (value > 0 && (most == 0 || value < least)) least = value;
+            most = std::max(most, value);
+        };
+        for (const auto coordinate : bounded) widen(least_.*coordinate, most_.*coordinate, row->at.*coordinate);
+        widen(least_pressure_, most_pressure_, row->confining_pressure);
+    }
+    least_.bridging_strength = 0;
+    const auto factors_in = [&](const KindRow& row) { return factors_of(row.at, row.confining_pressure, row.kind, kinds_); };
+    for (const Property& property : all_properties()) {
+        std::vector<std::vector<double>> factors;
+        std::vector<double> logarithms;
+        bool has_kind = false;
+        for (auto row = rows.begin(); row != rocks; ++row) {
+            if (row->property != property.name) continue;
+            factors.push_back(factors_in(*row));
+            logarithms.push_back(std::log(row->value));
+            has_kind |= row->kind == kind_;
+        }
+        if (!has_kind) continue;
+        KindModel model = fit_model(property.name, std::move(factors), std::move(logarithms));
+        double sum = 0;
+        int n = 0;
+        for (auto row = rocks; row != rows.end(); ++row) {
+            if (row->property != property.name || !holds(row->at, row->confining_pressure)) continue;
+            const auto [mean, variance] = mean_at(model, factors_in(*row));
+            sum += std::pow(std::log(row->value) - mean, 2) - model.variance / row->specimens - variance;
+            ++n;
+        }
+        model.rock_variance = std::max(floor_of_rocks * floor_of_rocks, n > 0 ? sum / n : 0);
+        models_.emplace_back(property.name, std::move(model));
+    }
+}
+
+std::string KindSurface::name_of(const SurfaceTerm& term) const {
+    std::string name;
+    for (std::size_t k = 0; k < term.power.size(); ++k) {
+        const std::string factor = k < continuous.size() ? continuous[k].name : "is_" + kinds_[k - continuous.size()];
+        for (int i = 0; i < term.power[k]; ++i) name += (name.empty() ? "" : " ") + factor;
+    }
+    return name.empty() ? "1" : name;
+}
+
+const KindModel* KindSurface::model(const Property& property, double confining_pressure) const {
+    if ((property.pressure == PressureOf::name) != (confining_pressure > 0)) return nullptr;
+    const auto found =
+        std::find_if(models_.begin(), models_.end(), [&](const auto& each) { return each.first == property.name; });
+    return found == models_.end() ? nullptr : &found->second;
+}
+
+std::vector<double> KindSurface::factors(const KindCoordinates& at, double confining_pressure) const {
+    return factors_of(at, confining_pressure, kind_, kinds_);
+}
+
+double KindSurface::log_unit(const Property& property, const KindCoordinates& at) {
+    const bool is_toughness = property.quantity.dimension == Dimension::toughness;
+    return std::log(at.tensile_strength) + (is_toughness ? std::log(at.grain_size) / 2 : 0);
+}
+
+bool KindSurface::holds(const KindCoordinates& at, double confining_pressure) const {
+    constexpr double rounding = 1e-6;  // of a table
+    const auto is_in = [](double value, double least, double most) {
+        return value >= least * (1 - rounding) && value <= most * (1 + rounding);
+    };
+    const double pressure = confining_pressure / at.tensile_strength;
+    if (pressure > 0 && !is_in(pressure, least_pressure_, most_pressure_)) return false;
+    return std::all_of(bounded.begin(), bounded.end(), [&](const auto coordinate) {
+        const bool is_without = coordinate == &KindCoordinates::bridging_energy && at.bridging_strength == 0;
+        return is_without || is_in(at.*coordinate, least_.*coordinate, most_.*coordinate);
+    });
+}
+
+std::optional<KindPrediction> KindSurface::predict(const KindCoordinates& at, const Property& property,
+                                                   double confining_pressure) const {
+    const KindModel* const found = model(property, confining_pressure);
+    if (found == nullptr || !holds(at, confining_pressure)) return std::nullopt;
+    const auto [mean, variance] = mean_at(*found, factors(at, confining_pressure));
+    const double of_mean = variance + found->rock_variance;
+    return KindPrediction{std::exp(mean + log_unit(property, at)), std::sqrt(of_mean), std::sqrt(of_mean + found->variance)};
+}
+
+}  // namespace graincrack

@@ -1,0 +1,115 @@
+// What strengths over the tensile strength tc of contacts the rocks of a kind have in common: with stresses over tc, lengths over
+// the grain size d and energies over tc² d/E, specimens of the same fabric are one response surface. Its table is
+// share/materials/kinds/surface.tsv, made by `make -C share/studies surface`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "post/measure/property.hpp"
+#include "post/statistics/response_surface.hpp"
+#include "share/rock/material.hpp"
+
+namespace graincrack {
+
+/// The similarity variables of the contacts of a material, in plane strain.
+struct KindCoordinates {
+    double tensile_strength = 0;         ///< tc, Pa: the unit of stresses
+    double grain_size = 0;               ///< d, m: the unit of lengths
+    double cohesion = 0;                 ///< cc/tc
+    double friction_angle = 0;           ///< rad
+    double residual_friction_angle = 0;  ///< rad
+    double process_zone = 0;             ///< E G_I/(tc² d)
+    double mode_ii_fracture_energy = 0;  ///< G_II/G_I
+    double bridging_strength = 0;        ///< over tc
+    double bridging_energy = 0;          ///< E G_b/(tc² d); 0 without bridges
+};
+KindCoordinates kind_coordinates(const Material& material);
+
+/// One row of the table: a value of a test, or the mean of several of a calibrated rock.
+struct KindRow {
+    std::string kind;   ///< "granite"
+    std::string point;  ///< of the design, "d12"; or the name of a calibrated rock
+    bool is_rock = false;
+    KindCoordinates at;             ///< tensile_strength and grain_size 1
+    double confining_pressure = 0;  ///< over tc
+    std::string property;           ///< name of a `Property`
+    double value = 0;               ///< over tc; of K_IC over tc √d
+    double specimens = 1;           ///< whose mean it is
+};
+/// \throws InputError that names file, row and column
+std::vector<KindRow> read_kind_rows(const std::string& file);
+/// The rows of kinds/surface.tsv beside the materials; none if it is not there.
+std::vector<KindRow> kind_rows();
+
+/// A quantity of a kind: ln(value over its unit) is linear in terms of some factors, with the scatter of single specimens.
+struct KindModel {
+    std::vector<SurfaceTerm> terms;
+    Eigen::VectorXd coefficients;
+    Eigen::MatrixXd covariance;  ///< of the coefficients
+    double variance = 0;         ///< of a single specimen about the surface
+    /// Of what a rock differs from the surface in all of its specimens: the mean over the rows of calibrated rocks, which are not
+    /// in the fit, less what scatter and fit have of it. It is .03² at least, a floor that was set beforehand: four rocks cannot
+    /// show less.
+    double rock_variance = 0;
+    int freedom = 0;              ///< degrees of freedom
+    int n_values = 0;             ///< of the design
+    double prediction_error = 0;  ///< √(PRESS/n)
+};
+
+/// What a new specimen has by the surface; intervals of ln are normal.
+struct KindPrediction {
+    double value = 0;               ///< SI
+    double mean_deviation = 0;      ///< standard deviation of ln of the mean of this rock
+    double specimen_deviation = 0;  ///< of ln of a single new specimen
+    /// The value so many standard deviations of a new specimen off: ±0.674 of 50 %, ±1.96 of 95 %.
+    [[nodiscard]] double specimen_at(double deviations) const;
+};
+
+/// A confining pressure has the unit of the tensile strength of the coordinates beside it: Pa, or over tc where that is 1.
+class KindSurface {
+public:
+    /// The surface of the kind whose law, fabric, factors within crystals and other ratios a material has; empty if there is
+    /// none. \param why if not null, gets in words what the material has otherwise \throws InputError for a broken table
+    static std::optional<KindSurface> of(const Material& material, std::string* why = nullptr);
+    /// \throws InputError if a quantity has fewer rows than its terms need
+    KindSurface(std::vector<KindRow> rows, std::string kind);
+
+    [[nodiscard]] const std::string& kind() const { return kind_; }
+    /// The models by the names of their properties, in the order of `all_properties`.
+    [[nodiscard]] const std::vector<std::pair<std::string, KindModel>>& models() const { return models_; }
+    /// A term in words, "ln(cohesion/5) ln(process_zone/0.71)".
+    [[nodiscard]] std::string name_of(const SurfaceTerm& term) const;
+    /// The model of a property; null if it has none, as of one at a pressure that is no first peak, or of one that no row of this
+    /// kind has.
+    [[nodiscard]] const KindModel* model(const Property& property, double confining_pressure) const;
+    /// The factors of all models at a material of this kind; a term of no pressure has the power 0 of it.
+    [[nodiscard]] std::vector<double> factors(const KindCoordinates& at, double confining_pressure) const;
+    /// ln of the unit in SI of a property: tc, of K_IC tc √d.
+    [[nodiscard]] static double log_unit(const Property& property, const KindCoordinates& at);
+    /// True if all coordinates, and the pressure over tc, lie within those of the design.
+    [[nodiscard]] bool holds(const KindCoordinates& at, double confining_pressure = 0) const;
+    /// The least and the most of each coordinate in the design; tensile_strength and grain_size are not bounded.
+    [[nodiscard]] const KindCoordinates& least() const { return least_; }
+    [[nodiscard]] const KindCoordinates& most() const { return most_; }
+    /// Empty if there is no model, or it does not hold there.
+    [[nodiscard]] std::optional<KindPrediction> predict(const Material& material, const Property& property,
+                                                        double confining_pressure) const {
+        return predict(kind_coordinates(material), property, confining_pressure);
+    }
+    [[nodiscard]] std::optional<KindPrediction> predict(const KindCoordinates& at, const Property& property,
+                                                        double confining_pressure) const;
+
+private:
+    std::string kind_;
+    std::vector<std::string> kinds_;                         ///< others than granite, of which the design has rows: a factor each
+    std::vector<std::pair<std::string, KindModel>> models_;  ///< by the name of the property
+    KindCoordinates least_;
+    KindCoordinates most_;
+    double least_pressure_ = 0;  ///< over tc
+    double most_pressure_ = 0;
+};
+
+}  // namespace graincrack

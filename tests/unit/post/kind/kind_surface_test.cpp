@@ -1,0 +1,147 @@
+// The surface of a kind from planted rows: what it finds, where it holds, of which materials it is, and broken tables.
+#include "post/kind/kind_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "share/base/error.hpp"
+#include "share/base/text.hpp"
+#include "tests/support/check.hpp"
+#include "tests/support/synthetic_kind.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace graincrack {
+namespace {
+
+using test::SyntheticKind;
+
+const Property& uniaxial = property_named("uniaxial");
+const Property& toughness = property_named("toughness");
+const Property& first_peak = property_named("first_peak");
+
+std::vector<KindRow> granite_and_gabbro(const SyntheticKind& planted) {
+    std::vector<KindRow> rows = planted.rows(70);
+    const std::vector<KindRow> gabbro = planted.rows(20, 2, "gabbro");
+    for (const KindRow& row : gabbro) {
+        if (row.property != "toughness") rows.push_back(row);
+    }
+    return rows;
+}
+
+TEST(KindSurface, FindsWhatWasPlanted) {
+    const SyntheticKind planted;
+    for (const char* kind : {"granite", "gabbro"}) {
+        const KindSurface surface(granite_and_gabbro(planted), kind);
+        const double of_kind = surface.kind() == "gabbro" ? planted.of_gabbro : 0;
+        for (const KindRow& row : SyntheticKind{}.rows(20, 3)) {
+            if (!surface.holds(row.at, row.confining_pressure)) continue;
+            const auto found = surface.predict(row.at, property_named(row.property), row.confining_pressure);
+            ASSERT_EQ(found.has_value(), of_kind == 0 || row.property != "toughness");  // no gabbro has a row of that
+            if (!found) continue;
+            EXPECT_NEAR(std::log(found->value), planted.log_of(row.property, row.at, row.confining_pressure) + of_kind, 0.15);
+            EXPECT_GT(found->mean_deviation, 0.03);  // what rocks differ by, at least
+            EXPECT_NEAR(found->specimen_at(1.96), found->value * std::exp(1.96 * found->specimen_deviation), 1e-12);
+        }
+        const KindModel& model = *surface.model(uniaxial, 0);
+        EXPECT_NEAR(std::sqrt(model.variance), planted.scatter, 0.01);
+        EXPECT_EQ(model.n_values, 90);
+        EXPECT_EQ(model.rock_variance, 0.03 * 0.03);
+        EXPECT_EQ(surface.name_of(model.terms[1]), "ln(cohesion/5)");
+        EXPECT_EQ(surface.model(uniaxial, 5e6), nullptr);
+        EXPECT_EQ(surface.model(first_peak, 0), nullptr);
+        EXPECT_EQ(surface.model(property_named("drop"), 5e6), nullptr);
+    }
+    test::expect_one_line<InputError>([&] { KindSurface(planted.rows(8), "granite"); }, {"brazilian has 8 values", "10 or more"});
+}
+
+TEST(KindSurface, RocksOffItWidenWhatItSays) {
+    const SyntheticKind planted;
+    std::vector<KindRow> rows = planted.rows(70);
+    const std::vector<KindRow> others = planted.rows(40, 5);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        KindRow rock = others[i];
+        rock.is_rock = true;
+        rock.specimens = 16;
+        rock.value = std::exp(planted.log_of(rock.property, rock.at, rock.confining_pressure) + (i / 5 % 2 == 0 ? 0.2 : -0.2));
+        rows.push_back(rock);
+    }
+    EXPECT_NEAR(std::sqrt(KindSurface(rows, "granite").model(uniaxial, 0)->rock_variance), 0.2, 0.03);
+}
+
+TEST(KindSurface, HoldsWithinItsDesignAlone) {
+    const KindSurface surface(SyntheticKind{}.rows(70), "granite");
+    KindCoordinates at{10e6, 0.004, 5, 0.77, 0.45, 0.7, 80, 0, 0};
+    EXPECT_TRUE(surface.holds(at));
+    EXPECT_TRUE(surface.holds(at, 50e6));
+    EXPECT_FALSE(surface.holds(at, 150e6));
+    EXPECT_FALSE(surface.predict(at, first_peak, 150e6));
+    EXPECT_NEAR(surface.predict(at, uniaxial, 0)->value, 1e7 * std::exp(2.9), 1e7 * std::exp(2.9) * 0.06);
+    EXPECT_NEAR(surface.predict(at, toughness, 0)->value, 1e7 * std::sqrt(0.004) * std::exp(-0.8 + 0.5 * std::log(0.7 / 0.71)),
+                3e4);
+    at.bridging_strength = 0.5;
+    EXPECT_FALSE(surface.holds(at));  // no bridge has no energy
+    at.bridging_energy = 8;
+    EXPECT_TRUE(surface.holds(at));
+    EXPECT_GT(surface.least().bridging_energy, 2.9);
+    at.cohesion = 20;
+    EXPECT_FALSE(surface.holds(at));
+    EXPECT_FALSE(surface.predict(at, uniaxial, 0));
+}
+
+class KindTable : public ::testing::Test {
+protected:
+    KindTable() {
+        std::filesystem::create_directory(folder_.file("kinds"));
+        setenv("GRAINCRACK_MATERIALS", folder_.file("").c_str(), 1);
+        test::write_kind_rows(table_, granite_and_gabbro({}));
+    }
+    ~KindTable() override { unsetenv("GRAINCRACK_MATERIALS"); }
+    test::TemporaryFolder folder_;
+    const std::string table_ = folder_.file("kinds/surface.tsv");
+};
+
+TEST_F(KindTable, IsOfMaterialsOfItsFabricAlone) {
+    Material rock = read_material("lac-du-bonnet-granite-calibrated");
+    const auto surface = KindSurface::of(rock);
+    ASSERT_TRUE(surface);
+    EXPECT_EQ(surface->kind(), "granite");
+    const KindCoordinates at = kind_coordinates(rock);
+    EXPECT_NEAR(at.cohesion, 4.50741, 1e-9);
+    EXPECT_NEAR(at.process_zone, 1.22844, 1e-9);
+    EXPECT_NEAR(at.mode_ii_fracture_energy, 181.658, 1e-9);
+    EXPECT_NEAR(surface->predict(rock, uniaxial, 0)->value / at.tensile_strength,
+                std::exp(SyntheticKind{}.log_of("uniaxial", at, 0)), 1.5);
+    std::string why;
+    const auto expect_none = [&](const Material& material, const std::string& reason) {
+        EXPECT_FALSE(KindSurface::of(material, &why));
+        EXPECT_EQ(why, reason);
+    };
+    rock.fabric.within.fracture_energy = 4;
+    expect_none(rock, "its pairs.within.fracture_energy is 4, that of granite 16");
+    rock = read_material("lac-du-bonnet-granite-calibrated");
+    rock.contact.open_shear_strength = 2 * at.tensile_strength;
+    expect_none(rock, "its ratios.open_shear_strength is 2, that of granite 3.98");
+    rock.grains.grain_size.reset();
+    expect_none(rock, "its fabric.grain_size is not given");
+    EXPECT_FALSE(KindSurface::of(read_material("augig-granite"), &why));
+}
+
+TEST_F(KindTable, BrokenIsRefusedInOneLine) {
+    const std::string text = text_of_file(table_);
+    const auto expect_refused = [&](const std::string& row, const std::vector<std::string>& parts) {
+        std::ofstream(table_) << text << row << '\n';
+        test::expect_one_line<InputError>([] { (void)KindSurface::of(read_material("lac-du-bonnet-granite-calibrated")); },
+                                          parts);
+    };
+    expect_refused("granite\ta\t0\t-5\t44\t26\t0.7\t80\t0\t0\t0\tuniaxial\t18\t1",
+                   {"surface.tsv: line 432: cohesion is \"-5\"; a number above 0"});
+    expect_refused("granite\ta\t0\t5\t44\t26\t0.7\t80\t0\t0\t0\tstrength\t18\t1", {"line 432", "property \"strength\""});
+    expect_refused("granite\ta\t0\t5\t44\t26\t0.7\t80\t0\t0\t2\tuniaxial\t18\t1", {"line 432: confining_pressure is 2"});
+    expect_refused("granite\ta\t0\t5\t44\t26\t0.7\t80\t0.4\t0\t0\tuniaxial\t18\t1", {"line 432: bridging_strength or"});
+}
+
+}  // namespace
+}  // namespace graincrack
