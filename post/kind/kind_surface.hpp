@@ -90,7 +90,11 @@ public:
     /// ln of the unit in SI of a property: tc, of K_IC tc √d.
     [[nodiscard]] static double log_unit(const Property& property, const KindCoordinates& at);
     /// True if all coordinates, and the pressure over tc, lie within those of the design.
-    [[nodiscard]] bool holds(const KindCoordinates& at, double confining_pressure = 0) const;
+    [[nodiscard]] bool holds(const KindCoordinates& at, double confining_pressure = 0) const {
+        return beyond(at, confining_pressure).empty();
+    }
+    /// Which of them does not, in words: "its cohesion over tc is 18, those of the design 1.5 to 16"; "" if the surface holds.
+    [[nodiscard]] std::string beyond(const KindCoordinates& at, double confining_pressure = 0) const;
     /// The least and the most of each coordinate in the design; tensile_strength and grain_size are not bounded.
     [[nodiscard]] const KindCoordinates& least() const { return least_; }
     [[nodiscard]] const KindCoordinates& most() const { return most_; }
