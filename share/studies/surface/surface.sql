@@ -15,7 +15,7 @@ WITH contacts AS (
         CASE WHEN target LIKE 'first_peak_at_%' THEN CAST(substr(target, 15) AS REAL) ELSE 0 END AS pressure
     FROM rocks_targets
 ), all_rows AS (
-    SELECT specimens.rowid AS place, kind, 'd' || point AS point, 0 AS rock, cohesion, friction_angle_deg, residual_friction_angle_deg, process_zone, mode_ii_fracture_energy,
+    SELECT specimens.rowid AS place, kind, text('d{:.0f}', point) AS point, 0 AS rock, cohesion, friction_angle_deg, residual_friction_angle_deg, process_zone, mode_ii_fracture_energy,
         bridging_strength, bridging_energy, confining_pressure, property, value, 1 AS specimens
     FROM specimens WHERE variant = 'base'
     UNION ALL SELECT 1e6 + place, 'granite', rock, 1, cohesion, friction, residual, zone, shear, 0, 0, pressure / tc, property, value / tc, specimens
