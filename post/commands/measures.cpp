@@ -14,6 +14,7 @@
 #include "post/report/properties.hpp"
 #include "post/run/likeness.hpp"
 #include "post/summary/summarize.hpp"
+#include "share/base/error.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {
@@ -107,23 +108,31 @@ Command properties_command() {
         TableFormat format = TableFormat::tsv;
     };
     return make_command<Options>(
-        "properties", "elastic constants, strengths, cohesion and friction angle of a set of tests, compared with the laboratory",
+        "properties",
+        "elastic constants, strengths, cohesion and friction angle of a set of tests, compared with the laboratory, and what new "
+        "specimens have by the kind of rock, also without tests",
         {"uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite", "brazilian.h5 --material augig-granite --format jsonl"},
-        several_runs,
+        FileArguments{several_runs.name, several_runs.help, false},
         [](OptionSet set, Options& options) {
             add_laboratory_material(set, options.material).required();
             add_envelope_options(set, options.envelope);
             add_format(set, options.format);
         },
         [](const Options& options, const Call& call) {
-            const Material material = read_incomplete_material_of(call, options.material).material;
+            const IncompleteMaterial material = read_incomplete_material_of(call, options.material);
             const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
             std::vector<std::string> left_out;
             for (const RunData& run : runs) {
                 if (measure_strength(run).reported(options.envelope.strength)) continue;
                 left_out.push_back(run.name + ": " + did_not_fail);
             }
-            write_properties(call.out, measure_properties(runs, material, options.envelope), options.format);
+            std::vector<PropertyRow> properties = measure_properties(runs, material.material, options.envelope);
+            const std::string why = add_predictions(properties, material);
+            if (runs.empty() && properties.empty()) {
+                throw UsageError("runs: missing, and the kind of rock predicts nothing of " + material.material.file.string() +
+                                 ": " + why);
+            }
+            write_properties(call.out, properties, options.format);
             print_left_out(call.diagnostics(), "properties", left_out);
         });
 }

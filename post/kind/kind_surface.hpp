@@ -25,6 +25,7 @@ struct KindCoordinates {
     double mode_ii_fracture_energy = 0;  ///< G_II/G_I
     double bridging_strength = 0;        ///< over tc
     double bridging_energy = 0;          ///< E G_b/(tc² d); 0 without bridges
+    double elastic_strain = 1.324e-4;    ///< tc/E; of the design unless a table has it
 };
 KindCoordinates kind_coordinates(const Material& material);
 
@@ -59,12 +60,15 @@ struct KindModel {
     double prediction_error = 0;  ///< √(PRESS/n)
 };
 
+/// Half of specimens, and 95 %, lie within so many standard deviations.
+inline constexpr double deviations_of_50_percent = 0.674490, deviations_of_95_percent = 1.959964;
+
 /// What a new specimen has by the surface; intervals of ln are normal.
 struct KindPrediction {
     double value = 0;               ///< SI
     double mean_deviation = 0;      ///< standard deviation of ln of the mean of this rock
     double specimen_deviation = 0;  ///< of ln of a single new specimen
-    /// The value so many standard deviations of a new specimen off: ±0.674 of 50 %, ±1.96 of 95 %.
+    /// The value so many standard deviations of a new specimen off, as `deviations_of_95_percent`.
     [[nodiscard]] double specimen_at(double deviations) const;
 };
 
@@ -87,7 +91,8 @@ public:
     [[nodiscard]] const KindModel* model(const Property& property, double confining_pressure) const;
     /// The factors of all models at a material of this kind; a term of no pressure has the power 0 of it.
     [[nodiscard]] std::vector<double> factors(const KindCoordinates& at, double confining_pressure) const;
-    /// ln of the unit in SI of a property: tc, of K_IC tc √d.
+    /// ln of the unit in SI of a property: tc, of K_IC tc √d; of crack initiation, which an absolute crack strain of 1e-5
+    /// defines, tc (tc/E)^−.23 over that of the design.
     [[nodiscard]] static double log_unit(const Property& property, const KindCoordinates& at);
     /// True if all coordinates, and the pressure over tc, lie within those of the design.
     [[nodiscard]] bool holds(const KindCoordinates& at, double confining_pressure = 0) const {

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "post/kind/kind_surface.hpp"
 #include "post/report/html.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
@@ -72,7 +73,10 @@ std::string computed_cell(const Estimate& computed, std::size_t runs, const Targ
 /// The rows of the table, and what they count.
 class ComparisonTable {
 public:
-    explicit ComparisonTable(bool with_laboratory) : with_laboratory_(with_laboratory), table_(columns(with_laboratory)) {}
+    explicit ComparisonTable(const std::optional<Material>& material)
+        : material_(material),
+          surface_(material ? KindSurface::of(*material, &no_surface_) : std::nullopt),
+          table_(columns(material.has_value(), surface_.has_value())) {}
 
     /// A row for each group that has the property; "not tested" for a value of the laboratory that no group has.
     void add(const LaboratoryProperty& property, const std::vector<SeedGroup>& groups) {
@@ -91,11 +95,12 @@ public:
             usual_deviation_ = usual_deviation_ || (property.is_measured() && !property.has_own_deviation);
             row({group.with_specimen(property.name()), laboratory_cell(property), computed_cell(computed, sample->n, target),
                  property.is_measured() ? difference_cell(target, computed.value) : "",
-                 caveat.empty() ? verdict_of(agreement, sample->n) : caveat, name_of(property.origin)},
+                 caveat.empty() ? verdict_of(agreement, sample->n) : caveat, name_of(property.origin), kind_cell(target)},
                 agreement);
         }
         if (is_tested || !property.is_measured()) return;
         untested_.push_back({property.name(), laboratory_cell(property), "not tested"});
+        if (surface_) untested_.back().insert(untested_.back().end(), {"", "", "", kind_cell(target)});
         usual_deviation_ = usual_deviation_ || !property.has_own_deviation;
     }
     /// A number of a fit through several tests. \param laboratory SI
@@ -103,11 +108,11 @@ public:
              const ColumnUnit& unit, PropertyOrigin origin) {
         const std::string shown = "\u00a0" + std::string(unit.name == "deg" ? "°" : unit.name);
         const std::string known = laboratory ? number(*laboratory * unit.factor) + shown : "";
-        if (!determined(value)) return row({label, known, not_determined(tests), "", "", ""}, Agreement::unknown);
+        if (!determined(value)) return row({label, known, not_determined(tests), "", "", "", ""}, Agreement::unknown);
         const std::string computed = number(value.value * unit.factor) + shown + "\n" + number(*value.low * unit.factor) +
                                      " to " + number(*value.high * unit.factor) + " (line)";
         row({label, known, computed, laboratory ? fmt::format("{:+.1f}\u00a0%", 100 * (value.value / *laboratory - 1)) : "", "",
-             laboratory ? name_of(origin) : ""},
+             laboratory ? name_of(origin) : "", ""},
             Agreement::unknown);
     }
     [[nodiscard]] std::string str() const {
@@ -117,13 +122,25 @@ public:
     }
 
 private:
-    static std::vector<std::string> columns(bool with_laboratory) {
+    static std::vector<std::string> columns(bool with_laboratory, bool with_kind) {
         const std::string computed = "computed: mean,\n95\u00a0% interval";
         if (!with_laboratory) return {"property", computed};
-        return {"property", "laboratory\n± deviation", computed, "difference", "within or outside", "fitted or predicted"};
+        std::vector<std::string> all{"property",   "laboratory\n± deviation", computed,
+                                     "difference", "within or outside",       "fitted or predicted"};
+        if (with_kind) all.emplace_back("a specimen, by the kind:\nmedian, 95\u00a0%");
+        return all;
     }
+    /// What the surface of the kind says of a new specimen; "" if nothing.
+    [[nodiscard]] std::string kind_cell(const Target& target) const {
+        const auto found = surface_ ? surface_->predict(*material_, target.property, target.confining_pressure) : std::nullopt;
+        if (!found) return "";
+        const auto at = [&](double deviations) { return number(found->specimen_at(deviations) / target.property.si); };
+        return at(0) + unit_text(target) + "\n" + at(-deviations_of_95_percent) + " to " + at(deviations_of_95_percent);
+    }
+    /// \param cells with that of the kind at the end
     void row(std::vector<std::string> cells, Agreement agreement) {
-        if (!with_laboratory_) cells = {cells[0], cells[2]};
+        if (!surface_) cells.pop_back();
+        if (!material_) cells = {cells[0], cells[2]};
         table_.row(std::move(cells), name_of(agreement));
         ++counts_[agreement];
     }
@@ -142,8 +159,18 @@ private:
         return counts.empty() ? ""
                               : html::paragraph("Beside the laboratory's values and their deviations: " + counts + ".", "lead");
     }
+    /// What the column of the kind holds, or why there is none.
+    [[nodiscard]] std::string of_kind() const {
+        const std::string why = surface_ ? surface_->beyond(kind_coordinates(*material_)) : no_surface_;
+        if (!why.empty()) return html::paragraph(fmt::format("The kind of rock predicts nothing of this material: {}.", why));
+        if (!surface_) return "";
+        return html::paragraph(
+            fmt::format("A specimen, by the kind: what a new specimen has by the surface of {} (graincrack-post kind), without "
+                        "a run of this material; K_IC is that of a half-disc of 20 crystals' diameter.",
+                        surface_->kind()));
+    }
     [[nodiscard]] std::string explanation() const {
-        std::string text;
+        std::string text = of_kind();
         if (counts_.count(Agreement::undecided) > 0) {
             text += html::paragraph(
                 "Within, outside: so is the whole 95 % interval of the mean. Not decided: a part of it is, or there is none, as "
@@ -155,7 +182,9 @@ private:
         }
         return text;
     }
-    bool with_laboratory_;
+    const std::optional<Material>& material_;
+    std::string no_surface_;  ///< why
+    std::optional<KindSurface> surface_;
     html::Table table_;
     std::vector<std::vector<std::string>> untested_;
     std::map<Agreement, std::size_t> counts_;
@@ -246,7 +275,7 @@ Agreement agreement_of(const Target& target, const Estimate& computed) {
 
 std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<SizedEnvelope>& envelopes,
                        const std::optional<Material>& material, const std::string& caveats) {
-    ComparisonTable table(material.has_value());
+    ComparisonTable table(material);
     bool has_envelopes = false;
     for (const LaboratoryProperty& property : laboratory_properties(material, tested_pressures(groups))) {
         if (!has_envelopes && !stands_before_envelope(property)) {

@@ -9,6 +9,7 @@
 #include "post/fit/paper_rock.hpp"
 #include "post/measure/property.hpp"
 #include "post/measure/strength_summary.hpp"
+#include "post/report/laboratory.hpp"
 #include "post/run/likeness.hpp"
 #include "post/table/column.hpp"
 
@@ -53,6 +54,10 @@ private:
 
 constexpr Estimate unknown{NAN, std::nullopt, std::nullopt};
 
+std::string name_of_strength(double confining_pressure) {
+    return fmt::format("s1_at_{:.7g}_MPa", confining_pressure * in_megapascals);
+}
+
 /// The row of a property with the mean over specimens.
 PropertyRow mean_row(const Property& property, const Sample& sample, const Known& known) {
     const double factor = 1 / property.si;
@@ -92,7 +97,8 @@ void add_strengths(std::vector<PropertyRow>& properties, const std::vector<RunDa
         PropertyRow& row = properties.emplace_back(mean_row(property_named(property), group.strength, known));
         row.without_peak = group.without_peak;
         if (loading == Loading::splitting || loading == Loading::tension) continue;
-        row.name = fmt::format("s1_at_{:.7g}_MPa", group.confining_pressure * in_megapascals);
+        row.name = name_of_strength(group.confining_pressure);
+        row.confining_pressure = group.confining_pressure;
         row.laboratory = scaled(known.strength_at(group.confining_pressure), in_megapascals);
         if (group.confining_pressure > 0) row.published.reset();
     }
@@ -174,9 +180,51 @@ std::vector<PropertyRow> measure_properties(const std::vector<RunData>& runs, co
     return properties;
 }
 
+std::string add_predictions(std::vector<PropertyRow>& properties, IncompleteMaterial read) {
+    take_laboratory(read);
+    const Material& material = read.material;
+    if (!read.missing.empty()) return fmt::format("its {} is not given", read.missing.front());
+    std::string why;
+    const auto surface = KindSurface::of(material, &why);
+    if (surface) why = surface->beyond(kind_coordinates(material));
+    if (!why.empty()) return why;
+    const Known known(material);
+    const auto add = [&](const Property& property, double pressure) {
+        auto found = surface->predict(material, property, pressure);
+        if (!found) return;
+        const bool is_strength = property.name == "uniaxial" || property.name == "first_peak";
+        const bool is_toughness = property.quantity.dimension == Dimension::toughness;
+        const std::string name = is_strength ? name_of_strength(pressure) : is_toughness ? property.column : property.row();
+        auto row = std::find_if(properties.begin(), properties.end(), [&](const PropertyRow& each) { return each.name == name; });
+        if (row == properties.end()) {
+            const OptionalValue laboratory = is_strength ? known.strength_at(pressure) : known.laboratory(property.key);
+            row = properties.insert(
+                row, {.name = name, .laboratory = scaled(laboratory, 1 / property.si), .ours = unknown, .specimens = 0});
+        }
+        found->value /= property.si;
+        row->kind = found;
+    };
+    std::set<double> pressures;
+    for (const PropertyRow& row : properties) pressures.insert(row.confining_pressure);
+    for (const LaboratoryProperty& each : laboratory_properties(material, {})) pressures.insert(each.target.confining_pressure);
+    pressures.insert(material.laboratory_value("confining_pressure").value_or(0));
+    pressures.erase(0);
+    if (pressures.empty()) pressures = {8e6, 20e6};
+    for (const auto& [name, model] : surface->models()) {
+        const Property& property = property_named(name);
+        if (property.pressure != PressureOf::name) add(property, 0);
+        if (property.pressure != PressureOf::name) continue;
+        for (const double pressure : pressures) add(property, pressure);
+    }
+    return "";
+}
+
 void write_properties(std::ostream& out, const std::vector<PropertyRow>& properties, TableFormat format) {
     using unit::none;
     using P = PropertyRow;
+    const auto of_kind = [](double deviations) {
+        return [deviations](const P& p) { return p.kind ? OptionalValue(p.kind->specimen_at(deviations)) : std::nullopt; };
+    };
     static const Columns<P> columns{{"property", none, [](const P& p) { return p.name; }},
                                     {"laboratory", none, [](const P& p) { return p.laboratory; }},
                                     {"published", none, [](const P& p) { return p.published; }},
@@ -188,10 +236,16 @@ void write_properties(std::ostream& out, const std::vector<PropertyRow>& propert
                                     {"without_peak", none, [](const P& p) { return p.without_peak; }},
                                     {"off_laboratory_percent", none, [](const P& p) { return p.off_laboratory_percent(); }},
                                     {"half_interval_percent", none, [](const P& p) { return p.half_interval_percent(); }},
-                                    {"specimens_for_3_percent", none, [](const P& p) {
+                                    {"specimens_for_3_percent", none,
+                                     [](const P& p) {
                                          const auto needed = p.specimens_for_3_percent();
                                          return needed ? count_cell(*needed) : Cell();
-                                     }}};
+                                     }},
+                                    {"kind_median", none, of_kind(0)},
+                                    {"kind_50_low", none, of_kind(-deviations_of_50_percent)},
+                                    {"kind_50_high", none, of_kind(deviations_of_50_percent)},
+                                    {"kind_95_low", none, of_kind(-deviations_of_95_percent)},
+                                    {"kind_95_high", none, of_kind(deviations_of_95_percent)}};
     write_table(out, columns, properties, format);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "post/fit/envelope.hpp"
+#include "post/kind/kind_surface.hpp"
 #include "post/run/load_curve.hpp"
 #include "post/table/table.hpp"
 #include "share/rock/material.hpp"
@@ -15,7 +16,8 @@ namespace graincrack {
 
 /// A row: a property in the unit of its name. Empty: unknown, or it does not apply.
 struct PropertyRow {
-    std::string name;  ///< "young_modulus_GPa"
+    std::string name;               ///< "young_modulus_GPa"
+    double confining_pressure = 0;  ///< of σ1, Pa
     std::optional<double> laboratory = std::nullopt;
     std::optional<double> published = std::nullopt;  ///< of the paper's model, for the paper's rock
     Estimate ours = {};
@@ -23,7 +25,8 @@ struct PropertyRow {
     std::size_t specimens = 0;
     /// Those that did not fail: not among the specimens, unless the largest stress is taken as the strength.
     std::optional<std::size_t> without_peak = std::nullopt;
-    bool is_mean = false;  ///< of a sample of specimens; else from a fit through all of them
+    bool is_mean = false;                               ///< of a sample of specimens; else from a fit through all of them
+    std::optional<KindPrediction> kind = std::nullopt;  ///< of a new specimen, by the surface of the kind of rock
 
     /// 100 (ours/laboratory − 1)
     [[nodiscard]] std::optional<double> off_laboratory_percent() const;
@@ -40,8 +43,13 @@ struct PropertyRow {
 std::vector<PropertyRow> measure_properties(const std::vector<RunData>& runs, const Material& material,
                                             const EnvelopeOptions& options);
 
+/// What the surface of its kind says of new specimens of a material, in the rows of its properties, and behind them in rows
+/// without runs: σ1 at the pressures of the rows, of [targets] and of the laboratory, else at 8 and 20 MPa. \return why it says
+/// nothing; "" if it does \throws InputError for a broken table or [targets]
+std::string add_predictions(std::vector<PropertyRow>& properties, IncompleteMaterial material);
+
 /// Table property, laboratory, published, ours, low, high, deviation, specimens, without_peak, off_laboratory_percent,
-/// half_interval_percent, specimens_for_3_percent.
+/// half_interval_percent, specimens_for_3_percent, kind_median, kind_50_low, kind_50_high, kind_95_low, kind_95_high.
 void write_properties(std::ostream& out, const std::vector<PropertyRow>& properties, TableFormat format);
 
 }  // namespace graincrack

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -9,6 +11,7 @@
 
 #include "post/kind/kind_surface.hpp"
 #include "tests/support/normal.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace graincrack::test {
 
@@ -63,5 +66,22 @@ inline void write_kind_rows(const std::string& file, const std::vector<KindRow>&
             << '\t' << row.confining_pressure << '\t' << row.property << '\t' << row.value << '\t' << row.specimens << '\n';
     }
 }
+
+/// A folder of materials with a table of rows, found before that of the installation while it is there.
+class KindFolder {
+public:
+    explicit KindFolder(const std::vector<KindRow>& rows) {
+        std::filesystem::create_directory(folder_.file("kinds"));
+        write_kind_rows(table(), rows);
+        setenv("GRAINCRACK_MATERIALS", folder_.file("").c_str(), 1);
+    }
+    ~KindFolder() { unsetenv("GRAINCRACK_MATERIALS"); }
+    KindFolder(const KindFolder&) = delete;
+    KindFolder& operator=(const KindFolder&) = delete;
+    [[nodiscard]] std::string table() const { return folder_.file("kinds/surface.tsv"); }
+
+private:
+    TemporaryFolder folder_;
+};
 
 }  // namespace graincrack::test

@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
+#include <sstream>
 
+#include "post/kind/kind_table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/synthetic_kind.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
 namespace {
@@ -104,6 +104,9 @@ TEST(KindSurface, HoldsWithinItsDesignAlone) {
     EXPECT_NEAR(surface.predict(at, uniaxial, 0)->value, 1e7 * std::exp(2.9), 1e7 * std::exp(2.9) * 0.06);
     EXPECT_NEAR(surface.predict(at, toughness, 0)->value, 1e7 * std::sqrt(0.004) * std::exp(-0.8 + 0.5 * std::log(0.7 / 0.71)),
                 3e4);
+    EXPECT_NEAR(KindSurface::log_unit(uniaxial, at), std::log(1e7), 1e-12);
+    at.elastic_strain *= 2;
+    EXPECT_NEAR(KindSurface::log_unit(property_named("crack_initiation"), at), std::log(1e7) - 0.23 * std::log(2), 1e-12);
     at.bridging_strength = 0.5;
     EXPECT_FALSE(surface.holds(at));  // no bridge has no energy
     at.bridging_energy = 8;
@@ -114,19 +117,8 @@ TEST(KindSurface, HoldsWithinItsDesignAlone) {
     EXPECT_FALSE(surface.predict(at, uniaxial, 0));
 }
 
-class KindTable : public ::testing::Test {
-protected:
-    KindTable() {
-        std::filesystem::create_directory(folder_.file("kinds"));
-        setenv("GRAINCRACK_MATERIALS", folder_.file("").c_str(), 1);
-        test::write_kind_rows(table_, granite_and_gabbro({}));
-    }
-    ~KindTable() override { unsetenv("GRAINCRACK_MATERIALS"); }
-    test::TemporaryFolder folder_;
-    const std::string table_ = folder_.file("kinds/surface.tsv");
-};
-
-TEST_F(KindTable, IsOfMaterialsOfItsFabricAlone) {
+TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
+    const test::KindFolder folder(granite_and_gabbro({}));
     Material rock = read_material("lac-du-bonnet-granite-calibrated");
     const auto surface = KindSurface::of(rock);
     ASSERT_TRUE(surface);
@@ -147,15 +139,17 @@ TEST_F(KindTable, IsOfMaterialsOfItsFabricAlone) {
     rock = read_material("lac-du-bonnet-granite-calibrated");
     rock.contact.open_shear_strength = 2 * at.tensile_strength;
     expect_none(rock, "its ratios.open_shear_strength is 2, that of granite 3.98");
+    rock = read_material("lac-du-bonnet-granite-calibrated");
     rock.grains.grain_size.reset();
     expect_none(rock, "its fabric.grain_size is not given");
-    EXPECT_FALSE(KindSurface::of(read_material("augig-granite"), &why));
+    expect_none(read_material("augig-granite"), "its contact.law is not given, that of gabbro cohesive-frictional");
 }
 
-TEST_F(KindTable, BrokenIsRefusedInOneLine) {
-    const std::string text = text_of_file(table_);
+TEST(KindTable, BrokenIsRefusedInOneLine) {
+    const test::KindFolder folder(granite_and_gabbro({}));
+    const std::string text = text_of_file(folder.table());
     const auto expect_refused = [&](const std::string& row, const std::vector<std::string>& parts) {
-        std::ofstream(table_) << text << row << '\n';
+        std::ofstream(folder.table()) << text << row << '\n';
         test::expect_one_line<InputError>([] { (void)KindSurface::of(read_material("lac-du-bonnet-granite-calibrated")); },
                                           parts);
     };
@@ -164,6 +158,27 @@ TEST_F(KindTable, BrokenIsRefusedInOneLine) {
     expect_refused("granite\ta\t0\t5\t44\t26\t0.7\t80\t0\t0\t0\tstrength\t18\t1", {"line 432: property is unknown"});
     expect_refused("granite\ta\t0\t5\t44\t26\t0.7\t80\t0\t0\t2\tuniaxial\t18\t1", {"line 432: confining_pressure does not fit"});
     expect_refused("granite\ta\t0\t5\t44\t26\t0.7\t80\t0.4\t0\t0\tuniaxial\t18\t1", {"line 432: bridging_strength or"});
+}
+
+TEST(KindTable, TermsAndRocksAreWritten) {
+    std::vector<KindRow> rows = SyntheticKind{}.rows(70);
+    const KindSurface surface(rows, "granite");
+    std::ostringstream terms;
+    write_kind_terms(terms, surface, TableFormat::tsv);
+    EXPECT_NE(terms.str().find("\nuniaxial\tln(cohesion/5)^2\t"), std::string::npos);
+    EXPECT_NE(terms.str().find("\nfirst_peak\tln(cohesion/5) ln(confining_pressure/1.5)\t"), std::string::npos);
+    rows.resize(2);
+    rows[0].is_rock = rows[1].is_rock = true;
+    rows[0].point = "Augig granite";
+    rows[0].value = 1.1 * surface.predict(rows[0].at, uniaxial, 0)->value;
+    rows[0].specimens = 9;
+    rows[1].at.cohesion = 30;
+    std::ostringstream rocks;
+    write_kind_rocks(rocks, surface, rows, TableFormat::tsv);
+    EXPECT_EQ(test::field(rocks.str(), "rock", 0), "Augig granite");
+    EXPECT_NEAR(std::stod(test::field(rocks.str(), "off_percent", 0)), 100 / 1.1 - 100, 1e-4);
+    EXPECT_LT(std::stod(test::field(rocks.str(), "low_percent", 0)), 100 / 1.1 - 103);
+    EXPECT_EQ(test::field(rocks.str(), "predicted", 1), "");
 }
 
 }  // namespace

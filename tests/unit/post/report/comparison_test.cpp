@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "post/measure/toughness.hpp"
+#include "post/report/html.hpp"
 #include "post/report/test_report.hpp"
 #include "tests/support/specimens.hpp"
+#include "tests/support/synthetic_kind.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -94,6 +96,23 @@ TEST_F(Comparison, MeansOverSeedsHaveTheDefaultThresholds) {
     expect_texts(
         group_table(seed_groups(tests_)),
         {"<th>CI, MPa</th><th>CD, MPa</th>", "<td>uniaxial</td><td>strain</td><td>2</td>", "<td>75 (7.1)\n", "<td>105 (7.1)\n"});
+}
+
+TEST_F(Comparison, TheKindOfRockSaysWhatASpecimenHas) {
+    add("uniaxial", 1, 120e6);
+    const test::KindFolder folder(test::SyntheticKind{}.rows(70));
+    const Material rock = read_material("lac-du-bonnet-granite-calibrated");
+    const auto cell = [&](const char* name) {
+        const auto found = KindSurface::of(rock)->predict(rock, property_named(name), 0);
+        const auto at = [&](double deviations) { return html::number(found->specimen_at(deviations) * 1e-6); };
+        return "<td>" + at(0) + "\u00a0MPa\n" + at(-1.959964) + " to " + at(1.959964) + "</td></tr>";
+    };
+    const std::string untested = "not tested</td><td>–</td><td>–</td><td>–</td>";
+    expect_texts(table(rock),
+                 {"median, 95\u00a0%</th>", cell("uniaxial"), untested + cell("brazilian"), "by the surface of granite"});
+    const std::string none = table(read_material("augig-granite"));
+    expect_texts(none, {"predicts nothing of this material: its contact.law is not given"});
+    EXPECT_EQ(none.find("median"), std::string::npos);
 }
 
 TEST_F(Comparison, ACountOfCracksIsATargetOfItsOwn) {

@@ -9,6 +9,7 @@
 
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/synthetic_kind.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -144,6 +145,37 @@ TEST_F(Properties, WhatIsUnknownIsEmpty) {
                                "specimens_for_3_percent"}) {
         for (std::size_t row = 0; row < 4; ++row) EXPECT_EQ(field(out.str(), column, row), "") << column << row;
     }
+}
+
+TEST_F(Properties, TheKindOfRockSaysWhatSpecimensHaveWithoutRunsToo) {
+    const test::KindFolder folder(test::SyntheticKind{}.rows(70));
+    const IncompleteMaterial rock = read_incomplete_material("lac-du-bonnet-granite-calibrated");
+    const Material whole = read_material("lac-du-bonnet-granite-calibrated");
+    const double ucs = KindSurface::of(whole)->predict(whole, property_named("uniaxial"), 0)->value * 1e-6;
+    std::vector<PropertyRow> properties;
+    EXPECT_EQ(add_predictions(properties, rock), "");
+    std::ostringstream out;
+    write_properties(out, properties, TableFormat::tsv);
+    const std::vector<std::string> names{"tensile_strength_MPa", "mode_i_toughness_MPa.m^0.5", "s1_at_0_MPa", "s1_at_4_MPa",
+                                         "s1_at_8_MPa"};  // the pressures of its [targets]
+    for (std::size_t row = 0; row < names.size(); ++row) EXPECT_EQ(field(out.str(), "property", row), names[row]);
+    EXPECT_EQ(field(out.str(), "ours", 2), "");
+    EXPECT_EQ(field(out.str(), "laboratory", 2), "200");
+    EXPECT_NEAR(std::stod(field(out.str(), "kind_median", 2)), ucs, 1e-4 * ucs);
+    double last = 0;
+    for (const char* column : {"kind_95_low", "kind_50_low", "kind_median", "kind_50_high", "kind_95_high"}) {
+        const double value = std::stod(field(out.str(), column, 2));
+        EXPECT_GT(value, last) << column;
+        last = value;
+    }
+    add("uniaxial", 1, 120e6);
+    properties = measure_properties(read_runs(files_), rock.material, {.strength = StrengthKind::largest});
+    const std::size_t measured = properties.size();
+    add_predictions(properties, rock);
+    EXPECT_EQ(properties[measured - 1].name, "s1_at_0_MPa");
+    EXPECT_NEAR(properties[measured - 1].kind->value, ucs, 1e-9 * ucs);
+    EXPECT_EQ(add_predictions(properties, read_incomplete_material("augig-granite")),
+              "its contact.law is not given, that of granite cohesive-frictional");
 }
 
 }  // namespace
