@@ -39,6 +39,7 @@ std::vector<Command> commands() {
         size_effect_command(),
         summarize_command(),
         material_command(),
+        kind_command(),
         fpz_command(),
         ccd_command(),
         calibrate_command(),

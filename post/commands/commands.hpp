@@ -21,6 +21,7 @@ Command properties_command();
 Command size_effect_command();
 Command summarize_command();
 Command material_command();
+Command kind_command();
 Command fpz_command();
 Command ccd_command();
 Command calibrate_command();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "post/kind/kind_table.hpp"
 #include "post/options/command.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
@@ -149,6 +150,30 @@ Command with_command() {
 Command material_command() {
     return make_group("material", "material files: begin one of a kind of rock, print a value, change values",
                       {init_command(), value_command(), with_command()});
+}
+
+Command kind_command() {
+    struct Options {
+        std::optional<TableFormat> format;
+        bool rocks = false;
+    };
+    return make_command<Options>(
+        "kind", "what specimens of a kind of rock have in common: strengths over the contacts' tensile strength as a surface",
+        {"--format table", "--rocks --format table"},
+        FileArguments{"table", "table of specimens; default: kinds/surface.tsv beside the materials", false},
+        [](OptionSet set, Options& options) {
+            add_flag(set, "--rocks", options.rocks,
+                     "how far it is off the calibrated rocks of the table, of which it is not made");
+            add_format(set, options.format);
+        },
+        [](const Options& options, const Call& call) {
+            const std::vector<KindRow> rows = call.files.empty() ? kind_rows() : read_kind_rows(call.file());
+            if (rows.empty()) throw InputError("kinds/surface.tsv: not found beside the materials; name a table");
+            const KindSurface surface(rows, usual_kind);
+            const TableFormat format = format_for(options.format, call.out);
+            if (options.rocks) return write_kind_rocks(call.out, surface, rows, format);
+            write_kind_terms(call.out, surface, format);
+        });
 }
 
 }  // namespace graincrack

@@ -93,9 +93,9 @@ std::vector<SurfaceTerm> terms_of(const std::vector<std::vector<double>>& factor
 }
 
 /// Least squares in which coefficients of products and squares are drawn to 0, as normal numbers about it, with that weight by
-/// which the values are most likely (empirical Bayes, restricted likelihood). A choice of some of these terms would have
-/// intervals that do not know that it was one: forward by PRESS, those of 95 % hold 87 % of new specimens. \throws InputError if
-/// the values do not determine the linear terms
+/// which the values are most likely (empirical Bayes, restricted likelihood); each is at most about the scatter of a specimen, as
+/// few values would bend without end. A choice of some of these terms would have intervals that do not know that it was one:
+/// forward by PRESS, those of 95 % hold 87 % of new specimens. \throws InputError if the values do not determine the linear terms
 KindModel fit_model(const std::string& property, const std::vector<std::vector<double>>& factors,
                     const std::vector<double>& logarithms) {
     KindModel model;
@@ -117,7 +117,7 @@ KindModel fit_model(const std::string& property, const std::vector<std::vector<d
     Eigen::VectorXd drawn = Eigen::VectorXd::Ones(p);
     drawn.head(n - freedom).setZero();
     double most = -std::numeric_limits<double>::infinity();
-    for (double weight = 0.1; weight < 1e4; weight *= 1.5) {
+    for (double weight = 1; weight < 1e4; weight *= 1.5) {
         const Eigen::LLT<Eigen::MatrixXd> matrix(x.transpose() * x + Eigen::MatrixXd((weight * drawn).asDiagonal()));
         const Eigen::VectorXd coefficients = matrix.solve(x.transpose() * y);
         const Eigen::VectorXd residuals = y - x * coefficients;

@@ -10,6 +10,7 @@
 
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
+#include "tests/support/synthetic_kind.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -102,6 +103,21 @@ TEST_F(Commands, StagesAreThoseOfAProgram) {
             output_of({"history", folder_.file("program.h5"), "--stages"});
         },
         {"program.h5", "stages differ in number"});
+}
+
+TEST_F(Commands, TheKindOfRockNeedsNoRuns) {
+    const test::KindFolder folder(test::SyntheticKind{}.rows(70));
+    const std::vector<std::string> call{"properties", "--material", "lac-du-bonnet-granite-calibrated"};
+    EXPECT_NE(output_of(call).find("\ns1_at_0_MPa\t200\t"), std::string::npos);
+    test::expect_one_line<UsageError>(
+        [&] {
+            output_of({"properties", "--material", "augig-granite"});
+        },
+        {"runs: missing", "augig-granite.toml: its contact.law is not given"});
+    EXPECT_EQ(test::field(output_of({"kind"}), "term", 1), "ln(cohesion/5)");
+    EXPECT_EQ(output_of({"kind", folder.table()}), output_of({"kind"}));
+    EXPECT_EQ(test::parse_tsv(output_of({"kind", "--rocks"})).size(), 1U);
+    test::expect_one_line<UsageError>([&] { output_of({"kind", folder.table(), folder.table()}); }, {"kind: takes one file"});
 }
 
 TEST_F(Commands, FpzTableHoldsThePapersNumbers) {
