@@ -74,9 +74,11 @@ std::string computed_cell(const Estimate& computed, std::size_t runs, const Targ
 class ComparisonTable {
 public:
     explicit ComparisonTable(const std::optional<Material>& material)
-        : material_(material),
-          surface_(material ? KindSurface::of(*material, &no_surface_) : std::nullopt),
-          table_(columns(material.has_value(), surface_.has_value())) {}
+        : material_(material), surface_(material ? KindSurface::of(*material, &no_surface_) : std::nullopt) {
+        if (surface_) no_surface_ = surface_->beyond(kind_coordinates(*material));
+        if (!no_surface_.empty()) surface_.reset();
+        table_ = html::Table(columns(material.has_value(), surface_.has_value()));
+    }
 
     /// A row for each group that has the property; "not tested" for a value of the laboratory that no group has.
     void add(const LaboratoryProperty& property, const std::vector<SeedGroup>& groups) {
@@ -161,8 +163,7 @@ private:
     }
     /// What the column of the kind holds, or why there is none.
     [[nodiscard]] std::string of_kind() const {
-        const std::string why = surface_ ? surface_->beyond(kind_coordinates(*material_)) : no_surface_;
-        if (!why.empty()) return html::paragraph(fmt::format("The kind of rock predicts nothing of this material: {}.", why));
+        if (!no_surface_.empty()) return html::paragraph("The kind predicts nothing of this material: " + no_surface_ + ".");
         if (!surface_) return "";
         return html::paragraph(
             fmt::format("A specimen, by the kind: what a new specimen has by the surface of {} (graincrack-post kind), without "
@@ -185,7 +186,7 @@ private:
     const std::optional<Material>& material_;
     std::string no_surface_;  ///< why
     std::optional<KindSurface> surface_;
-    html::Table table_;
+    html::Table table_{{}};
     std::vector<std::vector<std::string>> untested_;
     std::map<Agreement, std::size_t> counts_;
     bool usual_deviation_ = false;

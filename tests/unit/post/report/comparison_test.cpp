@@ -110,8 +110,12 @@ TEST_F(Comparison, TheKindOfRockSaysWhatASpecimenHas) {
     const std::string untested = "not tested</td><td>–</td><td>–</td><td>–</td>";
     expect_texts(table(rock),
                  {"median, 95\u00a0%</th>", cell("uniaxial"), untested + cell("brazilian"), "by the surface of granite"});
+    Material strong = rock;
+    strong.ratios.cohesion = 20;
+    expect_texts(table(strong), {"predicts nothing of this material: its cohesion over tc is 20, those of the design 1."});
+    EXPECT_EQ(table(strong).find("median"), std::string::npos);
     const std::string none = table(read_material("augig-granite"));
-    expect_texts(none, {"predicts nothing of this material: its contact.law is not given"});
+    expect_texts(none, {"The kind predicts nothing of this material: its contact.law is not given"});
     EXPECT_EQ(none.find("median"), std::string::npos);
 }
 
