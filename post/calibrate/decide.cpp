@@ -20,15 +20,16 @@ namespace {
 
 constexpr const char* grain_modulus = "rock.young_modulus";
 constexpr const char* grain_ratio = "rock.poisson_ratio";
+/// Half of the width of the first boxes: one standard deviation of the values of rocks of a kind. Where targets are missed by it,
+/// a rock is an unusual one, and two are allowed.
+constexpr double prior_of_kind = 1;
+constexpr double widest_prior = 2;
+/// Fall of the sum of squared deviations that is worth other specimens: half a standard deviation of one target.
+constexpr double pointless = 0.25;
+constexpr double normal_95 = 1.96;
 
 /// Thrown where runs are missing: no later decision can be taken. Caught in `decide` only.
 struct RunsMissing {};
-/// Thrown where a calibration ends. Caught in `decide` only.
-struct Ended {
-    Ending ending;
-    std::string reason;
-    std::string next;
-};
 
 /// Tests of each purpose have specimens of their own: tens of thousands by the test, then these.
 namespace seeds {
@@ -40,46 +41,25 @@ constexpr std::int64_t confirmation = 9000;
 constexpr std::int64_t again = 50;  ///< of each confirmation, by their number
 }  // namespace seeds
 
-/// Values of a target in the runs that have it.
-std::vector<double> values_of(const Target& target, const std::vector<const Measures*>& runs) {
-    std::vector<double> values;
-    for (const Measures* run : runs) {
-        const double value = target.read(*run);
-        if (std::isfinite(value)) values.push_back(value);
-    }
-    return values;
-}
-
-/// The prediction of the surfaces for a target that was not met.
-struct Misfit {
-    bool expected = false;      ///< it is off at the optimum of the surfaces too
-    bool out_of_reach = false;  ///< no design point of the boxes has it
-    std::string remedy;         ///< which parameter would have to go where
-};
-
-/// The one of some responses or outcomes that is of a target; null: there is none.
-template <class Ones>
-auto* find_of(Ones& all, const Target& target) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.target.name() == target.name(); });
-    return found == all.end() ? nullptr : &*found;
-}
-
-/// Adds to a list in a sentence.
-void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; }
-
 class Calibration {
 public:
-    Calibration(const Problem& problem, const FindRun& find) : problem_(problem), find_(find) {}
+    Calibration(const Problem& problem, const FindRun& find)
+        : problem_(problem), find_(find), kind_(problem.kind, problem.rock, problem.parameters, problem.study) {}
     void run();
-    [[nodiscard]] const std::string& first_point() const { return first_point_; }
+    [[nodiscard]] const std::string& first_guess() const { return first_guess_; }
     Decision decision;
 
 private:
     [[nodiscard]] const Study& study() const { return problem_.study; }
     [[nodiscard]] const Target* target(const char* name) const;
+    [[nodiscard]] DesignPoint first() const { return calibrate::first_guess(problem_.parameters); }
     /// The number of specimens of a test at each point of a design.
     [[nodiscard]] std::size_t specimens_at_point(const Test& test) const {
         return test.loading() == Loading::splitting ? study().discs : 1;
+    }
+    /// Of how many specimens a value of its surface is the mean.
+    [[nodiscard]] std::size_t specimens_of(const Response& response) const {
+        return response.surface->is_of_kind() ? 1 : specimens_at_point({response.target.test()});
     }
     void record(std::string stage, std::string what, std::string result) {
         decision.steps.push_back({std::move(stage), std::move(what), std::move(result)});
@@ -91,34 +71,43 @@ private:
     }
     [[nodiscard]] static Point with_grains(Point point, double modulus, double ratio);
 
-    void find_elasticity();
+    void find_elasticity(const Point& contacts);
+    [[nodiscard]] std::string expected_text() const;
+    void begin_with_kind();
     void add_value(std::size_t r, const std::vector<const Measures*>& runs);
+    void begin_design(const Box& box);
     void make_design(const Box& box);
-    [[nodiscard]] std::string text_of_first_point() const;
-    void fit(const Box& box);
-    [[nodiscard]] bool meets_targets() const;
+    void fit();
+    void optimise();
+    [[nodiscard]] bool meets_targets(double deviations) const;
+    bool leave_edge();
     void find_design_point();
+    bool correct(const DesignPoint& at);
     void correct_elasticity();
-    [[nodiscard]] std::size_t specimens_for(const Test& test, std::size_t most) const;
-    [[nodiscard]] Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs) const;
+    [[nodiscard]] std::size_t most_specimens(const Test& test) const;
+    [[nodiscard]] std::size_t specimens_for(const Test& test) const;
+    [[nodiscard]] std::size_t more_specimens_for(const Test& test, const std::vector<const Measures*>& runs,
+                                                 bool until_decided) const;
     [[nodiscard]] RequestedRun run_at_optimum(std::size_t t, std::string reason) const;
-    std::string confirm();
-    void add_confirmation();
+    std::string confirm(bool until_decided);
+    void learn(const std::vector<const Measures*>& runs, const Test& test);
     void predict();
-    [[nodiscard]] Misfit misfit_of(const Outcome& outcome) const;
-    void end();
 
     const Problem& problem_;
     const FindRun& find_;
+    KindPrior kind_;
     std::vector<Test> tests_;      ///< of the designs
     std::vector<Test> confirmed_;  ///< of all targets
     double grain_modulus_ = 0;
     double grain_ratio_ = 0;
     std::size_t designs_ = 0;
+    std::size_t moves_ = 0;
+    std::size_t corrections_ = 0;  ///< since the last design
     std::size_t confirmations_ = 0;
-    std::string first_point_;  ///< its strengths while the other points of the first design are missing
+    std::string first_guess_;  ///< its strengths, as long as nothing else is known
     Box all_;                  ///< holds the boxes of all designs
     Fit fit_;
+    std::vector<Logistic> shares_;                         ///< of tests with a first peak, where not all have one
     std::vector<std::vector<std::optional<bool>>> peaks_;  ///< of each response, whether a test has it; empty: there is none
     std::vector<std::pair<Test, std::vector<const Measures*>>> confirmed_runs_;  ///< of the last confirmation
 };
@@ -148,9 +137,7 @@ Point Calibration::with_grains(Point point, double modulus, double ratio) {
 
 /// E within 1 %, ν within 0.0075: half of the usual bounds. Contacts take some per cent of the stiffness, so that to scale by
 /// what is off converges by a factor of ten or more a time.
-void Calibration::find_elasticity() {
-    grain_modulus_ = problem_.young_modulus;
-    grain_ratio_ = problem_.poisson_ratio;
+void Calibration::find_elasticity(const Point& contacts) {
     const Target* e = target("young_modulus");
     const Target* nu = target("poisson_ratio");
     if (e == nullptr && nu == nullptr) return;
@@ -161,7 +148,6 @@ void Calibration::find_elasticity() {
         ucs != nullptr ? std::optional(rounded(ucs->value * (1 - grain_ratio_ * grain_ratio_) / grain_modulus_, 5))
                        : std::nullopt;
     constexpr int attempts = 6;
-    const Point contacts = point_at(problem_.parameters, first_guess(problem_.parameters));
     for (int attempt = 0; attempt < attempts; ++attempt) {
         RequestedRun run;
         run.test = Test{std::string(name_of(TestKind::uniaxial)), 0, 0.1};
@@ -234,197 +220,262 @@ void Calibration::make_design(const Box& box) {
         }
         if (i > 0 || designs_ > 1) continue;
         require_all();
-        first_point_ = text_of_first_point();
+        first_guess_ = expected_text();
     }
     fit_.points.insert(fit_.points.end(), points.begin(), points.end());
+    for (Response& response : fit_.responses) response.values.resize(fit_.points.size(), NAN);  // what the kind knows besides
     require_all();
-    first_point_.clear();
+    first_guess_.clear();
 }
 
-/// The fitted targets at the first point: "; the middle of the ranges has UCS 134 MPa (target 285 MPa), no first peak at 8 MPa".
-std::string Calibration::text_of_first_point() const {
+/// The fitted targets where the search begins: "; the middle of the ranges has UCS 134 MPa (target 285 MPa), no first peak at 8
+/// MPa", or what the kind expects.
+std::string Calibration::expected_text() const {
     std::vector<std::string> values;
+    const bool has_design = designs_ > 0;
     for (const Response& response : fit_.responses) {
         const Target& t = response.target;
-        if (t.use != Use::fit || t.is_elastic()) continue;
-        const double found = t.of_logarithm(response.values.front());
+        if (t.use != Use::fit || t.is_elastic() || !(has_design || response.surface)) continue;
+        const double found = t.of_logarithm(has_design ? response.values.front() : response.surface->value(fit_.optimum.point));
         values.push_back(std::isnan(found)
                              ? "no " + t.symbol()
                              : fmt::format("{} {} (target {})", t.symbol(), t.text(rounded(found, 3)), t.text(t.value)));
     }
-    return fmt::format("; the middle of the ranges has {}", fmt::join(values, ", "));
+    if (values.empty()) return "";
+    const std::string who = has_design ? "the middle of the ranges has" : "the kind " + problem_.kind->kind() + " expects";
+    return fmt::format("; {} {}", who, fmt::join(values, ", "));
 }
 
-/// Surfaces through the points inside a box, and the design point where they meet the targets best.
-void Calibration::fit(const Box& box) {
+/// Surfaces of the kind, for all that it knows; the optimum where they meet the targets is the first guess.
+void Calibration::begin_with_kind() {
+    fit_.box = all_ = kind_.box();
+    for (Response& response : fit_.responses) response.surface = kind_.surface(response.target);
+    optimise();
+    first_guess_ = expected_text();
+    record("kind", "surfaces of the kind " + problem_.kind->kind(), label_of(point_at(problem_.parameters, fit_.optimum.point)));
+}
+
+/// One more design, and surfaces through all points that lie in its box.
+void Calibration::begin_design(const Box& box) {
     fit_.box = box;
+    corrections_ = 0;
+    all_ = designs_ == 0 ? box : hull(all_, box);
+    make_design(box);
+    fit();
+}
+
+void Calibration::fit() {
     std::vector<DesignPoint> points;
     std::vector<std::size_t> inside;
     for (std::size_t i = 0; i < fit_.points.size(); ++i) {
-        if (!box.contains(fit_.points[i])) continue;
+        if (!fit_.box.contains(fit_.points[i])) continue;
         points.push_back(fit_.points[i]);
         inside.push_back(i);
     }
-    std::vector<Residual> residuals;
-    std::vector<Logistic> logistics;
-    for (Response& response : fit_.responses) {
+    shares_.clear();
+    for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
+        Response& response = fit_.responses[r];
         std::vector<double> values;
         for (const std::size_t i : inside) values.push_back(response.values[i]);
-        response.surface = LocalSurface::fit(box, points, values);
-    }
-    for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
-        const Response& response = fit_.responses[r];
-        if (response.target.use != Use::fit || response.target.is_elastic()) continue;
-        if (response.surface) {
-            const Target& t = response.target;
-            residuals.push_back({&*response.surface, t.logarithm(t.value), t.log_deviation()});
-        }
-        if (!response.target.property.needs_first_peak || response.measured == response.tests) continue;
-        std::vector<std::size_t> tested;
-        std::copy_if(inside.begin(), inside.end(), std::back_inserter(tested),
-                     [&](std::size_t i) { return peaks_[r][i].has_value(); });
-        Eigen::MatrixXd factors(static_cast<Eigen::Index>(tested.size()), box.size());
+        response.surface = LocalSurface::fit(fit_.box, points, values);
+        const Target& t = response.target;
+        if (t.use != Use::fit || !t.property.needs_first_peak || response.measured == response.tests) continue;
+        Eigen::MatrixXd factors(static_cast<Eigen::Index>(inside.size()), fit_.box.size());
         Eigen::VectorXd happened(factors.rows());
-        for (std::size_t i = 0; i < tested.size(); ++i) {
-            factors.row(static_cast<Eigen::Index>(i)) = fit_.points[tested[i]].transpose();
-            happened(static_cast<Eigen::Index>(i)) = *peaks_[r][tested[i]] ? 1 : 0;
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            factors.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+            happened(static_cast<Eigen::Index>(i)) = *peaks_[r][inside[i]] ? 1 : 0;
         }
-        logistics.push_back(fit_logistic(factors, happened));
+        shares_.push_back(fit_logistic(factors, happened));
     }
+    record("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_), "surfaces");
+}
+
+/// The design point where the surfaces meet the targets best.
+void Calibration::optimise() {
     std::vector<ProbabilityConstraint> constraints;
-    for (const Logistic& logistic : logistics) constraints.push_back({&logistic, study().first_peak_fraction});
+    for (const Logistic& share : shares_) constraints.push_back({&share, study().first_peak_fraction});
+    const std::vector<Residual> residuals = residuals_of(fit_.responses);
     if (residuals.empty()) {
-        throw Ended{Ending::undecided, fmt::format("no target can be fitted from {} points", inside.size()),
+        throw Ended{Ending::undecided, fmt::format("no target can be fitted from {} points", fit_.points.size()),
                     "ask for more points (setting points=N), or for targets that these tests have"};
     }
-    fit_.optimum = find_optimum(box, first_guess(problem_.parameters), residuals, constraints);
+    const auto find = [&](double prior) { fit_.optimum = find_optimum(fit_.box, first(), residuals, constraints, prior); };
+    if (designs_ > 0) find(INFINITY);
+    for (double prior = prior_of_kind; designs_ == 0 && prior <= widest_prior; prior *= 2) {
+        find(prior);
+        if (meets_targets(0.5)) break;
+    }
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.point), grain_modulus_, grain_ratio_);
     decision.fit = fit_;
-    record("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_),
-           label_of(point_at(problem_.parameters, fit_.optimum.point)));
 }
 
-/// True if the surfaces expect every target at the optimum, each within a quarter of its deviation.
-bool Calibration::meets_targets() const {
-    return std::all_of(fit_.responses.begin(), fit_.responses.end(), [&](const Response& response) {
-        if (response.target.use != Use::fit || response.target.is_elastic() || !response.surface) return true;
-        const double off = response.surface->value(fit_.optimum.point) - response.target.logarithm(response.target.value);
-        return std::abs(off) <= 0.25 * response.target.log_deviation();
-    });
+/// True if the surfaces expect every target at the optimum, each within so many of its deviations.
+bool Calibration::meets_targets(double deviations) const {
+    const std::vector<double>& off = fit_.optimum.deviations;
+    return std::all_of(off.begin(), off.end(), [&](double deviation) { return std::abs(deviation) <= deviations; });
 }
 
-/// Designs until the optimum is inside the last box and new specimens are within every bound there. Where they are not, they join
-/// the points of the design, and others are asked at the new optimum; then follows a smaller design about it.
-void Calibration::find_design_point() {
-    const auto p = static_cast<Eigen::Index>(problem_.parameters.size());
+/// Another design, where the optimum lies at an edge of what is known and a target is missed there: of the last box, which moves,
+/// or of the kind.
+/// \return false: there was none
+bool Calibration::leave_edge() {
+    if (meets_targets(designs_ > 0 ? 0.25 : 1)) return false;
+    const DesignPoint at = fit_.optimum.point;
     const Box limits = limits_of(problem_.parameters);
-    Box box{DesignPoint::Zero(p), DesignPoint::Ones(p)};
-    all_ = box;
-    std::size_t moves = 0;
-    std::size_t zooms = 0;
-    bool corrected = false;  // since the last design
-    const auto begin_design = [&](const Box& in) {
-        box = in;
-        all_ = hull(all_, box);
-        make_design(box);
-        corrected = false;
-    };
-    begin_design(box);
-    while (true) {
-        fit(box);
-        const DesignPoint at = fit_.optimum.point;
-        const Box moved = box.about(at, 1, limits);
+    if (designs_ == 0) {
+        if (!kind_.ends_at(at)) return false;
+        record("edge", "a target is missed where the kind " + problem_.kind->kind() + " ends", "a design of its own");
+        begin_design(Box{at, DesignPoint::Ones(at.size())}.about(at, 1, limits));
+        return true;
+    }
+    const Box moved = fit_.box.about(at, 1, limits);
+    std::string moving;
+    for (Eigen::Index k = 0; k < at.size(); ++k) {
         // At an edge: so near that the box would move by nearly half of its width. Directions that are unidentified do not move
-        // it, nor does an edge at which every target is met.
-        std::string moving;
-        const bool is_met = meets_targets();
-        for (Eigen::Index k = 0; k < p; ++k) {
-            const bool at_edge =
-                std::abs(box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - box.centre(k)) > 0.1 * box.half(k);
-            if (at_edge && !is_met && fit_.optimum.unidentified_fraction(k) < 0.5) {
-                moving += (moving.empty() ? "" : ", ") + problem_.parameters[static_cast<std::size_t>(k)].key;
-            }
+        // it.
+        const bool at_edge =
+            std::abs(fit_.box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - fit_.box.centre(k)) > 0.1 * fit_.box.half(k);
+        if (at_edge && fit_.optimum.unidentified_fraction(k) < 0.5) {
+            moving += (moving.empty() ? "" : ", ") + problem_.parameters[static_cast<std::size_t>(k)].key;
         }
-        if (!moving.empty() && moves < study().moves) {
-            ++moves;
-            record("move", "the optimum is at an edge of the box: " + moving, "the box moves there");
-            begin_design(moved);
-            continue;
-        }
-        if (!moving.empty()) record("edge", "the optimum is still at an edge of the box: " + moving, "no more moves");
+    }
+    if (moving.empty()) return false;
+    const bool moves = moves_++ < study().moves;
+    record(moves ? "move" : "edge", "the optimum is at an edge of the box: " + moving,
+           moves ? "the box moves there" : "no more moves");
+    if (moves) begin_design(moved);
+    return moves;
+}
+
+/// From the surfaces of the kind, else of a design, to a point where new specimens are within every bound. Where they are not,
+/// they correct the surfaces, and others are asked at the new optimum, as long as that promises less misfit; then follows a
+/// smaller design.
+void Calibration::find_design_point() {
+    const std::string lacking = kind_.lacks(problem_.targets);
+    if (lacking.empty()) {
+        begin_with_kind();
+    } else {
+        record("kind", lacking, "a design of its own");
+    }
+    find_elasticity(point_at(problem_.parameters, lacking.empty() ? fit_.optimum.point : first()));
+    if (!lacking.empty()) begin_design({DesignPoint::Zero(first().size()), DesignPoint::Ones(first().size())});
+    std::size_t zooms = 0;
+    optimise();
+    while (true) {
+        while (leave_edge()) optimise();
         correct_elasticity();
-        const std::string missed = confirm();
-        if (missed.empty()) return;
+        const Point point = decision.point;
+        const Fit before = fit_;
+        std::string missed = confirm(false);
+        bool is_corrected = !missed.empty() && correct(before.optimum.point);
+        if (!missed.empty() && !is_corrected && designs_ == 0) {
+            // Before a word is said, as many specimens as there may be.
+            fit_ = before;
+            decision.point = point;
+            --confirmations_;
+            missed = confirm(true);
+            is_corrected = !missed.empty() && correct(before.optimum.point);
+        }
         const std::string reason = "new specimens are not within every bound: " + missed;
-        if (!corrected) {
-            corrected = true;
-            add_confirmation();
-            record("correction", reason, "they join the points of the design");
-        } else if (zooms < study().zooms) {
+        if (is_corrected) {
+            record("correction", reason, "they correct the surfaces");
+        } else if (!missed.empty() && designs_ > 0 && zooms < study().zooms) {
             ++zooms;
             record("zoom", reason, "a box of half the width about the optimum");
-            begin_design(box.about(at, 0.5, limits));
+            begin_design(fit_.box.about(before.optimum.point, 0.5, limits_of(problem_.parameters)));
+            optimise();
         } else {
+            fit_.optimum = before.optimum;
+            update(fit_.optimum, residuals_of(fit_.responses));
+            decision.point = point;
             return;
         }
     }
 }
 
-/// E and ν change a little with the contacts: the grains of the confirmation are scaled once more, by the surfaces.
+/// The optimum of surfaces that new specimens have corrected. \param at the point of these \return false if there were
+/// corrections enough, or another point promises no less misfit
+bool Calibration::correct(const DesignPoint& at) {
+    optimise();
+    const std::vector<Residual> residuals = residuals_of(fit_.responses);
+    const double gained = misfit(at, residuals) - misfit(fit_.optimum.point, residuals);
+    const bool is_elastic = std::any_of(decision.outcomes.begin(), decision.outcomes.end(), [](const Outcome& o) {
+        return o.target.is_elastic() && o.target.use == Use::fit && o.verdict != "within";
+    });
+    if (corrections_ >= (designs_ > 0 ? 1 : study().corrections) || !(gained > pointless || is_elastic)) return false;
+    ++corrections_;
+    return true;
+}
+
+/// E and ν change a little with the contacts: the grains of a confirmation are scaled once more, by the surfaces, else by the
+/// specimens of the one before.
 void Calibration::correct_elasticity() {
-    const DesignPoint at = fit_.optimum.point;
+    const auto expected = [&](const char* name) {
+        const Target* const t = target(name);
+        if (t == nullptr) return std::optional<double>();
+        const Response* const response = find_of(fit_.responses, *t);
+        if (response != nullptr && response->surface) {
+            return std::optional(std::exp(response->surface->value(fit_.optimum.point)));
+        }
+        const Outcome* const before = find_of(decision.outcomes, *t);
+        const bool is_off =
+            before != nullptr && before->ours && std::abs(before->ours->mean.value - t->value) > 0.5 * t->deviation;
+        return is_off ? std::optional(before->ours->mean.value) : std::nullopt;
+    };
     double modulus = grain_modulus_;
     double ratio = grain_ratio_;
-    for (const Response& response : fit_.responses) {
-        if (response.target.use != Use::fit || !response.surface) continue;
-        const double expected = std::exp(response.surface->value(at));
-        if (response.target.property.name == "young_modulus") modulus *= response.target.value / expected;
-        if (response.target.property.name == "poisson_ratio") {
-            ratio = std::clamp(ratio + response.target.value - expected, 0.01, 0.45);
-        }
+    if (const auto e = expected("young_modulus")) modulus *= target("young_modulus")->value / *e;
+    if (const auto nu = expected("poisson_ratio")) {
+        ratio = std::clamp(ratio + target("poisson_ratio")->value - *nu, 0.01, 0.45);
     }
-    decision.point = with_grains(point_at(problem_.parameters, at), modulus, ratio);
+    if (designs_ == 0) std::tie(grain_modulus_, grain_ratio_) = std::pair(modulus, ratio);
+    decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.point), modulus, ratio);
 }
 
-/// Within: of a fitted target the mean is within the bound and its standard error no larger, of a predicted one the whole 95 %
-/// interval is within; outside: the whole interval is beyond the bound.
-std::string verdict_on(const Target& target, const Sample& ours) {
-    const double off = std::abs(ours.mean.value - target.value);
-    const double half = ours.mean.high ? *ours.mean.high - ours.mean.value : std::numeric_limits<double>::infinity();
-    const double error = ours.deviation ? *ours.deviation / std::sqrt(static_cast<double>(ours.n)) : 0;
-    const bool within =
-        target.use == Use::fit ? off <= target.deviation && error <= target.deviation : off + half <= target.deviation;
-    if (within) return "within";
-    return off - half > target.deviation ? "outside" : "undecided";
+std::size_t Calibration::most_specimens(const Test& test) const {
+    return test.loading() == Loading::splitting ? study().confirmation_discs : study().confirmation_rectangles;
 }
 
-/// Specimens of which, by the scatter about the surfaces, half of the 95 % interval of the mean is below the deviation of every
-/// target of a test, three at least; the most where a target has no surface.
-std::size_t Calibration::specimens_for(const Test& test, std::size_t most) const {
+/// Specimens of which, by the surfaces and their scatter, half of the 95 % interval of the mean is below the deviation of every
+/// target of a test, three at least; the most where a target has no surface. What a kind and earlier specimens say counts.
+std::size_t Calibration::specimens_for(const Test& test) const {
+    const std::size_t most = most_specimens(test);
     std::size_t n = std::min<std::size_t>(3, most);
     for (const Response& response : fit_.responses) {
-        const Target& target = response.target;
-        if (target.use != Use::fit || !test.has(target)) continue;
+        const Target& t = response.target;
+        if (t.use != Use::fit || !test.has(t) || t.is_elastic()) continue;
         if (!response.surface) return most;
-        const double scatter = response.surface->scatter() * std::sqrt(static_cast<double>(specimens_at_point(test)));
-        const auto half = [&] { return student_t_95(static_cast<int>(n) - 1) * scatter / std::sqrt(static_cast<double>(n)); };
-        while (n < most && !(n > 1 && half() <= target.log_deviation())) ++n;
+        const double scatter = std::pow(response.surface->scatter(), 2) * static_cast<double>(specimens_of(response));
+        const double known = response.surface->is_of_kind() ? response.surface->variance(fit_.optimum.point) : INFINITY;
+        const auto half = [&] {
+            const double times = response.surface->is_of_kind() ? normal_95 : student_t_95(static_cast<int>(n) - 1);
+            return times / std::sqrt(1 / known + static_cast<double>(n) / scatter);
+        };
+        while (n < most && !(n > 1 && half() <= t.log_deviation())) ++n;
     }
     return n;
 }
 
-Outcome Calibration::outcome_of(const Target& target, const std::vector<const Measures*>& runs) const {
-    const std::vector<double> values = values_of(target, runs);
-    Outcome outcome{target, {}, runs.size(), ""};
-    if (!values.empty()) outcome.ours = sample(values);
-    const auto share = static_cast<double>(values.size()) / static_cast<double>(runs.size());
-    if (std::isfinite(target.value)) {
-        const bool lacking = target.property.needs_first_peak && share < study().first_peak_fraction;
-        // A fitted one is asked of the specimen that it is tested on.
-        const std::string caveat = target.use == Use::fit ? "" : target.caveat(study().specimens.bend());
-        outcome.verdict = !caveat.empty() ? caveat : !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
+/// How many specimens of a test there shall be where so many do not show every target within: twice as many as long as kind and
+/// specimens together expect it within, or until its verdict is decided; without a kind the most.
+std::size_t Calibration::more_specimens_for(const Test& test, const std::vector<const Measures*>& runs,
+                                            bool until_decided) const {
+    std::size_t n = runs.size();
+    for (const Target& t : problem_.targets) {
+        if (t.use != Use::fit || !test.has(t) || outcome_of(t, runs, study()).verdict == "within") continue;
+        const Response* const response = find_of(fit_.responses, t);
+        if (designs_ > 0) return most_specimens(test);
+        if (until_decided || response == nullptr || !response->surface) {
+            n = 2 * runs.size();
+            continue;
+        }
+        LocalSurface expected = *response->surface;
+        for (const double value : values_of(t, runs)) expected.learn(fit_.optimum.point, t.logarithm(value), 1);
+        const double off = expected.value(fit_.optimum.point) - t.logarithm(t.value);
+        if (std::abs(off) <= t.log_deviation()) n = 2 * runs.size();
     }
-    return outcome;
+    return std::min(n, most_specimens(test));
 }
 
 /// New specimens of a test at the optimum.
@@ -439,58 +490,59 @@ RequestedRun Calibration::run_at_optimum(std::size_t t, std::string reason) cons
     return run;
 }
 
-/// The optimum on new specimens: as many as the scatter of the designs asks for, and where these do not show every target
-/// within its bound, as many as the study has at most.
+/// The optimum on new specimens: as many as the scatter asks for, and more where these do not show every target within its bound;
+/// they correct the surfaces.
 /// \return what is not within its bound; empty: nothing
-std::string Calibration::confirm() {
+std::string Calibration::confirm(bool until_decided) {
     ++confirmations_;
-    decision.outcomes.clear();
-    confirmed_runs_.clear();
+    std::vector<std::size_t> n(confirmed_.size(), 0);
     for (std::size_t t = 0; t < confirmed_.size(); ++t) {
-        std::vector<const Target*> fitted;
-        for (const Target& target : problem_.targets) {
-            if (target.use == Use::fit && confirmed_[t].has(target)) fitted.push_back(&target);
-        }
-        if (fitted.empty()) continue;
-        const std::size_t most =
-            confirmed_[t].loading() == Loading::splitting ? study().confirmation_discs : study().confirmation_rectangles;
-        const RequestedRun run = run_at_optimum(t, "the optimum on new specimens");
-        const std::size_t n = specimens_for(confirmed_[t], most);
-        std::vector<const Measures*> found = get(run, n);
-        if (found.size() < n) continue;
-        const bool enough = n == most || std::all_of(fitted.begin(), fitted.end(), [&](const Target* target) {
-                                return outcome_of(*target, found).verdict == "within";
-                            });
-        if (!enough) found = get(run, most);
-        confirmed_runs_.emplace_back(confirmed_[t], std::move(found));
+        const bool is_fitted = std::any_of(problem_.targets.begin(), problem_.targets.end(), [&](const Target& target) {
+            return target.use == Use::fit && confirmed_[t].has(target);
+        });
+        if (is_fitted) n[t] = specimens_for(confirmed_[t]);
     }
-    require_all();
+    for (bool grows = true; grows;) {
+        confirmed_runs_.clear();
+        for (std::size_t t = 0; t < confirmed_.size(); ++t) {
+            if (n[t] > 0) {
+                confirmed_runs_.emplace_back(confirmed_[t], get(run_at_optimum(t, "the optimum on new specimens"), n[t]));
+            }
+        }
+        require_all();
+        grows = false;
+        for (std::size_t t = 0, i = 0; t < confirmed_.size(); ++t) {
+            if (n[t] == 0) continue;
+            const std::size_t more = more_specimens_for(confirmed_[t], confirmed_runs_[i++].second, until_decided);
+            grows = grows || more > n[t];
+            n[t] = more;
+        }
+    }
+    first_guess_.clear();
     std::string missed;
+    decision.outcomes.clear();
     for (const auto& [test, found] : confirmed_runs_) {
+        learn(found, test);
         for (const Target& target : problem_.targets) {
             if (!test.has(target)) continue;
-            decision.outcomes.push_back(outcome_of(target, found));
+            decision.outcomes.push_back(outcome_of(target, found, study()));
             if (target.use == Use::fit && decision.outcomes.back().verdict != "within") add(missed, target.symbol());
         }
     }
     return missed;
 }
 
-/// The specimens of the last confirmation become points at the optimum, of as many specimens as a point has. E and ν are left
-/// out, for the grains were scaled.
-void Calibration::add_confirmation() {
-    std::size_t n_points = 0;
-    for (const auto& [test, runs] : confirmed_runs_) n_points = std::max(n_points, runs.size() / specimens_at_point(test));
-    fit_.points.insert(fit_.points.end(), n_points, DesignPoint(fit_.optimum.point));
-    for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
-        Response& response = fit_.responses[r];
-        for (const auto& [test, runs] : confirmed_runs_) {
-            if (!test.has(response.target) || response.target.is_elastic()) continue;
-            const auto n = static_cast<std::ptrdiff_t>(specimens_at_point(test));
-            for (auto run = runs.begin(); runs.end() - run >= n; run += n) add_value(r, {run, run + n});
-        }
-        response.values.resize(fit_.points.size(), NAN);
-        peaks_[r].resize(fit_.points.size());
+/// Specimens at the optimum correct the surfaces of what they measure. E and ν are left out, for the grains were scaled.
+void Calibration::learn(const std::vector<const Measures*>& runs, const Test& test) {
+    for (Response& response : fit_.responses) {
+        const Target& t = response.target;
+        if (!test.has(t) || t.is_elastic() || !response.surface) continue;
+        const std::vector<double> values = values_of(t, runs);
+        const auto specimens = static_cast<double>(specimens_of(response));
+        for (const double value : values) response.surface->learn(fit_.optimum.point, t.logarithm(value), specimens);
+        if (!response.surface->is_of_kind()) continue;
+        response.tests += runs.size();
+        response.measured += values.size();
     }
 }
 
@@ -506,107 +558,21 @@ void Calibration::predict() {
         const auto t = std::find_if(confirmed_.begin(), confirmed_.end(), [&](const Test& test) { return test.has(target); });
         const auto test = static_cast<std::size_t>(t - confirmed_.begin());
         if (!runs.contains(test)) runs[test] = get(run_at_optimum(test, "a prediction"), study().predicted);
-        decision.outcomes.push_back(outcome_of(target, runs[test]));
+        decision.outcomes.push_back(outcome_of(target, runs[test], study()));
     }
     require_all();
+    if (designs_ == 0) {
+        for (const auto& [test, found] : runs) learn(found, confirmed_[test]);
+    }
     // Repeated tests say how equal points scatter.
     for (Response& response : fit_.responses) {
         const Outcome* const outcome = find_of(decision.outcomes, response.target);
         if (outcome == nullptr || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 3) continue;
-        const auto n = static_cast<double>(specimens_at_point({response.target.test()}));
+        const auto n = response.surface ? static_cast<double>(specimens_of(response)) : 1.0;
         response.pure_error = response.target.log_deviation(outcome->ours->mean.value, *outcome->ours->deviation) / std::sqrt(n);
         response.pure_freedom = static_cast<int>(outcome->ours->n) - 1;
     }
     decision.fit = fit_;
-}
-
-/// "UCS +12 % off (± 3 %)": SI values as parts of the target
-std::string off_text(const Outcome& o) {
-    const Target& t = o.target;
-    if (!o.ours) return fmt::format("{}: none of {} tests has a value", t.symbol(), o.tests);
-    const double scale = t.property.absolute ? 1 : 100 / t.value;
-    const char* unit = t.property.absolute ? "" : " %";
-    const double half = o.ours->mean.high ? *o.ours->mean.high - o.ours->mean.value : NAN;
-    std::string text = fmt::format("{} differs by {:+.3g}{} (± {:.2g}{}, bound {:.2g}{})", t.symbol(),
-                                   (o.ours->mean.value - t.value) * scale, unit, half * scale, unit, t.deviation * scale, unit);
-    if (o.ours->n < o.tests) text += fmt::format(", {} of {} tests have a value", o.ours->n, o.tests);
-    return text;
-}
-
-Misfit Calibration::misfit_of(const Outcome& outcome) const {
-    const Target& t = outcome.target;
-    const Response* const response = find_of(fit_.responses, t);
-    if (response == nullptr || t.is_elastic()) return {};
-    if (!response->surface) {
-        return {true, true,
-                fmt::format("{} of {} tests of the designs have a value of {}", response->measured, response->tests, t.symbol())};
-    }
-    const DesignPoint& point = fit_.optimum.point;
-    const double requested = t.logarithm(t.value);
-    const double here = response->surface->value(point);
-    const double allowed = 0.5 * t.log_deviation() + 2 * std::sqrt(response->surface->variance(point));
-    const bool lacking = outcome.ours && outcome.ours->n < outcome.tests && outcome.verdict == "outside";
-    if (std::abs(here - requested) <= allowed && !lacking) return {};
-    // This target alone may be in reach or not, by a surface through the points of all designs.
-    const auto wide = LocalSurface::fit(all_, fit_.points, response->values);
-    double lowest = here;
-    double highest = here;
-    for (const DesignPoint& at : sobol_points(all_, 0, 1024)) {
-        const double spread = 2 * std::sqrt(wide->variance(at));
-        lowest = std::min(lowest, wide->value(at) - spread);
-        highest = std::max(highest, wide->value(at) + spread);
-    }
-    // The parameter that moves it most, and where it would have to go alone.
-    const DesignPoint gradient = response->surface->gradient(point);
-    Eigen::Index k = 0;
-    gradient.cwiseAbs().maxCoeff(&k);
-    const Parameter& p = problem_.parameters[static_cast<std::size_t>(k)];
-    const double to = point(k) + (requested - here) / gradient(k);
-    return {true, requested < lowest || requested > highest,
-            fmt::format("{} alone would need {} to change from {} to {} (first box {} to {})", t.symbol(), p.key,
-                        value_text(p.key, p.value(point(k)), " "),
-                        std::abs(to) < 10 ? value_text(p.key, p.value(to), " ") : "far outside", value_text(p.key, p.low, " "),
-                        value_text(p.key, p.high, " "))};
-}
-
-void Calibration::end() {
-    std::string missed;
-    std::string remedies;
-    std::string specimens;
-    bool expected = false;
-    bool out_of_reach = false;
-    bool outside = false;
-    for (const Outcome& o : decision.outcomes) {
-        if (o.target.use == Use::predict || o.verdict == "within") continue;
-        add(missed, off_text(o) + ": " + o.verdict);
-        const Misfit misfit = misfit_of(o);
-        if (misfit.expected) add(remedies, misfit.remedy);
-        expected = expected || misfit.expected;
-        out_of_reach = out_of_reach || misfit.out_of_reach;
-        outside = outside || o.verdict == "outside";
-        if (o.ours && o.ours->deviation) {
-            const double n =
-                std::max(std::pow(2 * *o.ours->deviation / o.target.deviation, 2), 2.0 * static_cast<double>(o.tests));
-            add(specimens, fmt::format("{:.0f} for {}", std::ceil(n), o.target.symbol()));
-        }
-    }
-    if (missed.empty()) {
-        throw Ended{Ending::calibrated, "new specimens are within the bounds of every target",
-                    "use calibrated.toml like any other material; predicted values were not fitted"};
-    }
-    remedies += "; free another parameter ([parameters]), or give a target a larger deviation";
-    if (expected && out_of_reach) throw Ended{Ending::not_reached, missed, remedies};
-    if (expected) {
-        throw Ended{Ending::contradictory, missed, "each target can be reached, but not all of them together: " + remedies};
-    }
-    const std::string another = fmt::format("ask for one more design (setting zooms={})", study().zooms + 1);
-    if (outside) {
-        throw Ended{Ending::undecided, missed, "the response surfaces predict that every target is met here: " + another};
-    }
-    throw Ended{Ending::undecided, missed,
-                fmt::format("confirm on more specimens, about {} (settings confirmation_discs=N, confirmation_rectangles=N), or "
-                            "{}; settings are given by --set, or by SET= of make",
-                            specimens, another)};
 }
 
 void Calibration::run() {
@@ -628,6 +594,9 @@ void Calibration::run() {
         fit_.responses.push_back({t, {}, {}, {}});
     };
     for (const Target& t : fitted) add_response(t);
+    if (kind_.lacks(problem_.targets).empty()) {
+        for (const Target& t : problem_.targets) add_response(t);
+    }
     for (const Test& test : tests_) {
         for (const Target& t : problem_.targets) {
             if (test.has(t) && t.property.peak_drop <= test.peak_drop) add_response(t);
@@ -640,17 +609,14 @@ void Calibration::run() {
         }
     }
     peaks_.resize(fit_.responses.size());
-    find_elasticity();
+    grain_modulus_ = problem_.young_modulus;
+    grain_ratio_ = problem_.poisson_ratio;
     find_design_point();
     predict();
-    end();
+    throw ending_of(decision.outcomes, fit_, all_, problem_.parameters, study());
 }
 
 }  // namespace
-
-std::string label_of(Ending ending) {
-    return name_in({"runs are needed", "calibrated", "not reached", "contradictory", "undecided"}, ending);
-}
 
 Decision decide(const Problem& problem, const FindRun& find) {
     Calibration calibration(problem, find);
@@ -658,7 +624,7 @@ Decision decide(const Problem& problem, const FindRun& find) {
     try {
         calibration.run();
     } catch (const RunsMissing&) {
-        decision.reason = decision.requested.front().reason + calibration.first_point();
+        decision.reason = decision.requested.front().reason + calibration.first_guess();
     } catch (const Ended& end) {
         decision.ending = end.ending;
         decision.reason = end.reason;

@@ -106,6 +106,8 @@ Problem read_problem(const Material& rock, const std::vector<std::string>& setti
     problem.parameters = parameters_of(rock, file, problem.study.specimens.mean_edge());
     problem.young_modulus = rock.rock.young_modulus;
     problem.poisson_ratio = rock.rock.poisson_ratio;
+    problem.rock = rock;
+    if (const auto kind = KindSurface::of(rock)) problem.kind = std::make_shared<const KindSurface>(*kind);
     for (const ContactParameter& row : all_contact_parameters()) {
         const std::string key = "contact." + row.key();
         const bool free =
@@ -130,7 +132,8 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
         return found == finished.end() ? nullptr : &found->second;
     })};
     const Decision& decision = out.decision;
-    for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "identify.png"}) {
+    for (const char* name :
+         {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "identify.png", "draws.tsv"}) {
         remove_file(path(name));
     }
     if (decision.ending == Ending::requested) {
@@ -149,7 +152,9 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
         out.sensitivities = sensitivities(problem.parameters, *decision.fit);
         write_whole_file(path("identify.tsv"), identify_table(out.sensitivities));
     }
-    write_whole_file(path("report.md"), report_text(rock, at, problem, decision, finished.size()));
+    const std::optional<Draws> draws = draws_of(problem, decision);
+    if (draws) write_whole_file(path("draws.tsv"), draws_table(problem, *decision.fit, *draws));
+    write_whole_file(path("report.md"), report_text(rock, at, problem, decision, draws, finished.size()));
     return out;
 }
 

@@ -9,6 +9,7 @@
 //     nearest.toml     the same for the nearest point                                   written if it ends otherwise
 //     report.md        targets, results, values with intervals, every step              written in the end
 //     identify.tsv     d ln response / d ln parameter                                   written in the end
+//     draws.tsv        values and properties drawn from what the data leave open        written in the end, of a known kind
 #pragma once
 
 #include <iostream>

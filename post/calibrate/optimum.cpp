@@ -1,10 +1,16 @@
 #include "post/calibrate/optimum.hpp"
 
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 
 #include "post/statistics/statistics.hpp"
 
@@ -13,11 +19,6 @@ namespace graincrack::calibrate {
 namespace {
 
 double logistic(double x) { return 1 / (1 + std::exp(-x)); }
-
-std::vector<double> local_factors(const Box& box, const DesignPoint& point) {
-    const DesignPoint local = box.local(point);
-    return {local.begin(), local.end()};
-}
 
 }  // namespace
 
@@ -43,28 +44,6 @@ Logistic fit_logistic(const Eigen::MatrixXd& factors, const Eigen::VectorXd& hap
     return {b};
 }
 
-std::optional<LocalSurface> LocalSurface::fit(const Box& box, const std::vector<DesignPoint>& points,
-                                              const std::vector<double>& values) {
-    std::vector<std::vector<double>> factors;
-    std::vector<double> known;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::isnan(values[i])) continue;
-        factors.push_back(local_factors(box, points[i]));
-        known.push_back(values[i]);
-    }
-    const auto p = static_cast<std::size_t>(box.size());
-    if (known.size() < p + 3) return std::nullopt;
-    std::vector<SurfaceTerm> quadratic = quadratic_terms(p);
-    const auto end_of_linear = quadratic.begin() + static_cast<std::ptrdiff_t>(p) + 1;
-    const std::vector<SurfaceTerm> linear(quadratic.begin(), end_of_linear);
-    quadratic.erase(quadratic.begin(), end_of_linear);
-    auto surface = ResponseSurface::fit(linear, std::move(factors), std::move(known));
-    if (!surface) return std::nullopt;  // all values at one level of a parameter
-    return LocalSurface(box, extend_forward(*std::move(surface), quadratic));
-}
-
-std::vector<double> LocalSurface::local(const DesignPoint& point) const { return local_factors(box_, point); }
-
 namespace {
 
 /// Standard deviation along a direction, in half widths of the first box, beyond which the data do not determine it.
@@ -79,14 +58,17 @@ constexpr double logit_deviation = 0.25;
 class LeastSquares {
 public:
     LeastSquares(const DesignPoint& first, const std::vector<Residual>& residuals,
-                 const std::vector<ProbabilityConstraint>& constraints)
-        : first_(first), residuals_(residuals), constraints_(constraints) {}
+                 const std::vector<ProbabilityConstraint>& constraints, double prior)
+        : first_(first), residuals_(residuals), constraints_(constraints), prior_(prior) {}
     std::vector<DesignPoint> unidentified;  ///< directions held at the first guess
 
     void evaluate(const DesignPoint& point, Eigen::VectorXd& values, Eigen::MatrixXd& slopes) const {
-        const auto n = static_cast<Eigen::Index>(residuals_.size() + constraints_.size() + unidentified.size());
-        values.setZero(n);
-        slopes.setZero(n, point.size());
+        const auto others = static_cast<Eigen::Index>(residuals_.size() + constraints_.size() + unidentified.size());
+        const Eigen::Index p = point.size();
+        values.setZero(others + p);
+        slopes.setZero(others + p, p);
+        values.tail(p) = (point - first_) / prior_;
+        slopes.bottomRows(p).diagonal().setConstant(1 / prior_);
         Eigen::Index i = 0;
         for (const Residual& residual : residuals_) {
             values(i) = (residual.surface->value(point) - residual.value) / residual.deviation;
@@ -117,6 +99,7 @@ private:
     const DesignPoint& first_;
     const std::vector<Residual>& residuals_;
     const std::vector<ProbabilityConstraint>& constraints_;
+    double prior_;
 };
 
 /// Levenberg and Marquardt's method; coordinates at an edge that would leave the box stay there.
@@ -189,66 +172,62 @@ double Optimum::half_interval(Eigen::Index coordinate) const {
 double Optimum::unidentified_fraction(Eigen::Index coordinate) const { return fraction_in(unidentified, coordinate); }
 
 double Optimum::undetermined_fraction(Eigen::Index coordinate) const {
-    return fraction_in(unidentified, coordinate) + fraction_in(moved, coordinate);
+    return fraction_in(unidentified, coordinate) + fraction_in(moved, coordinate) +
+           covariance(coordinate, coordinate) / (prior * prior);
 }
 
 namespace {
 
-/// Directions that are neither unidentified nor moved, a column each.
-Eigen::MatrixXd identified_directions(const Eigen::MatrixXd& all, const Optimum& optimum) {
-    Eigen::MatrixXd directions(all.rows(), 0);
-    for (Eigen::Index k = 0; k < all.cols(); ++k) {
-        const auto has = [&](const std::vector<DesignPoint>& some) {
-            return std::any_of(some.begin(), some.end(), [&](const DesignPoint& d) { return d == all.col(k); });
-        };
-        if (has(optimum.unidentified) || has(optimum.moved)) continue;
-        directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);
-        directions.rightCols(1) = all.col(k);
-    }
-    return directions;
+/// Directions at right angles to those that are unidentified or moved, a column each.
+Eigen::MatrixXd identified_directions(const Optimum& optimum) {
+    std::vector<DesignPoint> others = optimum.unidentified;
+    others.insert(others.end(), optimum.moved.begin(), optimum.moved.end());
+    const Eigen::Index p = optimum.point.size();
+    const auto m = static_cast<Eigen::Index>(others.size());
+    Eigen::MatrixXd columns(p, m);
+    for (Eigen::Index k = 0; k < m; ++k) columns.col(k) = others[static_cast<std::size_t>(k)];
+    const Eigen::MatrixXd all = columns.householderQr().householderQ() * Eigen::MatrixXd::Identity(p, p);
+    return all.rightCols(p - m);
 }
 
-/// The covariance of a point that follows from measured values and surfaces along some directions; both scatter. \param slopes
-/// of the surfaces, a row each \param total variance of each \param weights of the measured values
-Eigen::MatrixXd covariance_along(const Eigen::MatrixXd& directions, const Eigen::MatrixXd& slopes, const Eigen::VectorXd& total,
-                                 const Eigen::VectorXd& weights) {
-    if (directions.cols() == 0) return Eigen::MatrixXd::Zero(directions.rows(), directions.rows());
-    const Eigen::MatrixXd along = slopes * directions;
-    const Eigen::MatrixXd weighted = along.transpose() * weights.asDiagonal();
-    const Eigen::MatrixXd gain = directions * (weighted * along).ldlt().solve(weighted);
-    return gain * total.asDiagonal() * gain.transpose();
-}
+/// The sensitivities of residuals at a point.
+struct Sensitivities {
+    Eigen::MatrixXd slopes;   ///< of the surfaces, a row each
+    Eigen::VectorXd total;    ///< variance of measured value and surface
+    Eigen::VectorXd weights;  ///< of the measured values
+
+    Sensitivities(const DesignPoint& at, const std::vector<Residual>& residuals)
+        : slopes(static_cast<Eigen::Index>(residuals.size()), at.size()), total(slopes.rows()), weights(slopes.rows()) {
+        for (Eigen::Index i = 0; i < slopes.rows(); ++i) {
+            const Residual& residual = residuals[static_cast<std::size_t>(i)];
+            slopes.row(i) = residual.surface->gradient(at).transpose();
+            total(i) = residual.deviation * residual.deviation + residual.surface->variance(at);
+            weights(i) = 1 / std::pow(residual.deviation, 2);
+        }
+    }
+    [[nodiscard]] Eigen::JacobiSVD<Eigen::MatrixXd> directions() const {
+        return Eigen::JacobiSVD<Eigen::MatrixXd>(total.cwiseSqrt().cwiseInverse().asDiagonal() * slopes, Eigen::ComputeFullV);
+    }
+};
 
 }  // namespace
 
 Optimum find_optimum(const Box& box, const DesignPoint& first, const std::vector<Residual>& residuals,
-                     const std::vector<ProbabilityConstraint>& constraints) {
-    LeastSquares problem(first, residuals, constraints);
+                     const std::vector<ProbabilityConstraint>& constraints, double prior) {
+    LeastSquares problem(first, residuals, constraints, prior);
     Optimum optimum;
-    const auto n = static_cast<Eigen::Index>(residuals.size());
-    Eigen::MatrixXd slopes(n, box.size());
-    Eigen::VectorXd total(n);  // variance of measured value and surface
-    Eigen::VectorXd weights(n);
-    const auto go_to = [&](const DesignPoint& point) {
-        optimum.point = point;
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const Residual& residual = residuals[static_cast<std::size_t>(i)];
-            slopes.row(i) = residual.surface->gradient(point).transpose();
-            total(i) = residual.deviation * residual.deviation + residual.surface->variance(point);
-            weights(i) = 1 / std::pow(residual.deviation, 2);
-        }
-    };
-    go_to(minimise_everywhere(problem, box, first));
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(total.cwiseSqrt().cwiseInverse().asDiagonal() * slopes, Eigen::ComputeFullV);
+    optimum.prior = prior;
+    optimum.point = minimise_everywhere(problem, box, first);
+    const auto svd = Sensitivities(optimum.point, residuals).directions();
     const Eigen::VectorXd& values = svd.singularValues();
-    optimum.condition = values.size() == box.size() ? values(0) / values(values.size() - 1) : INFINITY;
     double sum = problem.sum(optimum.point);
-    for (Eigen::Index k = box.size() - 1; k >= 0 && (k >= values.size() || values(k) * identified < 1); --k) {
+    for (Eigen::Index k = box.size() - 1; k >= 0 && std::isinf(prior) && (k >= values.size() || values(k) * identified < 1);
+         --k) {
         problem.unidentified.emplace_back(svd.matrixV().col(k));
         const DesignPoint point = minimise_everywhere(problem, box, first);
         const double with_it = problem.sum(point);
         if (with_it <= 1.2 * sum + small_increase) {
-            go_to(point);
+            optimum.point = point;
             sum = with_it;
         } else {
             problem.unidentified.pop_back();
@@ -256,13 +235,74 @@ Optimum find_optimum(const Box& box, const DesignPoint& first, const std::vector
         }
     }
     optimum.unidentified = problem.unidentified;
-    optimum.covariance = covariance_along(identified_directions(svd.matrixV(), optimum), slopes, total, weights);
+    update(optimum, residuals);
+    return optimum;
+}
+
+void update(Optimum& optimum, const std::vector<Residual>& residuals) {
+    const Sensitivities at(optimum.point, residuals);
+    const Eigen::VectorXd singular = at.directions().singularValues();
+    optimum.condition = singular.size() == at.slopes.cols() ? singular(0) / singular(singular.size() - 1) : INFINITY;
+    const Eigen::MatrixXd directions = identified_directions(optimum);
+    const Eigen::Index p = at.slopes.cols();
+    Eigen::MatrixXd slopes(at.slopes.rows() + p, p);
+    slopes << at.slopes, Eigen::MatrixXd::Identity(p, p);
+    Eigen::VectorXd weights(slopes.rows());
+    weights << at.weights, Eigen::VectorXd::Constant(p, 1 / (optimum.prior * optimum.prior));
+    Eigen::VectorXd total(slopes.rows());
+    total << at.total, Eigen::VectorXd::Constant(p, std::isinf(optimum.prior) ? 0 : optimum.prior * optimum.prior);
+    optimum.gain.setZero(p, slopes.rows());
+    if (directions.cols() > 0) {
+        const Eigen::MatrixXd along = slopes * directions;
+        const Eigen::MatrixXd weighted = along.transpose() * weights.asDiagonal();
+        optimum.gain = directions * (weighted * along).ldlt().solve(weighted);
+    }
+    optimum.covariance = optimum.gain * total.asDiagonal() * optimum.gain.transpose();
     optimum.freedom = std::numeric_limits<int>::max();
+    optimum.deviations.clear();
     for (const Residual& residual : residuals) {
         optimum.deviations.push_back((residual.surface->value(optimum.point) - residual.value) / residual.deviation);
         optimum.freedom = std::min(optimum.freedom, residual.surface->freedom());
     }
-    return optimum;
+}
+
+double misfit(const DesignPoint& at, const std::vector<Residual>& residuals) {
+    double sum = 0;
+    for (const Residual& r : residuals) sum += std::pow((r.surface->value(at) - r.value) / r.deviation, 2);
+    return sum;
+}
+
+Draws draw(const Box& box, const Optimum& optimum, const std::vector<Residual>& residuals,
+           const std::vector<const LocalSurface*>& surfaces, std::size_t n) {
+    const std::unique_ptr<gsl_rng, decltype(&gsl_rng_free)> generator(gsl_rng_alloc(gsl_rng_mt19937), &gsl_rng_free);
+    const auto normal = [&] { return gsl_ran_ugaussian(generator.get()); };
+    Draws draws;
+    for (std::size_t i = 0; i < n; ++i) {
+        std::map<const LocalSurface*, Eigen::VectorXd> off;  // coefficients
+        for (const LocalSurface* const surface : surfaces) {
+            if (surface == nullptr) continue;
+            off[surface] = surface->drawn(Eigen::VectorXd::NullaryExpr(surface->terms(optimum.point).size(), normal));
+        }
+        Eigen::VectorXd values(optimum.gain.cols());
+        for (double& of_prior : values) of_prior = std::isinf(optimum.prior) ? 0 : optimum.prior * normal();
+        for (std::size_t r = 0; r < residuals.size(); ++r) {
+            const LocalSurface* const surface = residuals[r].surface;
+            values(static_cast<Eigen::Index>(r)) =
+                residuals[r].deviation * normal() - surface->terms(optimum.point).dot(off.at(surface));
+        }
+        DesignPoint point = optimum.point + optimum.gain * values;
+        for (const auto* const directions : {&optimum.unidentified, &optimum.moved}) {
+            for (const DesignPoint& direction : *directions) point += identified * normal() * direction;
+        }
+        draws.points.push_back(box.nearest(point));
+        std::vector<double>& logs = draws.logs.emplace_back();
+        for (const LocalSurface* const surface : surfaces) {
+            logs.push_back(surface == nullptr
+                               ? NAN
+                               : surface->value(draws.points.back()) + surface->terms(draws.points.back()).dot(off[surface]));
+        }
+    }
+    return draws;
 }
 
 }  // namespace graincrack::calibrate

@@ -1,14 +1,13 @@
-// Responses over the free parameters: surfaces of their logarithms, linear in all of them, with those quadratic terms by which
-// they predict better; the design point where surfaces meet their targets, by weighted least squares inside a box, and how well
-// the data determine it.
+// The design point where response surfaces meet their targets, by weighted least squares inside a box, how well the data
+// determine it, and points drawn from what they leave open.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "post/calibrate/parameter.hpp"
-#include "post/statistics/response_surface.hpp"
+#include "post/calibrate/local_surface.hpp"
 
 namespace graincrack::calibrate {
 
@@ -27,47 +26,6 @@ struct Logistic {
 /// Maximum of the likelihood times Jeffreys' prior (Firth 1993, Biometrika 80, 27–38).
 /// \param factors a row a case \param happened 0 or 1 of each case \pre there are cases
 Logistic fit_logistic(const Eigen::MatrixXd& factors, const Eigen::VectorXd& happened);
-
-/// A response surface whose factors are the local coordinates of a box.
-class LocalSurface {
-public:
-    /// Least squares: the linear terms, extended forward by quadratic ones. \param values ln of the response at each point; NaN:
-    /// it has none there, and is left out \return empty unless there are two values more than linear terms, and these determine
-    /// them
-    static std::optional<LocalSurface> fit(const Box& box, const std::vector<DesignPoint>& points,
-                                           const std::vector<double>& values);
-
-    [[nodiscard]] double value(const DesignPoint& point) const { return surface_.value(local(point)); }
-    /// Variance of `value`, by the scatter about the surface.
-    [[nodiscard]] double variance(const DesignPoint& point) const {
-        return surface_.variance() * surface_.leverage(local(point));
-    }
-    /// Derivatives by the coordinates of a point, and their covariance.
-    [[nodiscard]] DesignPoint gradient(const DesignPoint& point) const {
-        return slopes(point).transpose() * surface_.coefficients;
-    }
-    [[nodiscard]] Eigen::MatrixXd gradient_covariance(const DesignPoint& point) const {
-        const Eigen::MatrixXd at = slopes(point);
-        return surface_.variance() * at.transpose() * surface_.inverse * at;
-    }
-
-    [[nodiscard]] double scatter() const { return std::sqrt(surface_.variance()); }  ///< standard deviation about the surface
-    [[nodiscard]] double prediction_error() const { return std::sqrt(surface_.press() / n_values()); }  ///< √(PRESS/n)
-    [[nodiscard]] int n_values() const { return static_cast<int>(surface_.response.size()); }
-    [[nodiscard]] int freedom() const { return surface_.freedom(); }
-    [[nodiscard]] int n_quadratic() const { return static_cast<int>(surface_.terms.size()) - 1 - static_cast<int>(box_.size()); }
-
-private:
-    LocalSurface(Box box, ResponseSurface surface) : box_(std::move(box)), surface_(std::move(surface)) {}
-    [[nodiscard]] std::vector<double> local(const DesignPoint& point) const;
-    /// Derivative of each term, a row a term.
-    [[nodiscard]] Eigen::MatrixXd slopes(const DesignPoint& point) const {
-        return surface_.slopes(local(point)).array().rowwise() / box_.half.transpose().array();
-    }
-
-    Box box_;
-    ResponseSurface surface_;
-};
 
 /// A response with its target, whose difference over the deviation is a residual.
 struct Residual {
@@ -93,19 +51,40 @@ struct Optimum {
     /// Directions (of length 1) along which no target changes, that were moved as far as the targets need.
     std::vector<DesignPoint> moved;
     std::vector<double> deviations;  ///< off the targets over their standard deviations, of each residual
-    double condition = 1;            ///< number of the matrix of sensitivities
-    int freedom = 0;                 ///< the least of the surfaces
+    /// Standard deviation of each coordinate about the first guess before there are data; infinite: nothing is known.
+    double prior = INFINITY;
+    /// Shift of the point by one of each residual's values, and with a prior by one of each coordinate of the first guess.
+    Eigen::MatrixXd gain;
+    double condition = 1;  ///< number of the matrix of sensitivities
+    int freedom = 0;       ///< the least of the surfaces
 
     /// Half of the 95 % interval of a coordinate.
     [[nodiscard]] double half_interval(Eigen::Index coordinate) const;
     /// Fraction of a coordinate that lies in unidentified directions, 0 to 1.
     [[nodiscard]] double unidentified_fraction(Eigen::Index coordinate) const;
-    /// Fraction of a coordinate that lies in directions unidentified or moved, 0 to 1.
+    /// Fraction of a coordinate that lies in directions unidentified or moved, with a prior of its variance that the data leave,
+    /// 0 to 1.
     [[nodiscard]] double undetermined_fraction(Eigen::Index coordinate) const;
 };
 
-/// \param first guess, inside the box or not \pre there is a residual
+/// \param first guess, inside the box or not \param prior of the optimum: with one, what the data tell little of stays near the
+/// first guess, and no direction is unidentified \pre there is a residual
 Optimum find_optimum(const Box& box, const DesignPoint& first, const std::vector<Residual>& residuals,
-                     const std::vector<ProbabilityConstraint>& constraints = {});
+                     const std::vector<ProbabilityConstraint>& constraints = {}, double prior = INFINITY);
+/// What the residuals tell of an optimum whose point and directions stay as they are.
+void update(Optimum& optimum, const std::vector<Residual>& residuals);
+/// Sum of the squared deviations off the targets at a point.
+double misfit(const DesignPoint& at, const std::vector<Residual>& residuals);
+
+/// Points, and ln of the mean of each response there.
+struct Draws {
+    std::vector<DesignPoint> points;
+    std::vector<std::vector<double>> logs;  ///< of each point
+};
+/// What measured values that scatter by their deviations and coefficients that scatter by their covariance leave open about an
+/// optimum, linearised; along directions that nothing determines, the quarter of the width of the first box that the data had to
+/// beat. \param residuals those of the optimum \param surfaces of the responses; null: a response has none, its values are NaN
+Draws draw(const Box& box, const Optimum& optimum, const std::vector<Residual>& residuals,
+           const std::vector<const LocalSurface*>& surfaces, std::size_t n);
 
 }  // namespace graincrack::calibrate

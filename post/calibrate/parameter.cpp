@@ -356,6 +356,13 @@ std::string value_text(const std::string& key, double value, const char* between
     return fmt::format("{:.6g}{}{}", value / unit.si, unit.symbol[0] == '\0' ? "" : between, unit.symbol);
 }
 
+double in_unit(const std::string& key, double value) { return value / unit_of(key).si; }
+
+std::string column_of(const std::string& key) {
+    const std::string unit = unit_of(key).symbol;
+    return key + (unit.empty() ? "" : "_" + unit);
+}
+
 std::vector<MaterialSetting> settings_of(const Point& point) {
     std::vector<MaterialSetting> settings;
     for (const auto& [key, value] : point) settings.emplace_back(key, value_text(key, value));

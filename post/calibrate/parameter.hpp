@@ -73,6 +73,9 @@ Point point_at(const std::vector<Parameter>& parameters, const DesignPoint& at);
 
 /// A value in the unit of files and reports, to six digits: "38.2MPa", "38.2 MPa" with a space between.
 std::string value_text(const std::string& key, double value, const char* between = "");
+/// A value in that unit, and the name of its column in tables: "contact.cohesion_MPa".
+double in_unit(const std::string& key, double value);
+std::string column_of(const std::string& key);
 /// The settings of a material file for a point.
 std::vector<MaterialSetting> settings_of(const Point& point);
 /// "contact.cohesion 38.2 MPa, …"

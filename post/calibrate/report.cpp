@@ -215,6 +215,33 @@ std::string surfaces_text(const Fit& fit) {
     return text;
 }
 
+/// What new specimens have by kind and runs, at the values found, and the rock whatever its values.
+std::string predictions_text(const Fit& fit, const Draws& draws) {
+    std::string text =
+        "\nBy the kind and the runs of this rock: what a new specimen has at the values found, with 50 and 95 % intervals, and "
+        "the "
+        "95 % interval of the mean of the rock, whose values are not known better than the targets tell (draws.tsv).\n";
+    text += markdown_head({"property", "at these values", "50 %", "95 %", "rock, 95 %"});
+    for (std::size_t r = 0; r < fit.responses.size(); ++r) {
+        const Target& t = fit.responses[r].target;
+        if (!fit.responses[r].surface) continue;
+        const LocalSurface& surface = *fit.responses[r].surface;
+        const double mean = surface.value(fit.optimum.point);
+        const double deviation = std::hypot(surface.scatter(), std::sqrt(surface.variance(fit.optimum.point)));
+        const auto between = [&](double low, double high) {
+            return fmt::format("{} to {}", t.text(t.of_logarithm(low)), t.text(t.of_logarithm(high)));
+        };
+        std::vector<double> logs;
+        for (const std::vector<double>& draw : draws.logs) logs.push_back(draw[r]);
+        std::sort(logs.begin(), logs.end());
+        const std::size_t outside = logs.size() / 40;
+        text += markdown_row(
+            {t.symbol(), t.text(t.of_logarithm(mean)), between(mean - 0.674 * deviation, mean + 0.674 * deviation),
+             between(mean - 1.96 * deviation, mean + 1.96 * deviation), between(logs[outside], logs[logs.size() - 1 - outside])});
+    }
+    return text;
+}
+
 std::string identify_text(const Problem& problem, const Fit& fit) {
     Cells head{"response"};
     for (const Parameter& p : problem.parameters) head.push_back(p.key);
@@ -255,6 +282,31 @@ std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters,
     return all;
 }
 
+std::optional<Draws> draws_of(const Problem& problem, const Decision& decision) {
+    if (!decision.fit || !decision.fit->points.empty()) return std::nullopt;
+    std::vector<const LocalSurface*> surfaces;
+    for (const Response& r : decision.fit->responses) surfaces.push_back(r.surface ? &*r.surface : nullptr);
+    return draw(limits_of(problem.parameters), decision.fit->optimum, residuals_of(decision.fit->responses), surfaces, 400);
+}
+
+std::string draws_table(const Problem& problem, const Fit& fit, const Draws& draws) {
+    std::string text = "draw";
+    for (const Parameter& p : problem.parameters) text += "\t" + column_of(p.key);
+    for (const Response& r : fit.responses) {
+        if (r.surface) text += fmt::format("\t{}_{}", r.target.name(), r.target.property.unit);
+    }
+    for (std::size_t i = 0; i < draws.points.size(); ++i) {
+        text += fmt::format("\n{}", i + 1);
+        for (const auto& [key, value] : point_at(problem.parameters, draws.points[i]))
+            text += fmt::format("\t{:.5g}", in_unit(key, value));
+        for (std::size_t r = 0; r < fit.responses.size(); ++r) {
+            const Target& t = fit.responses[r].target;
+            if (fit.responses[r].surface) text += fmt::format("\t{:.5g}", t.of_logarithm(draws.logs[i][r]) / t.property.si);
+        }
+    }
+    return text + "\n";
+}
+
 std::string identify_table(const std::vector<Sensitivity>& sensitivities) {
     std::string text = "response\tparameter\texponent\texponent_low\texponent_high\n";
     for (const Sensitivity& s : sensitivities) {
@@ -270,13 +322,14 @@ std::string with_interval(const Estimate& e, double si) {
 }
 
 std::string report_text(const Material& rock, const std::optional<Material>& at, const Problem& problem, const Decision& decision,
-                        std::size_t n_runs) {
+                        const std::optional<Draws>& draws, std::size_t n_runs) {
     std::string text =
         fmt::format("# {}: {}\n\n{}.\n\nNext: {}.\n\n", rock.name, label_of(decision.ending), decision.reason, decision.next);
     text += summary_text(rock, at, problem, decision, n_runs);
     if (!decision.outcomes.empty()) text += "\n## Targets\n" + outcomes_text(decision);
     if (decision.fit) {
         text += "\n## Values\n" + values_text(problem, decision);
+        if (draws) text += "\n## Predictions\n" + predictions_text(*decision.fit, *draws);
         text += "\n## Surfaces\n" + surfaces_text(*decision.fit);
         text += "\n## What tells what\n" + identify_text(problem, *decision.fit);
     }

@@ -24,9 +24,14 @@ std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters,
 /// The table identify.tsv: response, parameter, exponent, exponent_low, exponent_high.
 std::string identify_table(const std::vector<Sensitivity>& sensitivities);
 
+/// 400 draws of the values and of all responses that the kind knows; empty of a rock without a kind, or without a fit.
+std::optional<Draws> draws_of(const Problem& problem, const Decision& decision);
+/// The table draws.tsv: a row a draw, with values in the units of reports and the mean of each property.
+std::string draws_table(const Problem& problem, const Fit& fit, const Draws& draws);
+
 /// \param rock as it was given \param at the same with the values found, if there are any \param n_runs that are finished
 std::string report_text(const Material& rock, const std::optional<Material>& at, const Problem& problem, const Decision& decision,
-                        std::size_t n_runs);
+                        const std::optional<Draws>& draws, std::size_t n_runs);
 
 /// "25.8 (25.5 to 26.1)"
 std::string with_interval(const Estimate& estimate, double si);

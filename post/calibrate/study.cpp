@@ -67,6 +67,7 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
             {"points", {points, count(study.points)}},
             {"discs", {discs, count(study.discs)}},
             {"moves", {designs, count(study.moves)}},
+            {"corrections", {designs, count(study.corrections)}},
             {"zooms", {designs, count(study.zooms)}},
             {"confirmation_discs", {specimens, count(study.confirmation_discs)}},
             {"confirmation_rectangles", {specimens, count(study.confirmation_rectangles)}},

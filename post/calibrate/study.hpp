@@ -72,6 +72,7 @@ struct Study {
     std::size_t points = 0;                              ///< of a design; 0: 4 (p + 2) for p parameters
     std::size_t discs = 3;                               ///< at a point; one of every other test
     std::size_t moves = 2;                               ///< of a box whose optimum lies at an edge, at most
+    std::size_t corrections = 3;                         ///< of the surfaces of a kind by new specimens, at most; of a design one
     std::size_t zooms = 1;                               ///< designs of half the width of the one before
     std::size_t confirmation_discs = 20;                 ///< at most
     std::size_t confirmation_rectangles = 20;            ///< of every other test, at most

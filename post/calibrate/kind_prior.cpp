@@ -1,0 +1,117 @@
+#include "post/calibrate/kind_prior.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace graincrack::calibrate {
+
+namespace {
+
+/// Diameters of half-discs over the grain size that K_IC of the kind holds for; its own have 20.
+constexpr double least_half_disc = 14;
+constexpr double most_half_disc = 28;
+
+/// Parameters that are coordinates of the kind.
+constexpr std::pair<const char*, double KindCoordinates::*> bounded[] = {
+    {"ratios.cohesion", &KindCoordinates::cohesion},
+    {"contact.friction_angle", &KindCoordinates::friction_angle},
+    {"contact.residual_friction_angle", &KindCoordinates::residual_friction_angle},
+    {"ratios.process_zone", &KindCoordinates::process_zone},
+    {"ratios.mode_ii_fracture_energy", &KindCoordinates::mode_ii_fracture_energy},
+    {"ratios.bridging_strength", &KindCoordinates::bridging_strength}};
+
+/// Where a material has the value of a key; null for one that is neither of [contact] nor of [ratios].
+std::optional<double>* place_of(Material& material, const std::string& key) {
+    for (const ContactParameter& row : all_contact_parameters()) {
+        const bool is_energy = row.value == &ContactParameters::fracture_energy;
+        if (key == "contact." + row.key()) return &(material.contact.*row.given);
+        if (key == "ratios." + (is_energy ? "process_zone" : row.key())) return &(material.ratios.*row.given);
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+/// The rock with the values of a design point.
+struct KindPrior::Changed {
+    Material material;
+    std::vector<Parameter> parameters;
+    std::vector<std::optional<double>*> places;  ///< in it, of each parameter
+
+    [[nodiscard]] KindCoordinates at(const DesignPoint& point) const {
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            *places[k] = parameters[k].value(point(static_cast<Eigen::Index>(k)));
+        }
+        return kind_coordinates(material);
+    }
+};
+
+KindPrior::KindPrior(std::shared_ptr<const KindSurface> kind, const Material& rock, const std::vector<Parameter>& parameters,
+                     const Study& study)
+    : kind_(std::move(kind)),
+      study_(study),
+      changed_(std::make_shared<Changed>(Changed{rock, parameters, {}})),
+      limits_(limits_of(parameters)) {
+    if (!kind_) return;
+    DesignPoint low = limits_.centre - limits_.half;
+    DesignPoint high = limits_.centre + limits_.half;
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        const Parameter& p = parameters[k];
+        changed_->places.push_back(place_of(changed_->material, p.key));
+        if (changed_->places.back() == nullptr && unknown_.empty()) unknown_ = p.key;
+        for (const auto& [key, coordinate] : bounded) {
+            if (p.key != key) continue;
+            const auto i = static_cast<Eigen::Index>(k);
+            if (kind_->least().*coordinate > p.least) low(i) = p.coordinate(kind_->least().*coordinate);
+            if (kind_->most().*coordinate < p.most) high(i) = p.coordinate(kind_->most().*coordinate);
+            if (!(low(i) < high(i)) && unknown_.empty()) unknown_ = p.key;
+        }
+    }
+    box_ = box_between(low, high);
+}
+
+const KindModel* KindPrior::model(const Target& target) const {
+    if (!kind_) return nullptr;
+    if (target.property.loading == Loading::bending) {
+        const ToughnessTest bend = study_.specimens.bend();
+        const double size = bend.size / changed_->material.grains.grain_size.value_or(NAN);
+        if (bend.method != "half-disc" || !(size >= least_half_disc && size <= most_half_disc)) return nullptr;
+    }
+    return kind_->model(target.property, target.confining_pressure);
+}
+
+std::string KindPrior::lacks(const std::vector<Target>& targets) const {
+    if (!kind_) return "no kind has this fabric";
+    if (!unknown_.empty()) return fmt::format("the kind {} does not know {}", kind_->kind(), unknown_);
+    const KindCoordinates first = changed_->at(box_.nearest(first_guess(changed_->parameters)));
+    if (!kind_->holds(first)) return fmt::format("the kind {} is not known at these contact values", kind_->kind());
+    for (const Target& target : targets) {
+        if (target.use != Use::fit || target.is_elastic()) continue;
+        if (model(target) == nullptr || (target.confining_pressure > 0 && !kind_->holds(first, target.confining_pressure))) {
+            return fmt::format("the kind {} does not know the {} of such specimens", kind_->kind(), target.symbol());
+        }
+    }
+    return "";
+}
+
+std::optional<LocalSurface> KindPrior::surface(const Target& target) const {
+    const KindModel* const found = model(target);
+    if (found == nullptr) return std::nullopt;
+    return LocalSurface(
+        [kind = kind_, changed = changed_, target](const DesignPoint& point) {
+            const KindCoordinates at = changed->at(point);
+            return Located{kind->factors(at, target.confining_pressure), KindSurface::log_unit(target.property, at)};
+        },
+        *found);
+}
+
+bool KindPrior::ends_at(const DesignPoint& point) const {
+    const DesignPoint here = box_.local(point);
+    const DesignPoint beyond = limits_.local(point);
+    return (here.array().abs() > 0.999 && beyond.array().abs() < 0.999).any();
+}
+
+}  // namespace graincrack::calibrate

@@ -1,0 +1,165 @@
+#include "post/calibrate/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "share/base/text.hpp"
+
+namespace graincrack::calibrate {
+
+std::string label_of(Ending ending) {
+    return name_in({"runs are needed", "calibrated", "not reached", "contradictory", "undecided"}, ending);
+}
+
+std::vector<Residual> residuals_of(const std::vector<Response>& responses) {
+    std::vector<Residual> residuals;
+    for (const Response& r : responses) {
+        if (r.target.use != Use::fit || r.target.is_elastic() || !r.surface) continue;
+        residuals.push_back({&*r.surface, r.target.logarithm(r.target.value), r.target.log_deviation()});
+    }
+    return residuals;
+}
+
+std::vector<double> values_of(const Target& target, const std::vector<const Measures*>& runs) {
+    std::vector<double> values;
+    for (const Measures* run : runs) {
+        const double value = target.read(*run);
+        if (std::isfinite(value)) values.push_back(value);
+    }
+    return values;
+}
+
+namespace {
+
+std::string verdict_on(const Target& target, const Sample& ours) {
+    const double off = std::abs(ours.mean.value - target.value);
+    const double half = ours.mean.high ? *ours.mean.high - ours.mean.value : std::numeric_limits<double>::infinity();
+    const double error = ours.deviation ? *ours.deviation / std::sqrt(static_cast<double>(ours.n)) : 0;
+    const bool within =
+        target.use == Use::fit ? off <= target.deviation && error <= target.deviation : off + half <= target.deviation;
+    if (within) return "within";
+    return off - half > target.deviation ? "outside" : "undecided";
+}
+
+}  // namespace
+
+Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs, const Study& study) {
+    const std::vector<double> values = values_of(target, runs);
+    Outcome outcome{target, {}, runs.size(), ""};
+    if (!values.empty()) outcome.ours = sample(values);
+    const auto share = static_cast<double>(values.size()) / static_cast<double>(runs.size());
+    if (std::isfinite(target.value)) {
+        const bool lacking = target.property.needs_first_peak && share < study.first_peak_fraction;
+        // A fitted one is asked of the specimen that it is tested on.
+        const std::string caveat = target.use == Use::fit ? "" : target.caveat(study.specimens.bend());
+        outcome.verdict = !caveat.empty() ? caveat : !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
+    }
+    return outcome;
+}
+
+namespace {
+
+/// "UCS +12 % off (± 3 %)": SI values as parts of the target
+std::string off_text(const Outcome& o) {
+    const Target& t = o.target;
+    if (!o.ours) return fmt::format("{}: none of {} tests has a value", t.symbol(), o.tests);
+    const double scale = t.property.absolute ? 1 : 100 / t.value;
+    const char* unit = t.property.absolute ? "" : " %";
+    const double half = o.ours->mean.high ? *o.ours->mean.high - o.ours->mean.value : NAN;
+    std::string text = fmt::format("{} differs by {:+.3g}{} (± {:.2g}{}, bound {:.2g}{})", t.symbol(),
+                                   (o.ours->mean.value - t.value) * scale, unit, half * scale, unit, t.deviation * scale, unit);
+    if (o.ours->n < o.tests) text += fmt::format(", {} of {} tests have a value", o.ours->n, o.tests);
+    return text;
+}
+
+/// The prediction of the surfaces for a target that was not met.
+struct Misfit {
+    bool expected = false;      ///< it is off at the optimum of the surfaces too
+    bool out_of_reach = false;  ///< no design point of the boxes has it
+    std::string remedy;         ///< which parameter would have to go where
+};
+
+Misfit misfit_of(const Outcome& outcome, const Fit& fit, const Box& all, const std::vector<Parameter>& parameters) {
+    const Target& t = outcome.target;
+    const Response* const response = find_of(fit.responses, t);
+    if (response == nullptr || t.is_elastic()) return {};
+    if (!response->surface) {
+        return {true, true,
+                fmt::format("{} of {} tests of the designs have a value of {}", response->measured, response->tests, t.symbol())};
+    }
+    const DesignPoint& point = fit.optimum.point;
+    const double requested = t.logarithm(t.value);
+    const double here = response->surface->value(point);
+    const double allowed = 0.5 * t.log_deviation() + 2 * std::sqrt(response->surface->variance(point));
+    const bool lacking = outcome.ours && outcome.ours->n < outcome.tests && outcome.verdict == "outside";
+    if (std::abs(here - requested) <= allowed && !lacking) return {};
+    // This target alone may be in reach or not, by a surface through the points of all designs.
+    const LocalSurface wide =
+        response->surface->is_of_kind() ? *response->surface : *LocalSurface::fit(all, fit.points, response->values);
+    double lowest = here;
+    double highest = here;
+    for (const DesignPoint& at : sobol_points(all, 0, 1024)) {
+        const double spread = 2 * std::sqrt(wide.variance(at));
+        lowest = std::min(lowest, wide.value(at) - spread);
+        highest = std::max(highest, wide.value(at) + spread);
+    }
+    // The parameter that moves it most, and where it would have to go alone.
+    const DesignPoint gradient = response->surface->gradient(point);
+    Eigen::Index k = 0;
+    gradient.cwiseAbs().maxCoeff(&k);
+    const Parameter& p = parameters[static_cast<std::size_t>(k)];
+    const double to = point(k) + (requested - here) / gradient(k);
+    return {true, requested < lowest || requested > highest,
+            fmt::format("{} alone would need {} to change from {} to {} (first box {} to {})", t.symbol(), p.key,
+                        value_text(p.key, p.value(point(k)), " "),
+                        std::abs(to) < 10 ? value_text(p.key, p.value(to), " ") : "far outside", value_text(p.key, p.low, " "),
+                        value_text(p.key, p.high, " "))};
+}
+
+}  // namespace
+
+Ended ending_of(const std::vector<Outcome>& outcomes, const Fit& fit, const Box& all, const std::vector<Parameter>& parameters,
+                const Study& study) {
+    std::string missed;
+    std::string remedies;
+    std::string specimens;
+    bool expected = false;
+    bool out_of_reach = false;
+    bool outside = false;
+    for (const Outcome& o : outcomes) {
+        if (o.target.use == Use::predict || o.verdict == "within") continue;
+        add(missed, off_text(o) + ": " + o.verdict);
+        const Misfit misfit = misfit_of(o, fit, all, parameters);
+        if (misfit.expected) add(remedies, misfit.remedy);
+        expected = expected || misfit.expected;
+        out_of_reach = out_of_reach || misfit.out_of_reach;
+        outside = outside || o.verdict == "outside";
+        if (o.ours && o.ours->deviation) {
+            const double n =
+                std::max(std::pow(2 * *o.ours->deviation / o.target.deviation, 2), 2.0 * static_cast<double>(o.tests));
+            add(specimens, fmt::format("{:.0f} for {}", std::ceil(n), o.target.symbol()));
+        }
+    }
+    if (missed.empty()) {
+        return {Ending::calibrated, "new specimens are within the bounds of every target",
+                "use calibrated.toml like any other material; predicted values were not fitted"};
+    }
+    remedies += "; free another parameter ([parameters]), or give a target a larger deviation";
+    if (expected && out_of_reach) return {Ending::not_reached, missed, remedies};
+    if (expected) {
+        return {Ending::contradictory, missed, "each target can be reached, but not all of them together: " + remedies};
+    }
+    const std::string another = fmt::format("ask for one more design (setting zooms={})", study.zooms + 1);
+    if (outside) {
+        return {Ending::undecided, missed, "the response surfaces predict that every target is met here: " + another};
+    }
+    return {Ending::undecided, missed,
+            fmt::format("confirm on more specimens, about {} (settings confirmation_discs=N, confirmation_rectangles=N), or "
+                        "{}; settings are given by --set, or by SET= of make",
+                        specimens, another)};
+}
+
+}  // namespace graincrack::calibrate
