@@ -21,9 +21,8 @@ namespace {
 constexpr const char* grain_modulus = "rock.young_modulus";
 constexpr const char* grain_ratio = "rock.poisson_ratio";
 /// Half of the width of the first boxes: one standard deviation of the values of rocks of a kind. Where targets are missed by it,
-/// a rock is an unusual one, and two are allowed.
-constexpr double prior_of_kind = 1;
-constexpr double widest_prior = 2;
+/// a rock is an unusual one: then it is twice as much, and where many specimens still miss one four times.
+constexpr double usual_prior = 1;
 /// Fall of the sum of squared deviations that is worth other specimens: half a standard deviation of one target.
 constexpr double pointless = 0.25;
 constexpr double normal_95 = 1.96;
@@ -105,7 +104,8 @@ private:
     std::size_t corrections_ = 0;  ///< since the last design
     std::size_t confirmations_ = 0;
     std::string first_guess_;  ///< its strengths, as long as nothing else is known
-    Box all_;                  ///< holds the boxes of all designs
+    double widest_prior_ = 2;
+    Box all_;  ///< holds the boxes of all designs
     Fit fit_;
     std::vector<Logistic> shares_;                         ///< of tests with a first peak, where not all have one
     std::vector<std::vector<std::optional<bool>>> peaks_;  ///< of each response, whether a test has it; empty: there is none
@@ -301,8 +301,7 @@ void Calibration::optimise() {
                     "ask for more points (setting points=N), or for targets that these tests have"};
     }
     const auto find = [&](double prior) { fit_.optimum = find_optimum(fit_.box, first(), residuals, constraints, prior); };
-    if (designs_ > 0) find(INFINITY);
-    for (double prior = prior_of_kind; designs_ == 0 && prior <= widest_prior; prior *= 2) {
+    for (double prior = usual_prior; prior <= widest_prior_; prior *= 2) {
         find(prior);
         if (meets_targets(0.5)) break;
     }
@@ -317,14 +316,14 @@ bool Calibration::meets_targets(double deviations) const {
 }
 
 /// Another design, where the optimum lies at an edge of what is known and a target is missed there: of the last box, which moves,
-/// or of the kind.
+/// or of the kind before any specimen is made.
 /// \return false: there was none
 bool Calibration::leave_edge() {
     if (meets_targets(designs_ > 0 ? 0.25 : 1)) return false;
     const DesignPoint at = fit_.optimum.point;
     const Box limits = limits_of(problem_.parameters);
     if (designs_ == 0) {
-        if (!kind_.ends_at(at)) return false;
+        if (confirmations_ > 0 || !kind_.ends_at(at)) return false;
         record("edge", "a target is missed where the kind " + problem_.kind->kind() + " ends", "a design of its own");
         begin_design(Box{at, DesignPoint::Ones(at.size())}.about(at, 1, limits));
         return true;
@@ -332,11 +331,11 @@ bool Calibration::leave_edge() {
     const Box moved = fit_.box.about(at, 1, limits);
     std::string moving;
     for (Eigen::Index k = 0; k < at.size(); ++k) {
-        // At an edge: so near that the box would move by nearly half of its width. Directions that are unidentified do not move
+        // At an edge: so near that the box would move by nearly half of its width. What the data do not tell does not move
         // it.
         const bool at_edge =
             std::abs(fit_.box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - fit_.box.centre(k)) > 0.1 * fit_.box.half(k);
-        if (at_edge && fit_.optimum.unidentified_fraction(k) < 0.5) {
+        if (at_edge && !fit_.optimum.is_undetermined(k)) {
             moving += (moving.empty() ? "" : ", ") + problem_.parameters[static_cast<std::size_t>(k)].key;
         }
     }
@@ -375,6 +374,7 @@ void Calibration::find_design_point() {
             decision.point = point;
             --confirmations_;
             missed = confirm(true);
+            widest_prior_ = 4;
             is_corrected = !missed.empty() && correct(before.optimum.point);
         }
         const std::string reason = "new specimens are not within every bound: " + missed;

@@ -127,17 +127,6 @@ std::string outcomes_text(const Decision& decision) {
     return text;
 }
 
-/// "0.8 contact.cohesion − 0.6 contact.friction_angle", in widths of the first box
-std::string direction_text(const std::vector<Parameter>& parameters, const DesignPoint& direction) {
-    std::string text;
-    for (Eigen::Index k = 0; k < direction.size(); ++k) {
-        if (std::abs(direction(k)) < 0.1) continue;
-        text += fmt::format("{}{:.2f} {}", direction(k) < 0 ? (text.empty() ? "−" : " − ") : (text.empty() ? "" : " + "),
-                            std::abs(direction(k)), parameters[static_cast<std::size_t>(k)].key);
-    }
-    return text;
-}
-
 std::string values_text(const Problem& problem, const Decision& decision) {
     std::string text = markdown_head({"parameter", "value", "95 % interval", "first guess", "first box", "limits", "source"});
     const Optimum& optimum = decision.fit->optimum;
@@ -152,35 +141,27 @@ std::string values_text(const Problem& problem, const Decision& decision) {
         const auto k = static_cast<Eigen::Index>(p - problem.parameters.begin());
         const double half = optimum.half_interval(k);
         const double at = optimum.point(k);
-        text += markdown_row({key, in(value),
-                              optimum.undetermined_fraction(k) > 0.5
-                                  ? "not determined by the data"
-                                  : fmt::format("{} to {}", in(p->value(at - half)), in(p->value(at + half))),
-                              in(p->first), fmt::format("{} to {}", in(p->low), in(p->high)),
-                              fmt::format("{} to {}", in(p->least), in(p->most)), p->source});
+        text +=
+            markdown_row({key, in(value),
+                          optimum.is_undetermined(k) ? "not determined by the data"
+                                                     : fmt::format("{} to {}", in(p->value(at - half)), in(p->value(at + half))),
+                          in(p->first), fmt::format("{} to {}", in(p->low), in(p->high)),
+                          fmt::format("{} to {}", in(p->least), in(p->most)), p->source});
     }
     text +=
-        "\nIntervals include the scatter about the response surfaces and the uncertainty of the measured values (the deviations "
-        "of the targets).\n";
-    for (const DesignPoint& direction : optimum.unidentified) {
-        text += fmt::format(
-            "\nThe data do not determine the combination {} (in widths of the first box): it was kept at the first guess, or as "
-            "near to it as the last box allows.\n",
-            direction_text(problem.parameters, direction));
-    }
-    for (const DesignPoint& direction : optimum.moved) {
-        text += fmt::format(
-            "\nThe data do not determine the combination {} (in widths of the first box): it was moved from the first guess "
-            "because a target would be missed there, and other places along it may do as well.\n",
-            direction_text(problem.parameters, direction));
-    }
+        "\nIntervals include the scatter about the response surfaces, the uncertainty of the measured values (the deviations of "
+        "the "
+        "targets), and what is known beforehand: half the width of the first box, one standard deviation about the first guess. "
+        "A value is not determined by the data where they leave more than a quarter of that variance: it is the first guess of "
+        "the "
+        "rock's kind.\n";
     text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
                                              : "\nThere are fewer targets than parameters.";
     Cells pairs;
     for (Eigen::Index k = 0; k < optimum.point.size(); ++k) {
         for (Eigen::Index l = 0; l < k; ++l) {
             const double c = optimum.covariance(k, l) / std::sqrt(optimum.covariance(k, k) * optimum.covariance(l, l));
-            if (std::isfinite(c) && optimum.undetermined_fraction(k) < 0.5 && optimum.undetermined_fraction(l) < 0.5) {
+            if (std::isfinite(c) && !optimum.is_undetermined(k) && !optimum.is_undetermined(l)) {
                 pairs.push_back(fmt::format("{} and {} {:+.2f}", problem.parameters[static_cast<std::size_t>(l)].key,
                                             problem.parameters[static_cast<std::size_t>(k)].key, c));
             }

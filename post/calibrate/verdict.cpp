@@ -93,7 +93,7 @@ Misfit misfit_of(const Outcome& outcome, const Fit& fit, const Box& all, const s
     const DesignPoint& point = fit.optimum.point;
     const double requested = t.logarithm(t.value);
     const double here = response->surface->value(point);
-    const double allowed = 0.5 * t.log_deviation() + 2 * std::sqrt(response->surface->variance(point));
+    const double allowed = t.log_deviation() + 2 * std::sqrt(response->surface->variance(point));
     const bool lacking = outcome.ours && outcome.ours->n < outcome.tests && outcome.verdict == "outside";
     if (std::abs(here - requested) <= allowed && !lacking) return {};
     // This target alone may be in reach or not, by a surface through the points of all designs.

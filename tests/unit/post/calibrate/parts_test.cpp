@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "post/calibrate/optimum.hpp"
+#include "post/statistics/statistics.hpp"
 #include "tests/support/normal.hpp"
 
 namespace graincrack {
@@ -12,9 +13,7 @@ namespace {
 using calibrate::Box;
 using calibrate::DesignPoint;
 using calibrate::find_optimum;
-using calibrate::fit_logistic;
 using calibrate::LocalSurface;
-using calibrate::Logistic;
 using calibrate::Optimum;
 using calibrate::Residual;
 using calibrate::sobol_points;
@@ -116,71 +115,69 @@ struct Planes {
                                                  points, [](double x, double y) { return x - y; }, 1e-9));
 };
 
+constexpr double nothing_known = 1e3;  // beforehand
+
 // x + y = 0.5 ± 0.1 and x − y = 0.1 ± 0.2: x = 0.3 and y = 0.2, each with a variance of (0.01 + 0.04)/4.
 TEST(Optimum, OfTwoPlanes) {
     const Planes planes;
-    const Optimum optimum = find_optimum(unit, point(0, 0), {{&planes.first, 0.5, 0.1}, {&planes.second, 0.1, 0.2}});
+    const Optimum optimum =
+        find_optimum(unit, point(0, 0), {{&planes.first, 0.5, 0.1}, {&planes.second, 0.1, 0.2}}, {}, nothing_known);
     EXPECT_NEAR(optimum.point(0), 0.3, 1e-6);
     EXPECT_NEAR(optimum.point(1), 0.2, 1e-6);
     EXPECT_NEAR(optimum.covariance(0, 0), 0.0125, 1e-6);
     EXPECT_NEAR(optimum.covariance(0, 1), -0.0075, 1e-6);
     EXPECT_NEAR(optimum.condition, 2, 1e-4);
-    EXPECT_TRUE(optimum.unidentified.empty());
     // Outside of the box the nearest, by weights: at the corner x = 1 both slopes along y must balance.
-    const Optimum edge = find_optimum(unit, point(0, 0), {{&planes.first, 1.5, 0.1}, {&planes.second, 1.5, 0.1}});
+    const Optimum edge =
+        find_optimum(unit, point(0, 0), {{&planes.first, 1.5, 0.1}, {&planes.second, 1.5, 0.1}}, {}, nothing_known);
     EXPECT_NEAR(edge.point(0), 1, 1e-9);
     EXPECT_NEAR(edge.point(1), 0, 1e-6);
     EXPECT_NEAR(edge.deviations[0], -5, 1e-4);
 }
 
+// From (0.2, −0.4) ± 1 along (1, 1) towards x + y = 0.5 ± 0.1: of the lack of 0.7, 2/(2 + 0.01) is made up. x − y keeps its
+// variance of 2, so that x has a half and that of x + y, 2 · 0.01/2.01, a quarter.
 TEST(Optimum, WhatNothingTellsStaysAtTheFirstGuess) {
     const Planes planes;
     const Optimum optimum = find_optimum(unit, point(0.2, -0.4), {{&planes.first, 0.5, 0.1}});
-    ASSERT_EQ(optimum.unidentified.size(), 1U);
-    // From (0.2, −0.4) along (1, 1) until x + y = 0.5.
-    EXPECT_NEAR(optimum.point(0), 0.55, 1e-4);
-    EXPECT_NEAR(optimum.point(1), -0.05, 1e-4);
-    EXPECT_NEAR(optimum.unidentified_fraction(0), 0.5, 1e-6);
+    EXPECT_NEAR(optimum.point(0), 0.2 + 0.35 * 2 / 2.01, 1e-6);
+    EXPECT_NEAR(optimum.point(1), -0.4 + 0.35 * 2 / 2.01, 1e-6);
+    EXPECT_NEAR(optimum.covariance(0, 0), 0.5 + 0.25 * 0.02 / 2.01, 1e-6);
+    EXPECT_TRUE(optimum.is_undetermined(0));
 }
 
-// From (0.9, −0.9) along (1, 1) the box ends at x + y = 0.2: the target 1.6 wants another x − y, of which it tells nothing. x + y
-// is significant ± 0.1, x so with a variance of 0.01/4.
-TEST(Optimum, WhatNothingTellsMovesWhereATargetIsMissed) {
+// Draws of two planes, one of which is a target, scatter as the covariance says; so does x − y, which nothing tells but the first
+// guess.
+TEST(Optimum, DrawsHaveItsCovariance) {
     const Planes planes;
-    const Optimum optimum = find_optimum(unit, point(0.9, -0.9), {{&planes.first, 1.6, 0.1}});
-    EXPECT_NEAR(optimum.point(0) + optimum.point(1), 1.6, 0.05);
-    EXPECT_TRUE(optimum.unidentified.empty());
-    ASSERT_EQ(optimum.moved.size(), 1U);
-    EXPECT_NEAR(optimum.undetermined_fraction(0), 0.5, 1e-6);
-    EXPECT_NEAR(optimum.covariance(0, 0), 0.0025, 1e-5);
-}
-
-// 0.1 (x − y) = t ± 0.1 tells x − y no better than ± 1, along (1, −1)/√2 ± 0.71: it stays 0 as long as that misses the target by
-// little.
-TEST(Optimum, WhatATargetNeedsIsNotKept) {
-    const Planes planes;
-    const auto weak = LocalSurface::fit(unit, planes.points,
-                                        values_at(
-                                            planes.points, [](double x, double y) { return 0.1 * (x - y); }, 1e-9));
-    const Optimum unidentified = find_optimum(unit, point(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.03, 0.1}});
-    EXPECT_EQ(unidentified.unidentified.size(), 1U);
-    EXPECT_NEAR(unidentified.point(0), 0, 1e-3);
-    const Optimum moved = find_optimum(unit, point(0, 0), {{&planes.first, 0, 0.1}, {&*weak, 0.08, 0.1}});
-    EXPECT_TRUE(moved.unidentified.empty());
-    EXPECT_NEAR(moved.point(0), 0.4, 1e-3);
-    EXPECT_NEAR(moved.point(1), -0.4, 1e-3);
+    const std::vector<Residual> residuals{{&planes.first, 0.1, 0.1}};
+    const Optimum optimum = find_optimum(unit, point(0, 0), residuals, {}, 0.2);
+    const Box wide{point(0, 0), point(10, 10)};
+    const auto draws = draw(wide, optimum, residuals, {&planes.first, nullptr, &planes.second}, 4000);
+    std::vector<double> x;
+    std::vector<double> sum;
+    std::vector<double> difference;
+    for (std::size_t i = 0; i < draws.points.size(); ++i) {
+        x.push_back(draws.points[i](0));
+        sum.push_back(draws.logs[i][0]);
+        difference.push_back(draws.logs[i][2]);
+        EXPECT_TRUE(std::isnan(draws.logs[i][1]));
+    }
+    // Three standard errors of a standard deviation of 4000 are 3.4 %.
+    EXPECT_NEAR(*sample(x).deviation, std::sqrt(optimum.covariance(0, 0)), 0.034 * 0.15);
+    EXPECT_NEAR(*sample(sum).deviation, std::sqrt(0.08 * 0.01 / 0.09), 0.034 * 0.095);
+    EXPECT_NEAR(*sample(difference).deviation, 0.2 * std::sqrt(2), 0.034 * 0.29);
 }
 
 // A share that falls with x: logit 2 − 8 x, one half at x = 0.25.
 TEST(Optimum, KeepsAShare) {
     const Planes planes;
     const Logistic share{Eigen::VectorXd{{2, -8, 0}}};
-    const Optimum free = find_optimum(unit, point(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}});
+    const Optimum free = find_optimum(unit, point(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}}, {}, nothing_known);
     EXPECT_NEAR(free.point(0), 1, 1e-6);
-    const Optimum unidentified =
-        find_optimum(unit, point(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}}, {{&share, 0.5}});
-    EXPECT_LT(unidentified.point(0), 0.45);
-    EXPECT_GT(unidentified.point(0), 0.25);
+    const Optimum kept = find_optimum(unit, point(0, 0), {{&planes.first, 1, 0.1}, {&planes.second, 1, 0.1}}, {{&share, 0.5}});
+    EXPECT_LT(kept.point(0), 0.45);
+    EXPECT_GT(kept.point(0), 0.25);
 }
 
 }  // namespace
