@@ -331,7 +331,7 @@ bool Calibration::leave_edge() {
     const Box moved = fit_.box.about(at, 1, limits);
     std::string moving;
     for (Eigen::Index k = 0; k < at.size(); ++k) {
-        // At an edge: so near that the box would move by nearly half of its width. What the data do not tell does not move
+        // At an edge: so near that the box would move by nearly half of its width. What the data do not determine moves no
         // it.
         const bool at_edge =
             std::abs(fit_.box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - fit_.box.centre(k)) > 0.1 * fit_.box.half(k);
@@ -426,9 +426,7 @@ void Calibration::correct_elasticity() {
     double modulus = grain_modulus_;
     double ratio = grain_ratio_;
     if (const auto e = expected("young_modulus")) modulus *= target("young_modulus")->value / *e;
-    if (const auto nu = expected("poisson_ratio")) {
-        ratio = std::clamp(ratio + target("poisson_ratio")->value - *nu, 0.01, 0.45);
-    }
+    if (const auto nu = expected("poisson_ratio")) ratio = std::clamp(ratio + target("poisson_ratio")->value - *nu, 0.01, 0.45);
     if (designs_ == 0) std::tie(grain_modulus_, grain_ratio_) = std::pair(modulus, ratio);
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.point), modulus, ratio);
 }
@@ -563,14 +561,6 @@ void Calibration::predict() {
     require_all();
     if (designs_ == 0) {
         for (const auto& [test, found] : runs) learn(found, confirmed_[test]);
-    }
-    // Repeated tests say how equal points scatter.
-    for (Response& response : fit_.responses) {
-        const Outcome* const outcome = find_of(decision.outcomes, response.target);
-        if (outcome == nullptr || !outcome->ours || !outcome->ours->deviation || outcome->ours->n < 3) continue;
-        const auto n = response.surface ? static_cast<double>(specimens_of(response)) : 1.0;
-        response.pure_error = response.target.log_deviation(outcome->ours->mean.value, *outcome->ours->deviation) / std::sqrt(n);
-        response.pure_freedom = static_cast<int>(outcome->ours->n) - 1;
     }
     decision.fit = fit_;
 }

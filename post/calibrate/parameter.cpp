@@ -45,31 +45,12 @@ Parameter parts_of(double reference, double first, double low, double high, doub
             std::move(source)};
 }
 
-// Strengths of 300 crystals of eight elements with the ratios of share/materials/kinds, by a design of 24 points about Augig
-// granite (share/doc/studies.md#crystals): Brazilian strength 0.89 tc; UCS over it 16.1 (cc/tc / 5)^0.40 at φ 44° and residual
-// friction of 30°.
-constexpr double crystals_tensile_strength = 1.12;
-
-/// cc/tc of crystals with the UCS and Brazilian strength of a rock.
-double crystals_cohesion_ratio(const Basis& b) {
-    return std::clamp(5 * std::pow(b.ucs / b.rock.rock.tensile_strength / 16.1, 1 / 0.40), 2.0, 15.0);
-}
-
 Parameter tensile_strength(const Basis& b) {
-    if (b.crystals) {
-        constexpr double first = crystals_tensile_strength;
-        return parts_of(b.rock.rock.tensile_strength, first, first / 1.35, first * 1.35, 0.2, 3, true,
-                        "1.12 of the Brazilian strength, of crystals that break");
-    }
     if (b.frictional) return parts_of(b.rock.rock.tensile_strength, 0.9, 0.6, 1.4, 0.2, 3, true, "0.9 of the Brazilian strength");
     const double guess = fpz::contact_tensile_strength_from_toughness(b.rock.rock.mode_i_toughness, b.edge);
     return parts_of(guess, 1, 0.5, 2, 0.1, 4, true, "2 K_IC/√(π dp), Eq 40");
 }
 Parameter cohesion(const Basis& b) {
-    if (b.crystals) {
-        const double guess = crystals_tensile_strength * b.rock.rock.tensile_strength * crystals_cohesion_ratio(b);
-        return parts_of(guess, 1, 0.5, 2, 0.1, 10, true, "by UCS over Brazilian strength, of crystals that break");
-    }
     if (b.frictional) return parts_of(b.ucs, 0.3, 0.15, 0.6, 0.03, 1.5, true, "0.3 UCS, because friction adds to it");
     return parts_of(b.ucs, 0.5, 0.25, 1, 0.05, 3, true, "UCS/2, the centre of Kazerani & Zhao's design");
 }
@@ -174,8 +155,7 @@ const Parameter ratio_boxes[] = {
     {"pairs.within.fracture_energy", true, 1, 30, 1, 100, 8, "crystals tougher than their boundaries"}};
 
 /// The box of a ratio: a key of [ratios], or a factor within crystals. It begins with what the material has itself; where that is
-/// outside of the box, or the key has none, from half to twice that. Other keys have no bounds. The cohesion of crystals begins
-/// with what the rock's UCS over its Brazilian strength wants.
+/// outside of the box, or the key has none, from half to twice that. Other keys have no bounds.
 Parameter ratio_box(const Basis& basis, const std::string& key) {
     const Material& rock = basis.rock;
     std::optional<double> own;
@@ -193,9 +173,6 @@ Parameter ratio_box(const Basis& basis, const std::string& key) {
         return p;
     }
     if (!own && !is_factor) return {"", true, NAN, NAN, NAN, NAN, NAN};
-    if (key == "ratios.cohesion" && basis.crystals && std::isfinite(basis.ucs)) {
-        return parts_of(crystals_cohesion_ratio(basis), 1, 0.5, 2, 0.1, 10, true, "by UCS over Brazilian strength");
-    }
     return parts_of(own.value_or(1), 1, 0.5, 2, 0.1, 10, true, "the material's own");
 }
 

@@ -174,24 +174,17 @@ std::string surfaces_text(const Fit& fit) {
     std::string text =
         "\nLeast-squares fits of ln(response) in the last box, for a drop of what is left behind it. Scatter is the standard "
         "deviation about the surface; √(PRESS/n) "
-        "is the same for values predicted without their own test. Scatter at equal points is that of the repeated tests at the "
-        "end; lack of fit is the probability that the scatter about the surface is no larger than that.\n";
-    text += markdown_head(
-        {"response", "points", "quadratic terms", "scatter", "√(PRESS/n)", "equal points", "lack of fit p", "at the optimum"});
+        "is the same for values predicted without their own test. A surface of the kind is of its design and of this rock.\n";
+    text += markdown_head({"response", "values", "quadratic terms", "scatter", "√(PRESS/n)", "at the optimum"});
     for (const Response& r : fit.responses) {
         if (!r.surface) {
             text += markdown_row({r.target.symbol(), fmt::format("no surface; {} of {} tests have a value", r.measured, r.tests),
-                                  "", "", "", "", "", ""});
+                                  "", "", "", ""});
             continue;
         }
         const LocalSurface& s = *r.surface;
-        std::string lack;
-        if (r.pure_error) {
-            lack = fmt::format("{:.2g}", f_tail(std::pow(s.scatter() / *r.pure_error, 2), s.freedom(), r.pure_freedom));
-        }
         text += markdown_row({r.target.symbol(), std::to_string(s.n_values()), std::to_string(s.n_quadratic()),
-                              percent(s.scatter()), percent(s.prediction_error()), r.pure_error ? percent(*r.pure_error) : "",
-                              lack, r.target.text(r.target.of_logarithm(s.value(fit.optimum.point)))});
+                              percent(s.scatter()), percent(s.prediction_error()), r.target.text(r.target.of_logarithm(s.value(fit.optimum.point)))});
     }
     return text;
 }
@@ -278,8 +271,9 @@ std::string draws_table(const Problem& problem, const Fit& fit, const Draws& dra
     }
     for (std::size_t i = 0; i < draws.points.size(); ++i) {
         text += fmt::format("\n{}", i + 1);
-        for (const auto& [key, value] : point_at(problem.parameters, draws.points[i]))
+        for (const auto& [key, value] : point_at(problem.parameters, draws.points[i])) {
             text += fmt::format("\t{:.5g}", in_unit(key, value));
+        }
         for (std::size_t r = 0; r < fit.responses.size(); ++r) {
             const Target& t = fit.responses[r].target;
             if (fit.responses[r].surface) text += fmt::format("\t{:.5g}", t.of_logarithm(draws.logs[i][r]) / t.property.si);

@@ -27,8 +27,6 @@ struct Response {
     Target target;
     std::vector<double> values;           ///< ln of the mean over the specimens of each point of the designs; NaN: none has it
     std::optional<LocalSurface> surface;  ///< through those inside the last box, or of the kind; corrected by the rock's own runs
-    std::optional<double> pure_error;     ///< standard deviation of a value between equal points, by repeated tests
-    int pure_freedom = 0;                 ///< its degrees of freedom
     std::size_t tests = 0;                ///< of the designs; of the rock itself where the surface is of the kind
     std::size_t measured = 0;             ///< of them that have it
 };
