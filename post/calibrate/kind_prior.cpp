@@ -42,9 +42,8 @@ struct KindPrior::Changed {
     std::vector<std::optional<double>*> places;  ///< in it, of each parameter
 
     [[nodiscard]] KindCoordinates at(const DesignPoint& point) const {
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            *places[k] = parameters[k].value(point(static_cast<Eigen::Index>(k)));
-        }
+        auto coordinate = point.begin();
+        for (std::size_t k = 0; k < places.size(); ++k) *places[k] = parameters[k].value(*coordinate++);
         return kind_coordinates(material);
     }
 };

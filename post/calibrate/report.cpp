@@ -178,13 +178,14 @@ std::string surfaces_text(const Fit& fit) {
     text += markdown_head({"response", "values", "quadratic terms", "scatter", "√(PRESS/n)", "at the optimum"});
     for (const Response& r : fit.responses) {
         if (!r.surface) {
-            text += markdown_row({r.target.symbol(), fmt::format("no surface; {} of {} tests have a value", r.measured, r.tests),
-                                  "", "", "", ""});
+            text += markdown_row(
+                {r.target.symbol(), fmt::format("no surface; {} of {} tests have a value", r.measured, r.tests), "", "", "", ""});
             continue;
         }
         const LocalSurface& s = *r.surface;
-        text += markdown_row({r.target.symbol(), std::to_string(s.n_values()), std::to_string(s.n_quadratic()),
-                              percent(s.scatter()), percent(s.prediction_error()), r.target.text(r.target.of_logarithm(s.value(fit.optimum.point)))});
+        text +=
+            markdown_row({r.target.symbol(), std::to_string(s.n_values()), std::to_string(s.n_quadratic()), percent(s.scatter()),
+                          percent(s.prediction_error()), r.target.text(r.target.of_logarithm(s.value(fit.optimum.point)))});
     }
     return text;
 }

@@ -149,13 +149,11 @@ Ended ending_of(const std::vector<Outcome>& outcomes, const Fit& fit, const Box&
     }
     remedies += "; free another parameter ([parameters]), or give a target a larger deviation";
     if (expected && out_of_reach) return {Ending::not_reached, missed, remedies};
-    if (expected) {
-        return {Ending::contradictory, missed, "each target can be reached, but not all of them together: " + remedies};
-    }
+    remedies = "each target can be reached, but not all of them together: " + remedies;
+    if (expected) return {Ending::contradictory, missed, remedies};
     const std::string another = fmt::format("ask for one more design (setting zooms={})", study.zooms + 1);
-    if (outside) {
-        return {Ending::undecided, missed, "the response surfaces predict that every target is met here: " + another};
-    }
+    const std::string met = "the response surfaces predict that every target is met here: ";
+    if (outside) return {Ending::undecided, missed, met + another};
     return {Ending::undecided, missed,
             fmt::format("confirm on more specimens, about {} (settings confirmation_discs=N, confirmation_rectangles=N), or "
                         "{}; settings are given by --set, or by SET= of make",
