@@ -331,8 +331,7 @@ bool Calibration::leave_edge() {
     const Box moved = fit_.box.about(at, 1, limits);
     std::string moving;
     for (Eigen::Index k = 0; k < at.size(); ++k) {
-        // At an edge: so near that the box would move by nearly half of its width. What the data do not determine moves no
-        // it.
+        // At an edge: so near that the box would move by nearly half of its width. What the data do not determine moves no box.
         const bool at_edge =
             std::abs(fit_.box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - fit_.box.centre(k)) > 0.1 * fit_.box.half(k);
         if (at_edge && !fit_.optimum.is_undetermined(k)) {
@@ -464,10 +463,8 @@ std::size_t Calibration::more_specimens_for(const Test& test, const std::vector<
         if (t.use != Use::fit || !test.has(t) || outcome_of(t, runs, study()).verdict == "within") continue;
         const Response* const response = find_of(fit_.responses, t);
         if (designs_ > 0) return most_specimens(test);
-        if (until_decided || response == nullptr || !response->surface) {
-            n = 2 * runs.size();
-            continue;
-        }
+        if (until_decided) n = 2 * runs.size();
+        if (until_decided || t.is_elastic()) continue;  // grains are scaled
         LocalSurface expected = *response->surface;
         for (const double value : values_of(t, runs)) expected.learn(fit_.optimum.point, t.logarithm(value), 1);
         const double off = expected.value(fit_.optimum.point) - t.logarithm(t.value);

@@ -70,26 +70,28 @@ KindPrior::KindPrior(std::shared_ptr<const KindSurface> kind, const Material& ro
         }
     }
     box_ = box_between(low, high);
+    if (unknown_.empty()) first_ = changed_->at(box_.nearest(first_guess(parameters)));
 }
 
 const KindModel* KindPrior::model(const Target& target) const {
-    if (!kind_) return nullptr;
+    if (!kind_ || !unknown_.empty()) return nullptr;
     if (target.property.loading == Loading::bending) {
         const ToughnessTest bend = study_.specimens.bend();
         const double size = bend.size / changed_->material.grains.grain_size.value_or(NAN);
         if (bend.method != "half-disc" || !(size >= least_half_disc && size <= most_half_disc)) return nullptr;
     }
+    if (!kind_->holds(first_, target.confining_pressure)) return nullptr;
     return kind_->model(target.property, target.confining_pressure);
 }
 
 std::string KindPrior::lacks(const std::vector<Target>& targets) const {
     if (!kind_) return "no kind has this fabric";
     if (!unknown_.empty()) return fmt::format("the kind {} does not know {}", kind_->kind(), unknown_);
-    const KindCoordinates first = changed_->at(box_.nearest(first_guess(changed_->parameters)));
-    if (!kind_->holds(first)) return fmt::format("the kind {} is not known at these contact values", kind_->kind());
+    if (const std::string beyond = kind_->beyond(first_); !beyond.empty())
+        return fmt::format("the kind {}: {}", kind_->kind(), beyond);
     for (const Target& target : targets) {
         if (target.use != Use::fit || target.is_elastic()) continue;
-        if (model(target) == nullptr || (target.confining_pressure > 0 && !kind_->holds(first, target.confining_pressure))) {
+        if (model(target) == nullptr) {
             return fmt::format("the kind {} does not know the {} of such specimens", kind_->kind(), target.symbol());
         }
     }

@@ -37,6 +37,7 @@ private:
     std::string unknown_;  ///< the first parameter that the kind does not know
     Box box_;
     Box limits_;
+    KindCoordinates first_;  ///< of the first guess
 };
 
 }  // namespace graincrack::calibrate

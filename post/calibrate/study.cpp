@@ -24,6 +24,7 @@ constexpr Quantity specimens{"specimens", Dimension::one, 1, 50, "number of spec
 constexpr Quantity discs{"discs", Dimension::one, 1, 9, "number of discs at a point"};
 constexpr Quantity points{"points", Dimension::one, 4, 99, "number of points of a design"};
 constexpr Quantity designs{"designs", Dimension::one, 0, 3, "number of designs"};
+constexpr Quantity corrections{"corrections", Dimension::one, 0, 9, "number of corrections"};
 constexpr Quantity grains{"grains", Dimension::one, 2, 1e7, "number of grains of a specimen"};
 constexpr Quantity share{"share", Dimension::one, 0.05, 0.95, "share of tests"};
 
@@ -67,7 +68,7 @@ std::map<std::string, StudyKey> study_keys(Study& study) {
             {"points", {points, count(study.points)}},
             {"discs", {discs, count(study.discs)}},
             {"moves", {designs, count(study.moves)}},
-            {"corrections", {designs, count(study.corrections)}},
+            {"corrections", {corrections, count(study.corrections)}},
             {"zooms", {designs, count(study.zooms)}},
             {"confirmation_discs", {specimens, count(study.confirmation_discs)}},
             {"confirmation_rectangles", {specimens, count(study.confirmation_rectangles)}},

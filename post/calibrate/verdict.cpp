@@ -151,7 +151,10 @@ Ended ending_of(const std::vector<Outcome>& outcomes, const Fit& fit, const Box&
     if (expected && out_of_reach) return {Ending::not_reached, missed, remedies};
     remedies = "each target can be reached, but not all of them together: " + remedies;
     if (expected) return {Ending::contradictory, missed, remedies};
-    const std::string another = fmt::format("ask for one more design (setting zooms={})", study.zooms + 1);
+    const std::string another =
+        fit.points.empty()
+            ? fmt::format("let them correct the surfaces once more (setting corrections={})", study.corrections + 1)
+            : fmt::format("ask for one more design (setting zooms={})", study.zooms + 1);
     const std::string met = "the response surfaces predict that every target is met here: ";
     if (outside) return {Ending::undecided, missed, met + another};
     return {Ending::undecided, missed,
