@@ -87,8 +87,9 @@ const KindModel* KindPrior::model(const Target& target) const {
 std::string KindPrior::lacks(const std::vector<Target>& targets) const {
     if (!kind_) return "no kind has this fabric";
     if (!unknown_.empty()) return fmt::format("the kind {} does not know {}", kind_->kind(), unknown_);
-    if (const std::string beyond = kind_->beyond(first_); !beyond.empty())
+    if (const std::string beyond = kind_->beyond(first_); !beyond.empty()) {
         return fmt::format("the kind {}: {}", kind_->kind(), beyond);
+    }
     for (const Target& target : targets) {
         if (target.use != Use::fit || target.is_elastic()) continue;
         if (model(target) == nullptr) {
