@@ -84,7 +84,7 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
     Cells peaks;
     if (decision.fit) {
         for (const Response& r : decision.fit->responses) {
-            if (r.target.property.needs_first_peak) {
+            if (r.target.property.needs_first_peak && !decision.fit->points.empty()) {
                 peaks.push_back(fmt::format("{} in {} of {} tests", r.target.symbol(), r.measured, r.tests));
             }
         }
@@ -152,9 +152,9 @@ std::string values_text(const Problem& problem, const Decision& decision) {
         "\nIntervals include the scatter about the response surfaces, the uncertainty of the measured values (the deviations of "
         "the "
         "targets), and what is known beforehand: half the width of the first box, one standard deviation about the first guess. "
-        "A value is not determined by the data where they leave more than a quarter of that variance: it is the first guess of "
+        "A value is not determined by the data where they leave more than a quarter of that variance: it is then nearly that of "
         "the "
-        "rock's kind.\n";
+        "first guess, of the kind of rock.\n";
     text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
                                              : "\nThere are fewer targets than parameters.";
     Cells pairs;
@@ -177,6 +177,7 @@ std::string surfaces_text(const Fit& fit) {
         "is the same for values predicted without their own test. A surface of the kind is of its design and of this rock.\n";
     text += markdown_head({"response", "values", "quadratic terms", "scatter", "√(PRESS/n)", "at the optimum"});
     for (const Response& r : fit.responses) {
+        if (!r.surface && r.tests == 0) continue;
         if (!r.surface) {
             text += markdown_row(
                 {r.target.symbol(), fmt::format("no surface; {} of {} tests have a value", r.measured, r.tests), "", "", "", ""});
