@@ -1,8 +1,8 @@
 -- share/materials/kinds/surface.tsv: the specimens of the design, a row each and quantity, and the means of the calibrated granites without bridges. Stresses are over the
--- tensile strength tc of contacts, K_IC over tc √d; elastic_strain is tc/E.
+-- tensile strength tc of contacts, K_IC over tc √d; contact_strain is tc/(k d) with the normal stiffness k of
+-- contacts, on which crack initiation depends: it is told by an absolute strain.
 WITH contacts AS (
     SELECT rock, max(CASE parameter WHEN 'contact.tensile_strength' THEN CAST(value AS REAL) END) AS tc,
-        max(CASE parameter WHEN 'rock.young_modulus' THEN CAST(value AS REAL) END) AS modulus,
         max(CASE parameter WHEN 'ratios.cohesion' THEN CAST(value AS REAL) END) AS cohesion,
         max(CASE parameter WHEN 'contact.friction_angle' THEN CAST(value AS REAL) END) AS friction,
         max(CASE parameter WHEN 'contact.residual_friction_angle' THEN CAST(value AS REAL) END) AS residual,
@@ -17,14 +17,15 @@ WITH contacts AS (
     FROM rocks_targets
 ), all_rows AS (
     SELECT specimens.rowid AS place, kind, text('d{:.0f}', point) AS point, 0 AS rock, cohesion, friction_angle_deg, residual_friction_angle_deg, process_zone, mode_ii_fracture_energy,
-        bridging_strength, bridging_energy, :ELASTIC_STRAIN AS elastic_strain, confining_pressure, property, value, 1 AS specimens
+        bridging_strength, bridging_energy, (SELECT contact_strain FROM stiffnesses WHERE material = 'granite') AS contact_strain, confining_pressure, property, value, 1 AS specimens
     FROM specimens WHERE variant = 'base'
-    UNION ALL SELECT 1e6 + place, 'granite', rock, 1, cohesion, friction, residual, zone, shear, 0, 0, tc / modulus / 1000, pressure / tc, property, value / tc, specimens
-    FROM measured JOIN contacts USING (rock) WHERE property IS NOT NULL AND value IS NOT NULL
+    UNION ALL SELECT 1e6 + place, 'granite', rock, 1, cohesion, friction, residual, zone, shear, 0, 0, contact_strain, pressure / tc, property, value / tc, specimens
+    FROM measured JOIN contacts USING (rock) JOIN stiffnesses ON material = replace(lower(rock), ' ', '-') || '-calibrated'
+    WHERE property IS NOT NULL AND value IS NOT NULL
 )
 SELECT kind, point, rock, text('{:.5g}', cohesion) AS cohesion, text('{:.5g}', friction_angle_deg) AS friction_angle_deg,
     text('{:.5g}', residual_friction_angle_deg) AS residual_friction_angle_deg, text('{:.5g}', process_zone) AS process_zone,
     text('{:.5g}', mode_ii_fracture_energy) AS mode_ii_fracture_energy, text('{:.5g}', bridging_strength) AS bridging_strength,
-    text('{:.5g}', bridging_energy) AS bridging_energy, text('{:.5g}', elastic_strain) AS elastic_strain, text('{:.5g}', confining_pressure) AS confining_pressure, property,
+    text('{:.5g}', bridging_energy) AS bridging_energy, text('{:.5g}', contact_strain) AS contact_strain, text('{:.5g}', confining_pressure) AS confining_pressure, property,
     text('{:.5g}', value) AS value, specimens
 FROM all_rows ORDER BY place
