@@ -23,9 +23,16 @@ constexpr std::pair<const char*, double KindCoordinates::*> bounded[] = {
     {"ratios.mode_ii_fracture_energy", &KindCoordinates::mode_ii_fracture_energy},
     {"ratios.bridging_strength", &KindCoordinates::bridging_strength}};
 
-/// Where a material has the value of a key; null for one that is neither of [contact] nor of [ratios].
+/// Contact values that a kind knows.
+constexpr ContactValue values_known[] = {&ContactParameters::tensile_strength,  &ContactParameters::cohesion,
+                                         &ContactParameters::friction_angle,    &ContactParameters::residual_friction_angle,
+                                         &ContactParameters::fracture_energy,   &ContactParameters::mode_ii_fracture_energy,
+                                         &ContactParameters::bridging_strength, &ContactParameters::bridging_energy};
+
+/// Where a material has the value of a key of [contact] or [ratios]; null for one that a kind does not know.
 std::optional<double>* place_of(Material& material, const std::string& key) {
     for (const ContactParameter& row : all_contact_parameters()) {
+        if (std::find(std::begin(values_known), std::end(values_known), row.value) == std::end(values_known)) continue;
         const bool is_energy = row.value == &ContactParameters::fracture_energy;
         if (key == "contact." + row.key()) return &(material.contact.*row.given);
         if (key == "ratios." + (is_energy ? "process_zone" : row.key())) return &(material.ratios.*row.given);

@@ -23,8 +23,9 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double floor_of_rocks = 0.03;  // standard deviation of ln
-/// d ln CI/tc by ln tc/E, as the same tests have it when CI is read at other crack strains than 1e-5 (share/studies/surface).
-constexpr double initiation_exponent = -0.23;
+/// d ln CI/tc by ln tc/(kt d), as the same tests have it when CI is read at other crack strains than 1e-5
+/// (share/studies/surface).
+constexpr double initiation_exponent = -0.24;
 
 /// A continuous factor, 0 at usual values of contacts without bridges and about ±1 at the ends of the design. \param pressure
 /// over tc; without one its factor, which no term has then, is 0
@@ -206,7 +207,7 @@ KindCoordinates kind_coordinates(const Material& material) {
             .mode_ii_fracture_energy = contact.mode_ii_fracture_energy / contact.fracture_energy,
             .bridging_strength = contact.bridging_strength / tc,
             .bridging_energy = contact.bridging_energy / unit_of_energy,
-            .elastic_strain = tc / material.rock.young_modulus};
+            .contact_strain = tc / (contact.normal_stiffness * size)};
 }
 
 double KindPrediction::specimen_at(double deviations) const { return value * std::exp(deviations * specimen_deviation); }
@@ -235,7 +236,7 @@ std::vector<KindRow> read_kind_rows(const std::string& file) {
                   .mode_ii_fracture_energy = number("mode_ii_fracture_energy"),
                   .bridging_strength = number("bridging_strength", or_zero),
                   .bridging_energy = number("bridging_energy", or_zero)};
-        if (table.has("elastic_strain")) row.at.elastic_strain = number("elastic_strain");
+        if (table.has("contact_strain")) row.at.contact_strain = number("contact_strain");
         row.confining_pressure = number("confining_pressure", or_zero);
         row.property = table.text(i, "property");
         row.value = number("value");
@@ -343,7 +344,7 @@ double KindSurface::log_unit(const Property& property, const KindCoordinates& at
     const double unit = std::log(at.tensile_strength);
     if (property.quantity.dimension == Dimension::toughness) return unit + std::log(at.grain_size) / 2;
     if (property.name != "crack_initiation") return unit;
-    return unit + initiation_exponent * std::log(at.elastic_strain / KindCoordinates{}.elastic_strain);
+    return unit + initiation_exponent * std::log(at.contact_strain / KindCoordinates{}.contact_strain);
 }
 
 std::string KindSurface::beyond(const KindCoordinates& at, double confining_pressure) const {

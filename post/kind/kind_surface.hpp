@@ -25,7 +25,7 @@ struct KindCoordinates {
     double mode_ii_fracture_energy = 0;  ///< G_II/G_I
     double bridging_strength = 0;        ///< over tc
     double bridging_energy = 0;          ///< E G_b/(tc² d); 0 without bridges
-    double elastic_strain = 1.324e-4;    ///< tc/E; of the design unless a table has it
+    double contact_strain = 5.36e-7;     ///< tc/(kt d), with the stiffness of contacts; of the design unless a table has it
 };
 KindCoordinates kind_coordinates(const Material& material);
 
@@ -92,7 +92,7 @@ public:
     /// The factors of all models at a material of this kind; a term of no pressure has the power 0 of it.
     [[nodiscard]] std::vector<double> factors(const KindCoordinates& at, double confining_pressure) const;
     /// ln of the unit in SI of a property: tc, of K_IC tc √d; of crack initiation, which an absolute crack strain of 1e-5
-    /// defines, tc (tc/E)^−.23 over that of the design.
+    /// defines, tc (tc/(kt d))^−.24 over that of the design.
     [[nodiscard]] static double log_unit(const Property& property, const KindCoordinates& at);
     /// True if all coordinates, and the pressure over tc, lie within those of the design.
     [[nodiscard]] bool holds(const KindCoordinates& at, double confining_pressure = 0) const {

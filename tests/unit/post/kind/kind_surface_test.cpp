@@ -105,8 +105,8 @@ TEST(KindSurface, HoldsWithinItsDesignAlone) {
     EXPECT_NEAR(surface.predict(at, toughness, 0)->value, 1e7 * std::sqrt(0.004) * std::exp(-0.8 + 0.5 * std::log(0.7 / 0.71)),
                 3e4);
     EXPECT_NEAR(KindSurface::log_unit(uniaxial, at), std::log(1e7), 1e-12);
-    at.elastic_strain *= 2;
-    EXPECT_NEAR(KindSurface::log_unit(property_named("crack_initiation"), at), std::log(1e7) - 0.23 * std::log(2), 1e-12);
+    at.contact_strain *= 2;
+    EXPECT_NEAR(KindSurface::log_unit(property_named("crack_initiation"), at), std::log(1e7) - 0.24 * std::log(2), 1e-12);
     at.bridging_strength = 0.5;
     EXPECT_FALSE(surface.holds(at));  // no bridge has no energy
     at.bridging_energy = 8;
