@@ -35,6 +35,8 @@ void print_plan(const SimulationPlan& plan) {
     fmt::print("grains\t{}\nelements\t{}\nnodes\t{}\ncontacts\t{}\n", plan.grains, plan.elements, plan.nodes, plan.contacts);
     fmt::print("mass_scaling_factor\t{:.4g}\nstable_time_step_s\t{:.4g}\ntime_step_s\t{:.4g}\nmax_steps\t{}\n",
                plan.mass_scaling_factor, plan.stable_time_step, plan.time_step, plan.max_steps);
+    fmt::print("threads\t{}\nbalance_of_nodes\t{:.3f}\nbalance_of_forces\t{:.3f}\n", plan.balance.threads, plan.balance.nodes,
+               plan.balance.forces);
     fmt::print("memory_MB\t{:.4g}\nfile_size_at_most_MB\t{:.4g}\n", plan.memory * 1e-6, plan.file_size * 1e-6);
     const auto seconds = [&](std::int64_t steps) {
         return static_cast<double>(steps) * static_cast<double>(plan.grains) * assumed_ns_per_grain_step * 1e-9;
@@ -113,6 +115,10 @@ void print_details(const SimulationSummary& s) {
     const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
     tell(fmt::format("{}: {} steps of {:.3g} s{}, {:.1f} ns per grain and step; damping absorbed {:.1f} % of the work\n", h.test,
                      h.steps, h.time_step, scaling, s.ns_per_grain_step, 100 * h.damping_share));
+    if (s.ranks.balance.threads > 1) {
+        tell(fmt::format("{}: {} threads: the busiest has {:.2f} times the mean work on nodes, {:.2f} times on forces\n", h.test,
+                         s.ranks.balance.threads, s.ranks.balance.nodes, s.ranks.balance.forces));
+    }
 }
 
 /// The messages between the ranks of a run.

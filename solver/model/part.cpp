@@ -71,41 +71,25 @@ void share_like_nodes(const Part& part, const NodeOf& node_of, ChunkShare& share
     }
 }
 
-/// \param visit_nodes (chunk, act) calls `act` with each node of a chunk
-template <class VisitNodes>
-EvaluatedChunks find_evaluated(const Part& part, const ChunkShare& share, const VisitNodes& visit_nodes,
-                               std::vector<std::int32_t>& ghosts) {
+/// The chunks of a kind that are own or have a node of this rank; their other nodes become ghosts.
+/// \param items_of (chunk) a range \param nodes_of (item) those of an element, contact or loaded edge
+template <class ItemsOf, class NodesOf>
+EvaluatedChunks find_evaluated(const ChunkShare& share, const ItemsOf& items_of, const NodesOf& nodes_of, Part& part) {
     EvaluatedChunks evaluated;
     for (std::int32_t chunk = 0; chunk < share.count; ++chunk) {
         bool has_own = share.owner_of(chunk) == part.ranks->rank();
-        bool has_ghost = false;
-        visit_nodes(chunk, [&](std::int32_t node) { (part.owns(node) ? has_own : has_ghost) = true; });
-        if (!has_own) continue;
-        (has_ghost ? evaluated.outer : evaluated.inner).push_back(chunk);
-        if (has_ghost) {
-            visit_nodes(chunk, [&](std::int32_t node) {
+        std::vector<std::int32_t> ghosts;
+        for (std::int32_t item = items_of(chunk).begin; item < items_of(chunk).end; ++item) {
+            for (const std::int32_t node : nodes_of(item)) {
+                has_own = has_own || part.owns(node);
                 if (!part.owns(node)) ghosts.push_back(node);
-            });
-        }
-    }
-    return evaluated;
-}
-
-/// The chunks of nodes with loaded edges that have an own node; of edges without ghosts, those of all own chunks.
-void find_loaded(const PrescribedConditions& prescribed, Part& part) {
-    part.loaded_chunks = part.nodes.own;
-    for (std::int32_t chunk = 0; chunk < part.nodes.count && !prescribed.edges.empty(); ++chunk) {
-        const Range edges = prescribed.edges_of_chunk[chunk];
-        bool has_own = part.nodes.owner_of(chunk) == part.ranks->rank();
-        for (std::int32_t i = edges.begin; i < edges.end; ++i) has_own = has_own || part.owns(prescribed.edges[i].nodes[1]);
-        if (!has_own) continue;
-        if (part.nodes.owner_of(chunk) != part.ranks->rank()) part.loaded_chunks.push_back(chunk);
-        for (std::int32_t i = edges.begin; i < edges.end; ++i) {
-            for (const std::int32_t node : prescribed.edges[i].nodes) {
-                if (!part.owns(node)) part.ghosts.push_back(node);
             }
         }
+        if (!has_own) continue;
+        (ghosts.empty() ? evaluated.inner : evaluated.outer).push_back(chunk);
+        part.ghosts.insert(part.ghosts.end(), ghosts.begin(), ghosts.end());
     }
+    return evaluated;
 }
 
 }  // namespace
@@ -131,12 +115,11 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
     const int n_ranks = ranks.size();
     share_nodes(find_work(a), n_ranks, part.nodes);
     part.first_node.assign(n_ranks + 1, a.n_nodes());
-    part.first_node[0] = 0;
-    for (std::int32_t sum = part.nodes.n_sums() - 1; sum >= 0; --sum) {
-        const std::int32_t first = a.node_chunks[part.nodes.chunks_of_sum(sum).begin].nodes.begin;
-        // Ranks without nodes begin where the next one does.
-        const int before = sum == 0 ? -1 : part.nodes.owner[sum - 1];
-        for (int rank = before + 1; rank <= part.nodes.owner[sum]; ++rank) part.first_node[rank] = sum == 0 ? 0 : first;
+    for (int rank = 0; rank < n_ranks; ++rank) {  // one without nodes begins where the next one does
+        const auto& owner = part.nodes.owner;
+        const auto sum = static_cast<std::int32_t>(std::lower_bound(owner.begin(), owner.end(), rank) - owner.begin());
+        if (sum == part.nodes.n_sums()) break;
+        part.first_node[rank] = a.node_chunks[part.nodes.chunks_of_sum(sum).begin].nodes.begin;
     }
     share_like_nodes(
         part, [&](std::int32_t chunk) { return a.element_nodes[a.element_chunks[chunk].begin][0]; }, part.elements);
@@ -144,26 +127,18 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
         part, [&](std::int32_t chunk) { return a.contacts[a.contact_chunks[chunk].contacts.begin].nodes[0]; }, part.contacts);
     for (ChunkShare* share : {&part.nodes, &part.elements, &part.contacts}) find_own(ranks, *share);
     part.evaluated_elements = find_evaluated(
-        part, part.elements,
-        [&](std::int32_t chunk, const auto& act) {
-            const Range elements = a.element_chunks[chunk];
-            for (std::int32_t e = elements.begin; e < elements.end; ++e) {
-                for (const std::int32_t node : a.element_nodes[e]) act(node);
-            }
-        },
-        part.ghosts);
+        part.elements, [&](std::int32_t chunk) { return a.element_chunks[chunk]; },
+        [&](std::int32_t e) { return a.element_nodes[e]; }, part);
     part.evaluated_contacts = find_evaluated(
-        part, part.contacts,
-        [&](std::int32_t chunk, const auto& act) {
-            const Range contacts = a.contact_chunks[chunk].contacts;
-            for (std::int32_t c = contacts.begin; c < contacts.end; ++c) {
-                for (const std::int32_t node : a.contacts[c].nodes) act(node);
-            }
-        },
-        part.ghosts);
+        part.contacts, [&](std::int32_t chunk) { return a.contact_chunks[chunk].contacts; },
+        [&](std::int32_t c) { return a.contacts[c].nodes; }, part);
     part.evaluates_contacts.assign(part.contacts.count, 0);
     for_each_evaluated(part.evaluated_contacts, [&](std::int32_t chunk) { part.evaluates_contacts[chunk] = 1; });
-    find_loaded(prescribed, part);
+    const EvaluatedChunks loaded = find_evaluated(
+        part.nodes, [&](std::int32_t chunk) { return prescribed.edges.empty() ? Range{} : prescribed.edges_of_chunk[chunk]; },
+        [&](std::int32_t i) { return prescribed.edges[i].nodes; }, part);
+    part.loaded_chunks = loaded.inner;
+    part.loaded_chunks.insert(part.loaded_chunks.end(), loaded.outer.begin(), loaded.outer.end());
     std::sort(part.ghosts.begin(), part.ghosts.end());
     part.ghosts.erase(std::unique(part.ghosts.begin(), part.ghosts.end()), part.ghosts.end());
     return part;

@@ -31,6 +31,7 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     plan.mass_scaling_factor = setup.mass_scaling_factor;
     plan.stable_time_step = setup.stable_time_step;
     plan.time_step = setup.parameters.time_step;
+    plan.balance = share_step(setup.assemblage, setup.boundary, nullptr, request.threads_for(plan.elements)).balance;
     const LoadingLength length = driver.stages().longest(plan.time_step);
     plan.max_steps = static_cast<std::int64_t>(length.time / plan.time_step);
     if (request.loading.rate == RateKind::automatic) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "solver/setup/request.hpp"
+#include "solver/step/step_shares.hpp"
 
 namespace graincrack {
 
@@ -16,6 +17,7 @@ struct SimulationPlan {
     std::int64_t max_steps = 0;      ///< to the strain limit, with the longest that stages may wait for rest
     /// Steps that tests of granite take at the automatic rate; 0 for other rates and programs, for which none are known.
     std::int64_t usual_steps = 0;
+    StepBalance balance;   ///< before anything has failed
     std::size_t rows = 0;  ///< of the history in as many steps
     double memory = 0;     ///< with as many rows, when all contact points have failed, bytes
     double file_size = 0;  ///< with all rows and frames, and all contact points in the crack log, before compression, bytes

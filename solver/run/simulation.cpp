@@ -66,8 +66,7 @@ public:
           header_(make_header(request, program_, setup_)),
           progress_(label, request.ranks->is_first() ? verbosity : Verbosity::quiet),
           is_quiet_(verbosity == Verbosity::quiet),
-          team_(worthwhile_threads(request.threads, specimen.n_elements() / static_cast<std::size_t>(request.ranks->size()),
-                                   request.elements_per_thread)) {
+          team_(request.threads_for(specimen.n_elements())) {
         set_initial_velocities(program_, setup_.assemblage, specimen, state_);
         if (!request.restart.empty()) restart();
     }
@@ -107,21 +106,21 @@ public:
     [[nodiscard]] RankSummary rank_summary(double wall_time) const {
         const Ranks& ranks = *request_.ranks;
         const MessageCounts counts = ranks.counts();
-        const std::size_t ghosts = state_.ghosts ? state_.ghosts->n_ghosts() : 0;
-        const std::size_t neighbours = state_.ghosts ? state_.ghosts->n_neighbours() : 0;
-        std::array most{static_cast<double>(setup_.assemblage.part.own_nodes().size()), static_cast<double>(ghosts),
-                        static_cast<double>(neighbours)};
+        std::array<double, 3> most{static_cast<double>(setup_.assemblage.part.own_nodes().size())};
+        if (state_.ghosts) most[1] = static_cast<double>(state_.ghosts->n_ghosts());
+        if (state_.ghosts) most[2] = static_cast<double>(state_.ghosts->n_neighbours());
         ranks.take_largest(most);
         std::array<std::int64_t, 3> sums{counts.bytes, counts.messages, static_cast<std::int64_t>(1e9 * counts.waited)};
         ranks.take_sums(sums);
         const double steps = std::max<double>(static_cast<double>(state_.step), 1) * ranks.size();
         return {ranks.size(),
-                static_cast<std::int64_t>(most[0]),
-                static_cast<std::int64_t>(most[1]),
-                static_cast<std::int64_t>(most[2]),
+                most[0],
+                most[1],
+                most[2],
                 static_cast<double>(sums[0]) / steps,
                 static_cast<double>(sums[1]) / steps,
-                1e-9 * static_cast<double>(sums[2]) / (ranks.size() * wall_time)};
+                1e-9 * static_cast<double>(sums[2]) / (ranks.size() * wall_time),
+                share_step(setup_.assemblage, setup_.boundary, &state_, team_.size()).balance};
     }
     [[nodiscard]] const CrackLog& crack_log() const { return recorder_.crack_log(); }
     [[nodiscard]] TestOutcome outcome() const { return {header_, recorder_.history()}; }

@@ -1,7 +1,6 @@
 // A run from specimen to run file.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -10,15 +9,17 @@
 #include "share/file/run_file.hpp"
 #include "solver/run/outcome.hpp"
 #include "solver/setup/request.hpp"
+#include "solver/step/step_shares.hpp"
 
 namespace graincrack {
 
-/// The messages between the ranks of a run.
+/// Work of the ranks of a run, and the messages between them.
 struct RankSummary {
     int ranks = 1;
-    std::int64_t own_nodes = 0, ghost_nodes = 0, neighbours = 0;  ///< of the rank with most of each
-    double bytes_a_step = 0, messages_a_step = 0;                 ///< mean of the ranks
-    double waited = 0;                                            ///< fraction of the time, mean of the ranks
+    double own_nodes = 0, ghost_nodes = 0, neighbours = 0;  ///< of the rank with most of each
+    double bytes_a_step = 0, messages_a_step = 0;           ///< mean of the ranks
+    double waited = 0;                                      ///< fraction of the time, mean of the ranks
+    StepBalance balance;                                    ///< of the first rank at the end
 };
 
 /// The summary of a finished run for its user.

@@ -1,6 +1,7 @@
 // The request of a run, besides the specimen.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +59,11 @@ struct SimulationRequest {
     [[nodiscard]] std::string why_dynamic() const {
         if (damping == 0) return "it has no damping";
         return program ? program->why_dynamic() : "";
+    }
+    /// Threads of a rank that are worth having.
+    [[nodiscard]] int threads_for(std::size_t n_elements) const {
+        const std::size_t share = n_elements / static_cast<std::size_t>(ranks->size());
+        return std::max(1, std::min(threads, static_cast<int>(share / std::max<std::size_t>(elements_per_thread, 1))));
     }
 };
 

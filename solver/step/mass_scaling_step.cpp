@@ -119,7 +119,6 @@ GRAINCRACK_INLINE double whole_damping(const Means& means, std::int32_t k, doubl
     return relative_damping + mass * (means.damping[k] - means.relative[k]);
 }
 
-/// The index, in the means of its chunk, of the platen that constrains a cluster.
 void set_mean(double* values, std::int32_t cluster, const Vector2& mean) {
     values[2 * cluster] = mean.x;
     values[2 * cluster + 1] = mean.y;

@@ -1,9 +1,7 @@
 #include "solver/step/step.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
@@ -16,128 +14,78 @@
 #include "solver/step/mass_scaling_step.hpp"
 #include "solver/step/nodal_forces.hpp"
 #include "solver/step/prescribed.hpp"
+#include "solver/step/step_shares.hpp"
 
 namespace graincrack {
 
 namespace {
 
-/// The share of a thread in a list of chunks.
-using Chunks = std::span<const std::int32_t>;
-Chunks chunks_of(Chunks chunks, int thread, int n_threads) {
-    const Range share = share_of(chunks.size(), thread, n_threads);
-    return chunks.subspan(static_cast<std::size_t>(share.begin), static_cast<std::size_t>(share.size()));
-}
-
-/// True if the last detection found other active contacts than there were before.
-bool have_changed(const ContactPairList& list) {
-    for (std::size_t chunk = 0; chunk < list.chunks.size(); ++chunk) {
-        if (list.active.changed[chunk] != 0) return true;
-    }
-    return false;
-}
-
-/// The steps of one thread of the team: its share of the chunks of nodes, elements, contacts and candidate pairs, and the stages
-/// of a step on them. The team waits wherever a stage reads what other threads have written, and what reads the nodes of other
-/// ranks waits for their message, which comes while all else is evaluated.
-class ThreadSteps {
-public:
-    ThreadSteps(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const LoadingClock& clock,
-                int thread, ThreadTeam& team, State& s)
-        : a_(a),
-          boundary_(boundary),
-          parameters_(parameters),
-          team_(team),
-          s_(s),
-          clock_(clock),
-          is_first_(thread == 0),
-          nodes_(chunks_of(a.part.nodes.own, thread, team.size())),
-          loaded_(chunks_of(a.part.loaded_chunks, thread, team.size())),
-          inner_{chunks_of(a.part.evaluated_elements.inner, thread, team.size()),
-                 chunks_of(a.part.evaluated_contacts.inner, thread, team.size())},
-          outer_{chunks_of(a.part.evaluated_elements.outer, thread, team.size()),
-                 chunks_of(a.part.evaluated_contacts.outer, thread, team.size())},
-          pairs_(share_of(s.contact_pairs.chunks.size(), thread, team.size())) {}
+/// The steps of one thread of the team: its share, and the stages of a step on it. The team waits wherever a stage reads what
+/// other threads have written, and what reads the nodes of other ranks waits for their message, which comes while all else is
+/// evaluated.
+struct ThreadSteps {
+    const Assemblage& a;
+    const Boundary& boundary;
+    const StepParameters& parameters;
+    const StepShare& share;
+    bool is_first;
+    ThreadTeam& team;
+    LoadingClock clock;
+    State& s;
 
     /// Before the first step: what follows from displacements and time alone.
     void begin() {
-        for (const Evaluated& chunks : {inner_, outer_}) find_element_forces_of(chunks);
-        find_loads();
-        team_.wait();
+        for (const auto& elements : {share.inner_elements, share.outer_elements}) {
+            for (const std::int32_t chunk : elements) find_element_forces(a, chunk, s);
+        }
+        for (const std::int32_t chunk : share.loaded) find_edge_loads(a, boundary.prescribed, clock.now(), chunk, s);
+        team.wait();
     }
     /// A step. The work of loads is booked at the old velocity, then at the new one.
     void advance(std::int64_t step, bool detects_contacts) {
-        for (const std::int32_t chunk : nodes_) {
-            advance_nodal_forces(a_, boundary_, clock_.now(), chunk, s_);
-            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
-            integrate(chunk);
-            book_half_load_work(a_, boundary_, chunk, parameters_.time_step, s_);
+        for (const std::int32_t chunk : share.nodes) {
+            advance_nodal_forces(a, boundary, clock.now(), chunk, s);
+            book_half_load_work(a, boundary, chunk, parameters.time_step, s);
+            if (parameters.mass_scaling.is_on()) {
+                update_clusters(a, parameters, clock.now(), chunk, s);
+                integrate_clusters(a, parameters, clock.now(), chunk, s);
+            } else {
+                integrate_nodes(a, boundary, parameters, chunk, s);
+            }
+            book_half_load_work(a, boundary, chunk, parameters.time_step, s);
         }
-        team_.wait();
-        clock_.tick();
-        if (s_.ghosts && is_first_) send_motion(s_);
-        evaluate(inner_, step);
-        if (s_.ghosts) {
-            if (is_first_) receive_motion(s_);
-            team_.wait();
+        team.wait();
+        clock.tick();
+        if (s.ghosts && is_first) send_motion(s);
+        evaluate(share.inner_elements, share.inner_contacts, step);
+        if (s.ghosts) {
+            if (is_first) receive_motion(s);
+            team.wait();
         }
-        evaluate(outer_, step);
-        find_loads();
-        for (std::int32_t chunk = pairs_.begin; chunk < pairs_.end; ++chunk) {
-            (detects_contacts ? detect_contacts : move_active_contacts)(a_, parameters_, chunk, s_);
+        evaluate(share.outer_elements, share.outer_contacts, step);
+        for (const std::int32_t chunk : share.loaded) find_edge_loads(a, boundary.prescribed, clock.now(), chunk, s);
+        for (std::int32_t chunk = share.pairs.begin; chunk < share.pairs.end; ++chunk) {
+            (detects_contacts ? detect_contacts : move_active_contacts)(a, parameters, chunk, s);
         }
-        team_.wait();
+        team.wait();
         if (detects_contacts) complete_detection();
     }
-    /// After the last step: writes the active contacts into the pair list.
-    void store_contacts() {
-        for (std::int32_t chunk = pairs_.begin; chunk < pairs_.end; ++chunk) store_active(chunk, s_.contact_pairs);
-    }
-    [[nodiscard]] const LoadingClock& clock() const { return clock_; }
-
-private:
-    struct Evaluated {
-        Chunks elements, contacts;
-    };
-    void integrate(std::int32_t chunk) {
-        if (parameters_.mass_scaling.is_on()) {
-            update_clusters(a_, parameters_, clock_.now(), chunk, s_);
-            integrate_clusters(a_, parameters_, clock_.now(), chunk, s_);
-        } else {
-            integrate_nodes(a_, boundary_, parameters_, chunk, s_);
-        }
-    }
-    void find_element_forces_of(const Evaluated& chunks) {
-        for (const std::int32_t chunk : chunks.elements) find_element_forces(a_, chunk, s_);
-    }
-    void find_loads() {
-        for (const std::int32_t chunk : loaded_) find_edge_loads(a_, boundary_.prescribed, clock_.now(), chunk, s_);
-    }
-    void evaluate(const Evaluated& chunks, std::int64_t step) {
-        find_element_forces_of(chunks);
-        for (const std::int32_t chunk : chunks.contacts) advance_contacts(a_, parameters_.laws, chunk, step, s_);
+    void evaluate(StepShare::Chunks elements, StepShare::Chunks contacts, std::int64_t step) {
+        for (const std::int32_t chunk : elements) find_element_forces(a, chunk, s);
+        for (const std::int32_t chunk : contacts) advance_contacts(a, parameters.laws, chunk, step, s);
     }
     /// The ranks agree on the areas of new contacts wherever they may begin.
     void complete_detection() {
-        const bool changed = have_changed(s_.contact_pairs);
-        if (changed || (s_.ghosts && s_.contact_pairs.is_watched_anywhere)) {
-            if (is_first_) {
-                find_areas_of_new_contacts(a_, parameters_, s_);
-                if (changed) index_node_forces(a_, s_.contact_pairs);
+        const auto& changes = s.contact_pairs.active.changed;
+        const bool changed = std::find(changes.begin(), changes.end(), 1) != changes.end();
+        if (changed || (s.ghosts && s.contact_pairs.is_watched_anywhere)) {
+            if (is_first) {
+                find_areas_of_new_contacts(a, parameters, s);
+                if (changed) index_node_forces(a, s.contact_pairs);
             }
-            team_.wait();
+            team.wait();
         }
     }
-
-    const Assemblage& a_;
-    const Boundary& boundary_;
-    const StepParameters& parameters_;
-    ThreadTeam& team_;
-    State& s_;
-    LoadingClock clock_;
-    bool is_first_;
-    Chunks nodes_, loaded_;
-    Evaluated inner_, outer_;
-    Range pairs_;
 };
 
 /// The steps between two updates of the pair list, with a team of threads. Steps with detection are counted from the start, so
@@ -146,15 +94,17 @@ void advance_between_updates(const Assemblage& a, const Boundary& boundary, cons
                              std::int64_t n_steps, ThreadTeam& team, LoadingClock& clock, State& s) {
     const std::int64_t first_step = s.step + 1;
     LoadingClock clock_after = clock;  // each thread has a clock of its own; all end alike
+    const StepShares shares = share_step(a, boundary, &s, team.size());
     team.run([&](int thread) {
-        ThreadSteps steps(a, boundary, parameters, clock, thread, team, s);
+        ThreadSteps steps{a, boundary, parameters, shares.of_threads[thread], thread == 0, team, clock, s};
         steps.begin();
         for (std::int64_t step = first_step; step < first_step + n_steps; ++step) {
-            const bool detects_contacts = (step - 1) % s.contact_pairs.detection_interval == 0;
-            steps.advance(step, detects_contacts);
+            steps.advance(step, (step - 1) % s.contact_pairs.detection_interval == 0);
         }
-        steps.store_contacts();
-        if (thread == 0) clock_after = steps.clock();
+        for (std::int32_t chunk = steps.share.pairs.begin; chunk < steps.share.pairs.end; ++chunk) {
+            store_active(chunk, s.contact_pairs);
+        }
+        if (thread == 0) clock_after = steps.clock;
     });
     clock = clock_after;
     s.step += n_steps;

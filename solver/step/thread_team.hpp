@@ -1,15 +1,11 @@
-// A team of threads that work on many steps together: each has a contiguous share of the chunks, and a barrier separates stages.
+// A team of threads that work on many steps together: each has a share (step_shares.hpp), and a barrier separates stages.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <thread>
 #include <vector>
-
-#include "solver/model/assemblage.hpp"
 
 namespace graincrack {
 
@@ -70,18 +66,5 @@ private:
     const std::function<void(int)>* work_ = nullptr;  ///< none: the team ends
     std::vector<std::thread> others_;
 };
-
-/// Threads worth having: each must have at least `elements_per_thread` elements to work on.
-inline int worthwhile_threads(int requested, std::size_t n_elements, std::size_t elements_per_thread) {
-    return std::max(1, std::min(requested, static_cast<int>(n_elements / std::max<std::size_t>(elements_per_thread, 1))));
-}
-
-/// Share of thread `thread` of `n` items.
-inline Range share_of(std::size_t n, int thread, int n_threads) {
-    const auto at = [&](int t) {
-        return static_cast<std::int32_t>(n * static_cast<std::size_t>(t) / static_cast<std::size_t>(n_threads));
-    };
-    return {at(thread), at(thread + 1)};
-}
 
 }  // namespace graincrack

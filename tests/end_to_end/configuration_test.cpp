@@ -29,7 +29,8 @@ TEST(DryRun, TellsCountsAndLeavesNothing) {
     const Shell shell;
     shell.must(make_disc + "disc.h5");
     const std::string solve = shell.must("graincrack-solve brazilian disc.h5 --material augig-granite --dry-run -o run.h5");
-    for (const char* key : {"grains\t60\n", "time_step_s\t", "max_steps\t", "memory_MB\t", "file_size", "estimated_time"}) {
+    for (const char* key : {"grains\t60\n", "threads\t1\nbalance_of_nodes\t1.000\nbalance_of_forces\t1.000\n", "time_step_s\t",
+                            "max_steps\t", "memory_MB\t", "file_size", "estimated_time"}) {
         EXPECT_NE(solve.find(key), std::string::npos) << key << " in\n" << solve;
     }
     EXPECT_EQ(shell.names(), "disc.h5\n");

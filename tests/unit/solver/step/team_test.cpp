@@ -1,4 +1,4 @@
-// The barrier of a team, also with more threads than processors, and how many threads are worth having.
+// The barrier of a team, also with more threads than processors.
 #include "solver/step/thread_team.hpp"
 
 #include <gtest/gtest.h>
@@ -50,26 +50,6 @@ TEST(ThreadTeam, EveryThreadWorksOnEveryPieceOnce) {
         }
         EXPECT_EQ(done, std::vector<int>(static_cast<std::size_t>(n), 200));
     }
-}
-
-TEST(ThreadTeam, SharesCoverAll) {
-    for (const std::size_t n : {0U, 1U, 5U, 64U}) {
-        std::int32_t next = 0;
-        for (int thread = 0; thread < 3; ++thread) {
-            EXPECT_EQ(share_of(n, thread, 3).begin, next);
-            next = share_of(n, thread, 3).end;
-        }
-        EXPECT_EQ(next, static_cast<std::int32_t>(n));
-    }
-}
-
-TEST(ThreadTeam, SmallSpecimensGetFewerThreads) {
-    EXPECT_EQ(worthwhile_threads(8, 60, 250), 1);
-    EXPECT_EQ(worthwhile_threads(8, 499, 250), 1);
-    EXPECT_EQ(worthwhile_threads(8, 500, 250), 2);
-    EXPECT_EQ(worthwhile_threads(2, 1122, 250), 2);
-    EXPECT_EQ(worthwhile_threads(1, 100000, 250), 1);
-    EXPECT_EQ(worthwhile_threads(3, 1, 0), 1);
 }
 
 }  // namespace
