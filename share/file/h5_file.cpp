@@ -23,19 +23,6 @@ constexpr std::size_t small_bytes = 1 << 12;   // smaller arrays stay contiguous
 constexpr std::size_t image_growth = 1 << 16;  // of a file in memory; what is written on flushing is a multiple of it
 constexpr unsigned deflate_level = 1;          // measured: higher levels cost time and gain nothing
 
-/// Before the first use of HDF5 by a thread. It reports its errors by return values here; its own printing, which may be that of
-/// each thread, is switched off. At exit it would close files again that could not be closed, as on a full disk, and crash.
-void silence_hdf5() {
-    static const bool done = [] {
-        H5dont_atexit();
-        H5PLset_loading_state(0);  // no file makes the library load code
-        return true;
-    }();
-    static thread_local const bool is_silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
-    static_cast<void>(done);
-    static_cast<void>(is_silent);
-}
-
 std::size_t product(const Extents& extents) {
     std::size_t n = 1;
     for (const std::size_t e : extents) n *= e;
@@ -81,6 +68,17 @@ std::size_t longest_of(const std::vector<std::string>& texts) {
 }
 
 }  // namespace
+
+// It reports its errors by return values here; its own printing, which may be that of
+// each thread, is switched off. At exit it would close files again that could not be closed, as on a full disk, and crash.
+void silence_hdf5() {
+    [[maybe_unused]] static const bool done = [] {
+        H5dont_atexit();
+        H5PLset_loading_state(0);  // no file makes the library load code
+        return true;
+    }();
+    [[maybe_unused]] static thread_local const bool is_silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+}
 
 std::string hdf5_version() {
     silence_hdf5();

@@ -29,6 +29,9 @@ class SchemaError : public InputError {
     using InputError::InputError;
 };
 
+/// Before a thread uses what another has opened: HDF5 prints none of its errors, which are told by exceptions.
+void silence_hdf5();
+
 /// Version of the HDF5 library in use, "1.10.8".
 std::string hdf5_version();
 

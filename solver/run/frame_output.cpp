@@ -1,6 +1,5 @@
 #include "solver/run/frame_output.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,14 +8,12 @@
 namespace graincrack {
 namespace {
 
-/// Motions, tractions, damage and states of all contact points, into a frame.
+/// Motions, tractions, damage and states of the points of a chunk of contacts, into a frame.
 template <class Law>
-void add_contacts(const Assemblage& a, const ContactLaws& laws, const State& s, Frame& frame) {
-    for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) pairs->resize(a.n_contacts());
-    frame.traction.resize(a.n_contacts());
-    frame.state.resize(a.n_contacts());
-    for_each_own_contact(a, [&](std::int32_t place, std::int32_t contact_class) {
-        const ContactLaw& law = laws[contact_class];
+void find_contacts(const Assemblage& a, const ContactLaws& laws, std::int32_t index, const State& s, Frame& frame) {
+    const ContactChunk& chunk = a.contact_chunks[index];
+    const ContactLaw& law = laws[chunk.contact_class];
+    for (std::int32_t place = chunk.contacts.begin; place < chunk.contacts.end; ++place) {
         const std::int32_t c = a.specimen_contact[place];
         const double strength = a.contacts[place].strength;
         const bool released = s.contact_pairs.released[place] != 0;  // node–edge contacts carry its load
@@ -30,35 +27,40 @@ void add_contacts(const Assemblage& a, const ContactLaws& laws, const State& s, 
             frame.damage[c][end] = contact_law::damage<Law>(law, h);
             frame.state[c][end] = static_cast<std::uint8_t>(point_state(h));
         }
-    });
+    }
 }
 
 }  // namespace
 
-Frame make_frame(const Assemblage& a, const ContactLaws& laws, const State& s) {
-    Frame frame;
+Frame make_frame(const Assemblage& a, const ContactLaws& laws, const State& s, ThreadTeam& team, Frame frame) {
     frame.time = s.time;
     frame.step = s.step;
-    frame.displacement.resize(a.node_of_specimen.size());
-    frame.velocity.resize(a.node_of_specimen.size());
+    for (auto* of_nodes : {&frame.displacement, &frame.velocity}) of_nodes->resize(a.node_of_specimen.size());
     frame.element_stress.resize(a.element_nodes.size());
-    for (std::size_t k = 0; k < a.node_of_specimen.size(); ++k) {
+    for (auto* pairs : {&frame.opening, &frame.sliding, &frame.damage}) pairs->resize(a.n_contacts());
+    frame.traction.resize(a.n_contacts());
+    frame.state.resize(a.n_contacts());
+    for_each_of_team(team, a.node_of_specimen.size(), [&](std::size_t k) {
         const std::int32_t i = a.node_of_specimen[k];
-        if (!a.part.owns(i)) continue;
+        if (!a.part.owns(i)) return;
         frame.displacement[k] = {s.displacement[i].x, s.displacement[i].y};
         frame.velocity[k] = {s.velocity[i].x, s.velocity[i].y};
-    }
-    for (const std::int32_t chunk : a.part.elements.own) {
-        const Range elements = a.element_chunks[chunk];
+    });
+    for_each_of_team(team, a.part.elements.own.size(), [&](std::size_t i) {
+        const Range elements = a.element_chunks[a.part.elements.own[i]];
         for (std::int32_t e = elements.begin; e < elements.end; ++e) {
             frame.element_stress[e] = triangle_stress(a.elasticity[e], element_state(a, static_cast<std::size_t>(e), s));
         }
-    }
-    contact_law::with_law(laws.variant(), [&](auto kind) { add_contacts<decltype(kind)>(a, laws, s, frame); });
+    });
+    contact_law::with_law(laws.variant(), [&](auto kind) {
+        for_each_of_team(team, a.part.contacts.own.size(),
+                         [&](std::size_t i) { find_contacts<decltype(kind)>(a, laws, a.part.contacts.own[i], s, frame); });
+    });
     return frame;
 }
 
-Frame whole_frame(const Assemblage& a, Frame own) {
+Frame FrameOutput::whole(Frame own) const {
+    const Assemblage& a = setup_.assemblage;
     const Part& part = a.part;
     const auto owner_of_node = [&](std::int32_t k) { return part.owner_of_node(a.node_of_specimen[k]); };
     const auto owner_of_contact = [&](std::int32_t c) {
@@ -72,9 +74,6 @@ Frame whole_frame(const Assemblage& a, Frame own) {
     return own;
 }
 
-FrameOutput::FrameOutput(int requested, double first_interval, RunWriter* writer)
-    : requested_(requested), interval_(first_interval), writer_(writer) {}
-
 void FrameOutput::resume(const FrameProgress& progress, const RunReader& checkpoint) {
     if (requested_ == 0) return;
     next_ = progress.next;
@@ -83,62 +82,57 @@ void FrameOutput::resume(const FrameProgress& progress, const RunReader& checkpo
     for (std::size_t i = 0; i < progress.roles.size(); ++i) {
         if (progress.roles[i] == FrameRole::peak_so_far) {
             peak_ = checkpoint.frame(i);
-        } else if (progress.roles[i] != FrameRole::present && writer_ != nullptr) {
-            writer_->add_frame(checkpoint.frame(i), progress.roles[i]);
+        } else if (progress.roles[i] != FrameRole::present && file_ != nullptr) {
+            file_->when_done().add_frame(checkpoint.frame(i), progress.roles[i]);
         }
     }
-    thin_if_too_many();
+    while (regular_ >= 2 * requested_) thin();
 }
 
-FrameProgress FrameOutput::save(const Assemblage& a, const ContactLaws& laws, const State& state, RunWriter* checkpoint) const {
-    const std::optional<Frame> peak = peak_ ? std::optional(whole_frame(a, *peak_)) : std::nullopt;
-    const Frame present = whole_frame(a, make_frame(a, laws, state));
-    if (checkpoint == nullptr) return {};
-    checkpoint->add_frames(*writer_);
-    if (peak) checkpoint->add_frame(*peak, FrameRole::peak_so_far);
-    checkpoint->add_frame(present, FrameRole::present);
-    return {next_, interval_, regular_, checkpoint->frame_roles()};
+std::function<FrameProgress(const RunWriter& run, RunWriter& checkpoint)> FrameOutput::save() const {
+    return [next = next_, interval = interval_, regular = regular_, peak = peak_ ? std::optional(whole(*peak_)) : std::nullopt,
+            present = whole(now())](const RunWriter& run, RunWriter& checkpoint) {
+        checkpoint.add_frames(run);
+        if (peak) checkpoint.add_frame(*peak, FrameRole::peak_so_far);
+        checkpoint.add_frame(present, FrameRole::present);
+        return FrameProgress{next, interval, regular, checkpoint.frame_roles()};
+    };
 }
 
-void FrameOutput::add(const Assemblage& a, Frame own, FrameRole role) {
-    const Frame frame = whole_frame(a, std::move(own));
-    if (writer_ != nullptr) writer_->add_frame(frame, role);
+void FrameOutput::add(Frame own, FrameRole role) {
+    Frame frame = whole(std::move(own));
+    if (file_ != nullptr) file_->later([frame = std::move(frame), role](RunWriter& run) { run.add_frame(frame, role); });
 }
 
-void FrameOutput::thin_if_too_many() {
-    while (regular_ >= 2 * requested_) {
-        if (writer_ != nullptr) writer_->thin_frames();
-        regular_ = (regular_ + 1) / 2;
-        interval_ *= 2;
+void FrameOutput::thin() {
+    if (file_ != nullptr) file_->when_done().thin_frames();
+    regular_ = (regular_ + 1) / 2;
+    interval_ *= 2;
+}
+
+void FrameOutput::regular(double strain) {
+    if (requested_ == 0 || strain < next_) return;
+    if (regular_ + 1 < 2 * requested_) {
+        add(now(), FrameRole::regular);
+        ++regular_;
+    } else {
+        thin();  // every second one, also this
     }
-}
-
-bool FrameOutput::regular(double strain, const Assemblage& a, const ContactLaws& laws, const State& state) {
-    if (requested_ == 0 || strain < next_) return false;
-    add(a, make_frame(a, laws, state), FrameRole::regular);
-    ++regular_;
-    thin_if_too_many();
     next_ = interval_ * (std::floor(strain / interval_) + 1);
-    return true;
 }
 
-bool FrameOutput::peak(bool is_highest, bool has_fallen, const Assemblage& a, const ContactLaws& laws, const State& state) {
-    if (requested_ == 0) return false;
+void FrameOutput::peak(bool is_highest, bool has_fallen) {
+    if (requested_ == 0) return;
     if (is_highest) {
-        peak_ = make_frame(a, laws, state);
-        return false;
+        peak_ = now(peak_ ? std::move(*peak_) : Frame{});
+    } else if (has_fallen && peak_) {
+        add(*std::exchange(peak_, {}), FrameRole::kept);
     }
-    const bool is_final = has_fallen && peak_;
-    if (is_final) {
-        add(a, *peak_, FrameRole::kept);
-        peak_.reset();
-    }
-    return is_final;
 }
 
-void FrameOutput::last(const Assemblage& a, const ContactLaws& laws, const State& state) {
-    if (peak_ && peak_->step < state.step) add(a, *peak_, FrameRole::kept);
-    add(a, make_frame(a, laws, state), FrameRole::kept);
+void FrameOutput::last() {
+    if (peak_ && peak_->step < state_.step) add(*peak_, FrameRole::kept);
+    add(now(), FrameRole::kept);
 }
 
 }  // namespace graincrack

@@ -12,17 +12,22 @@
 namespace graincrack {
 namespace {
 
-/// Damping at this instant, into `damping_force`.
-void find_damping_forces(const Assemblage& a, const StepParameters& parameters, State& s) {
-    const MassScaling& scaling = parameters.mass_scaling;
-    if (scaling.is_on()) {
-        for (const std::int32_t chunk : a.part.nodes.own) {
-            update_clusters(a, parameters, s.loading, chunk, s);
-            damp_clusters(a, parameters, s.loading, chunk, s);
-        }
+/// As `sum_over_chunks`, with the chunks shared by a team.
+template <class OfChunk>
+auto sum_of_team(ThreadTeam& team, const Part& part, const ChunkShare& chunks, const OfChunk& of_chunk) {
+    std::vector<decltype(of_chunk(0))> shares(static_cast<std::size_t>(chunks.count));
+    for_each_of_team(team, chunks.own.size(), [&](std::size_t i) { shares[chunks.own[i]] = of_chunk(chunks.own[i]); });
+    return sum_over_chunks(part, chunks, [&](std::int32_t chunk) { return shares[chunk]; });
+}
+
+/// Damping of the nodes of a chunk at this instant, into `damping_force`.
+void find_damping_forces(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, State& s) {
+    if (parameters.mass_scaling.is_on()) {
+        update_clusters(a, parameters, s.loading, chunk, s);
+        damp_clusters(a, parameters, s.loading, chunk, s);
         return;
     }
-    const Range nodes = a.part.own_nodes();
+    const Range nodes = a.node_chunks[chunk].nodes;
     for (std::int32_t i = nodes.begin; i < nodes.end; ++i) {
         s.damping_force[i] = damping_force(parameters.damps(), s.force[i], s.force[i] - s.last_force[i], s.velocity[i]);
     }
@@ -84,10 +89,12 @@ void add_prescribed(const Assemblage& a, const PrescribedConditions& prescribed,
     });
 }
 
-/// What the nodes give of a measurement, with Σ |unbalanced force| (N) in place of the ratio.
-Measurement sum_over_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, const State& s) {
+/// What the nodes give of a measurement, found on the way, with Σ |unbalanced force| (N) in place of the ratio.
+Measurement sum_over_nodes(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, ThreadTeam& team,
+                           State& s) {
     const std::vector<double> stored = energy_of_active_contacts(a, parameters.laws, s.contact_pairs);
-    return sum_over_chunks(a.part, a.part.nodes, [&](std::int32_t chunk) {
+    return sum_of_team(team, a.part, a.part.nodes, [&](std::int32_t chunk) {
+        find_damping_forces(a, parameters, chunk, s);
         Measurement share;
         add_motion(a, parameters, a.node_chunks[chunk].nodes, s, share);
         add_booked(chunk, s, share.energies);
@@ -104,8 +111,8 @@ struct ElementSums {
     double energy = 0, force = 0;
     using IsSum = void;
 };
-ElementSums sum_over_elements(const Assemblage& a, const State& s) {
-    return sum_over_chunks(a.part, a.part.elements, [&](std::int32_t chunk) {
+ElementSums sum_over_elements(const Assemblage& a, ThreadTeam& team, const State& s) {
+    return sum_of_team(team, a.part, a.part.elements, [&](std::int32_t chunk) {
         return sum_over(a.element_chunks[chunk], [&](std::int32_t e) {
             const TriangleGeometry g = a.element_geometry[e];
             const TriangleState t = element_state(a, e, s);
@@ -115,32 +122,25 @@ ElementSums sum_over_elements(const Assemblage& a, const State& s) {
     });
 }
 
-/// Energies of contacts: booked and stored, J.
-struct ContactEnergies {
-    ContactSums sums;
-    double stored = 0;
-    using IsSum = void;
-};
-ContactEnergies sum_over_contacts(const Assemblage& a, const ContactLaws& laws, const State& s) {
-    return sum_over_chunks(a.part, a.part.contacts, [&](std::int32_t chunk) {
-        return ContactEnergies{s.contact_sums[chunk], stored_in_chunk(a, laws, chunk, s)};
+Energies energies_of_contacts(const Assemblage& a, const ContactLaws& laws, ThreadTeam& team, const State& s) {
+    return sum_of_team(team, a.part, a.part.contacts, [&](std::int32_t chunk) {
+        const ContactSums& booked = s.contact_sums[chunk];
+        return Energies{.contact = stored_in_chunk(a, laws, chunk, s),
+                        .fracture_tension = booked.fracture_tension,
+                        .fracture_shear = booked.fracture_shear,
+                        .friction = booked.friction,
+                        .non_conservative_work = booked.non_conservative_work};
     });
 }
 
 }  // namespace
 
-Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, State& s) {
-    sum_nodal_forces(a, boundary, s.loading, s);
-    find_damping_forces(a, parameters, s);
-    Measurement m = sum_over_nodes(a, boundary, parameters, s);
-    const ElementSums elements = sum_over_elements(a, s);
-    const ContactEnergies contacts = sum_over_contacts(a, parameters.laws, s);
+Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, ThreadTeam& team, State& s) {
+    sum_nodal_forces(a, boundary, s.loading, team, s);
+    Measurement m = sum_over_nodes(a, boundary, parameters, team, s);
+    const ElementSums elements = sum_over_elements(a, team, s);
+    m.energies += energies_of_contacts(a, parameters.laws, team, s);
     m.energies.strain = elements.energy;
-    m.energies.contact += contacts.stored;
-    m.energies.fracture_tension = contacts.sums.fracture_tension;
-    m.energies.fracture_shear = contacts.sums.fracture_shear;
-    m.energies.friction += contacts.sums.friction;
-    m.energies.non_conservative_work = contacts.sums.non_conservative_work;
     m.unbalanced_ratio = elements.force > 0 ? m.unbalanced_ratio / elements.force : 0;
     return m;
 }

@@ -6,6 +6,7 @@
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
 #include "solver/model/step_parameters.hpp"
+#include "solver/step/thread_team.hpp"
 
 namespace graincrack {
 
@@ -37,6 +38,7 @@ struct Measurement {
 /// Measures the state at its time: potential energies of the present displacements, kinetic energy ½ m v(n−½)·v(n+½)
 /// (conserved by the scheme together with a quadratic potential), and the work of dampers, platens and loads up to now.
 /// `state.force` is used as scratch.
-Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, State& state);
+Measurement measure(const Assemblage& assemblage, const Boundary& boundary, const StepParameters& parameters, ThreadTeam& team,
+                    State& state);
 
 }  // namespace graincrack

@@ -29,10 +29,10 @@ Recorder::Recorder(const Specimen& specimen, const SimulationRequest& request, c
       crack_log_(2 * specimen.n_contacts()),
       energy_(specimen, request) {}
 
-Feedback Recorder::record(double platen_speed, State& state) {
+Feedback Recorder::record(double platen_speed, ThreadTeam& team, State& state) {
     const Assemblage& a = setup_.assemblage;
     crack_log_.collect(a, setup_.parameters.time_step, state);
-    const Measurement m = measure(a, setup_.boundary, setup_.parameters, state);
+    const Measurement m = measure(a, setup_.boundary, setup_.parameters, team, state);
     energy_.add(m.energies, state.step);
     follow_damping_load(a, state, m.platen_power, time_constant_, state.damping_load);
     const double strain = axial_strain_of(state, specimen_);

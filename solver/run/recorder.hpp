@@ -18,7 +18,7 @@ public:
     Recorder(const Specimen& specimen, const SimulationRequest& request, const Setup& setup);
     /// Measures the state and adds a row. \param platen_speed approach of each, m/s
     /// \throws NumericalError if the run has become unstable
-    Feedback record(double platen_speed, State& state);
+    Feedback record(double platen_speed, ThreadTeam& team, State& state);
     /// Continues the cracks and energies of another run.
     void restore(const SavedState& saved);
     /// Also its rows, as those of this very run. \param state of the checkpoint \throws InputError if they end elsewhere

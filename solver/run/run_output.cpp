@@ -16,10 +16,9 @@ namespace {
 
 constexpr double first_frame_interval = 1.0 / 64;  // of the strain or time that the run may reach
 constexpr double peak_frame_drop = 0.02;           // fall below the peak at which the frame of the peak is final
-// Wall time from one writing of rows to the next, s: it takes some milliseconds, in which a kill would damage the unfinished
-// file.
-constexpr double flush_interval_of_frames = 0.25;
-constexpr double longest_flush_interval = 2;
+// Wall time from one writing of rows to the next, s, the second one while a frame is being written. It takes some milliseconds,
+// in which a kill would damage the unfinished file.
+constexpr double flush_interval = 2, longest_flush_interval = 10;
 
 /// Rollers and punches; platens that are infinitely wide need not be told.
 void write_faces(H5Output& file, const Boundary& boundary, const Specimen& specimen) {
@@ -35,58 +34,46 @@ void write_faces(H5Output& file, const Boundary& boundary, const Specimen& speci
     if (any) write_platen_faces(file, set);
 }
 
-/// The file of a run on the first rank, and on all the name of its checkpoints unless it is a stream.
-std::unique_ptr<RunWriter> open_writer(const Run& run, const std::string& output, std::string& checkpoint) {
-    std::unique_ptr<RunWriter> writer;
-    bool is_stream = false;
+/// The file of a run on the first rank.
+std::unique_ptr<WritingThread> open_file(const Run& run, const std::string& output) {
+    std::unique_ptr<WritingThread> file;
     run.request.ranks->on_first([&] {
         auto place = std::make_unique<OutputFile>(output, ".checkpoint.part");
-        is_stream = place->is_stream();
-        if (!is_stream) clear_checkpoint_name(checkpoint_of(output), run.request.restart, run.request.discard_checkpoint);
-        writer = std::make_unique<RunWriter>(H5Output(std::move(place), "run"), run.specimen, run.header);
+        const bool is_file = !place->is_stream();
+        if (is_file) clear_checkpoint_name(checkpoint_of(output), run.request.restart, run.request.discard_checkpoint);
+        auto writer = std::make_unique<RunWriter>(H5Output(std::move(place), "run"), run.specimen, run.header);
+        file = std::make_unique<WritingThread>(std::move(writer), is_file && run.request.frames > 0);
     });
-    if (!run.request.ranks->of_first(is_stream)) checkpoint = checkpoint_of(output);
-    return writer;
+    return file;
 }
 
 }  // namespace
 
-RunOutput::RunOutput(const Run& run, const std::string& output, const std::optional<FrameProgress>& frames)
-    : run_(run),
-      ranks_(*run.request.ranks),
-      writer_(open_writer(run, output, checkpoint_)),
-      frames_(run.request.frames, first_frame_interval, writer_.get()),
-      since_checkpoint_(run.request.wall_clock),
-      since_flush_(run.request.wall_clock) {
-    if (frames) frames_.resume(*frames, RunReader(run.request.restart));
+RunOutput::RunOutput(Run run, const std::string& output, const std::optional<FrameProgress>& frames)
+    : run_(std::move(run)),
+      ranks_(*run_.request.ranks),
+      file_(open_file(run_, output)),
+      frames_(run_.request.frames, first_frame_interval, run_.setup, run_.state, run_.team, file_.get()),
+      since_checkpoint_(run_.request.wall_clock),
+      since_flush_(run_.request.wall_clock) {
+    if (!ranks_.of_first(file_ && file_->when_done().file().is_stream())) checkpoint_ = checkpoint_of(output);
+    if (frames) frames_.resume(*frames, RunReader(run_.request.restart));
 }
 
 void RunOutput::record() {
     const Recorder& r = run_.recorder;
-    const Assemblage& a = run_.setup.assemblage;
-    const ContactLaws& laws = run_.setup.parameters.laws;
-    const bool has_fallen = r.axial_stress() < (1 - peak_frame_drop) * r.peak();
-    const bool keeps_peak = frames_.peak(r.is_at_peak(), has_fallen, a, laws, run_.state);
-    const bool keeps_this = frames_.regular(run_.program.stages().progress(), a, laws, run_.state);
-    if (rows_written_ == 0 ||
-        since_flush_.elapsed() >= (keeps_peak || keeps_this ? flush_interval_of_frames : longest_flush_interval)) {
-        append_rows();
-    }
+    const double interval = file_ && file_->is_done() ? flush_interval : longest_flush_interval;
+    if (file_ && (rows_written_ == 0 || since_flush_.elapsed() >= interval)) append_rows();
+    frames_.peak(r.is_at_peak(), r.axial_stress() < (1 - peak_frame_drop) * r.peak());
+    frames_.regular(run_.program.stages().progress());
 }
 
 void RunOutput::append_rows() {
-    if (!writer_) return;
-    run_.program.append(writer_->file(), rows_written_);
+    RunWriter& file = file_->when_done();
+    run_.program.append(file.file(), rows_written_);
+    file.append_history(run_.recorder.history());
     rows_written_ = run_.recorder.history().size();
-    writer_->append_history(run_.recorder.history());
     since_flush_.restart();
-}
-
-void RunOutput::write_end(H5Output& file, const State* state, const std::optional<FrameProgress>& frames) const {
-    run_.program.write(file);
-    write_faces(file, run_.setup.boundary, run_.specimen);
-    if (state == nullptr) return;
-    write_saved_state(file, *state, run_.program.stages().state(), run_.recorder.energy().largest_error(), frames);
 }
 
 bool RunOutput::wants_checkpoint() const {
@@ -98,34 +85,33 @@ bool RunOutput::wants_checkpoint() const {
 
 const std::string& RunOutput::write_checkpoint() {
     if (checkpoint_.empty()) return checkpoint_;
-    std::optional<RunWriter> writer;
-    ranks_.on_first([&] { writer.emplace(H5Output(OutputFile::covered(checkpoint_), "run"), run_.specimen, run_.header); });
-    const FrameProgress frames =
-        frames_.save(run_.setup.assemblage, run_.setup.parameters.laws, run_.state, writer ? &*writer : nullptr);
+    auto write_frames = frames_.save();
     const WholeState whole(run_.setup.assemblage, run_.state);
     ranks_.on_first([&] {
-        const State& state = whole.state();
-        writer->append_history(run_.recorder.history());
-        run_.program.append(writer->file(), 0);
-        write_end(writer->file(), &state, frames);
         RunHeader header = run_.header;
         header.stop_reason = "checkpoint";
-        header.steps = state.step;
-        header.integrations = state.step;
         header.peak_axial_stress = run_.recorder.peak();
-        Provenance provenance;
-        provenance.tool = "graincrack-solve";
-        provenance.threads = run_.threads;
-        provenance.ranks = ranks_.size();
-        provenance.vector_target = name_of(run_.setup.assemblage.vector_target);
-        writer->finish(header, run_.recorder.crack_log().rows(run_.setup.assemblage, state.fracture_energy), provenance);
+        file_->later(
+            [=, this, write_frames = std::move(write_frames), state = whole.state(), program = run_.program,
+             history = run_.recorder.history(), error = run_.recorder.energy().largest_error(),
+             cracks = run_.recorder.crack_log().rows(run_.setup.assemblage, whole.state().fracture_energy)](RunWriter& run) {
+                RunWriter checkpoint(H5Output(OutputFile::covered(checkpoint_), "run"), run_.specimen, header);
+                const FrameProgress frames = write_frames(run, checkpoint);
+                checkpoint.append_history(history);
+                program.append(checkpoint.file(), 0);
+                program.write(checkpoint.file());
+                write_faces(checkpoint.file(), run_.setup.boundary, run_.specimen);
+                write_saved_state(checkpoint.file(), state, program.stages().state(), error, frames);
+                checkpoint.finish(header, cracks, run_.provenance);
+            });
     });
     since_checkpoint_.restart();
     return checkpoint_;
 }
 
-void RunOutput::finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance) {
-    frames_.last(run_.setup.assemblage, run_.setup.parameters.laws, run_.state);
+void RunOutput::finish(const std::vector<SensitivityRow>& sensitivity, double wall_time) {
+    run_.provenance.wall_time = wall_time;
+    frames_.last();
     const Assemblage& a = run_.setup.assemblage;
     const std::optional<WholeState> whole =
         run_.request.save_state ? std::optional<WholeState>(std::in_place, a, run_.state) : std::nullopt;
@@ -133,8 +119,12 @@ void RunOutput::finish(const std::vector<SensitivityRow>& sensitivity, const Pro
     gather_chunks(a.part, a.part.contacts, 2UL * contacts_per_chunk, fracture_energy);
     ranks_.on_first([&] {
         append_rows();
-        write_end(writer_->file(), whole ? &whole->state() : nullptr);
-        writer_->finish(run_.header, run_.recorder.crack_log().rows(a, fracture_energy), provenance, sensitivity);
+        RunWriter& file = file_->when_done();
+        run_.program.write(file.file());
+        write_faces(file.file(), run_.setup.boundary, run_.specimen);
+        const double error = run_.recorder.energy().largest_error();
+        if (whole) write_saved_state(file.file(), whole->state(), run_.program.stages().state(), error);
+        file.finish(run_.header, run_.recorder.crack_log().rows(a, fracture_energy), run_.provenance, sensitivity);
         if (!checkpoint_.empty()) remove_checkpoint(checkpoint_);
     });
 }

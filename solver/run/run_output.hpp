@@ -14,6 +14,8 @@
 #include "solver/run/frame_output.hpp"
 #include "solver/run/program_driver.hpp"
 #include "solver/run/recorder.hpp"
+#include "solver/run/writing_thread.hpp"
+#include "solver/step/thread_team.hpp"
 
 namespace graincrack {
 
@@ -26,7 +28,8 @@ struct Run {
     const State& state;
     const Recorder& recorder;
     const RunHeader& header;
-    int threads;
+    ThreadTeam& team;
+    Provenance provenance;  ///< without the wall time
 };
 
 /// The first rank writes; the others bring it what they own.
@@ -34,25 +37,28 @@ class RunOutput {
 public:
     /// \param output file, "-" for stdout \param frames of the checkpoint that the run resumes from, if it does
     /// \throws UsageError if something else has the name of the run or of its checkpoint
-    RunOutput(const Run& run, const std::string& output, const std::optional<FrameProgress>& frames);
+    RunOutput(Run run, const std::string& output, const std::optional<FrameProgress>& frames);
     /// Takes the last row: frames, and from time to time the rows so far.
     void record();
     /// True if a checkpoint is due, or was asked for. The first rank decides.
     [[nodiscard]] bool wants_checkpoint() const;
-    /// Writes a run file of its own, with all rows, cracks and frames so far and the present state. \return its name, "" for a
-    /// run that has none
+    /// Writes a run file of its own, with all rows, cracks and frames so far and the present state, while the run goes on.
+    /// \return its name, "" for a run that has none
     const std::string& write_checkpoint();
-    /// Completes the file.
-    void finish(const std::vector<SensitivityRow>& sensitivity, const Provenance& provenance);
+    /// Waits until all that was to be written is. To be called by all ranks before other files are opened.
+    void wait() {
+        ranks_.on_first([&] { file_->when_done(); });
+    }
+    /// Completes the file. \param wall_time of the run, s
+    void finish(const std::vector<SensitivityRow>& sensitivity, double wall_time);
 
 private:
     void append_rows();
-    void write_end(H5Output& file, const State* state, const std::optional<FrameProgress>& frames = {}) const;
 
     Run run_;
     const Ranks& ranks_;
-    std::string checkpoint_;             ///< its file, "" for none
-    std::unique_ptr<RunWriter> writer_;  ///< on the first rank
+    std::string checkpoint_;               ///< its file, "" for none
+    std::unique_ptr<WritingThread> file_;  ///< on the first rank
     FrameOutput frames_;
     std::size_t rows_written_ = 0;
     WallClock since_checkpoint_, since_flush_;

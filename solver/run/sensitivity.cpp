@@ -73,14 +73,11 @@ Specimen refined(const Specimen& s) {
     Specimen fine = s;
     fine.elements_per_edge = 2 * s.elements_per_edge;
     fine.element_nodes.clear();
-    fine.element_grain.clear();
     fine.contact_nodes.clear();
-    fine.contact_grain_boundary.clear();
-    fine.contact_kind.clear();
-    fine.contact_flaw.clear();
     fine.contact_strength_factor.clear();
     fine.boundary_edges.clear();
-    fine.boundary_part.clear();
+    for (auto* groups : {&fine.element_grain, &fine.contact_grain_boundary}) groups->clear();
+    for (auto* kinds : {&fine.contact_kind, &fine.contact_flaw, &fine.boundary_part}) kinds->clear();
     Middles middle(fine);
     divide_elements(s, middle, fine);
     divide_contacts(s, middle, fine);

@@ -72,8 +72,12 @@ public:
     }
 
     /// Writes the run to an output as it goes; to be called before `run`.
-    void write_to(const std::string& output) {
-        output_.emplace(Run{specimen_, request_, setup_, driver_, state_, recorder_, header_, team_.size()}, output, frames_);
+    void write_to(const std::string& output, Provenance provenance) {
+        provenance.threads = team_.size();
+        provenance.ranks = request_.ranks->size();
+        provenance.vector_target = name_of(setup_.assemblage.vector_target);
+        output_.emplace(Run{specimen_, request_, setup_, driver_, state_, recorder_, header_, team_, provenance}, output,
+                        frames_);
     }
 
     const RunHeader& run() {
@@ -90,18 +94,14 @@ public:
             const bool goes_on = header_.stop_reason.empty();
             if (goes_on && output_ && output_->wants_checkpoint()) output_->write_checkpoint();
         }
+        if (output_) output_->wait();
         progress_.finish();
         finish_header();
         return header_;
     }
 
-    /// Completes the file.
-    void finish(const std::vector<SensitivityRow>& sensitivity, Provenance provenance) {
-        provenance.threads = team_.size();
-        provenance.ranks = request_.ranks->size();
-        provenance.vector_target = name_of(setup_.assemblage.vector_target);
-        output_->finish(sensitivity, provenance);
-    }
+    /// Completes the file. \param wall_time of the run, s
+    void finish(const std::vector<SensitivityRow>& sensitivity, double wall_time) { output_->finish(sensitivity, wall_time); }
     /// \param wall_time of the run, s
     [[nodiscard]] RankSummary rank_summary(double wall_time) const {
         const Ranks& ranks = *request_.ranks;
@@ -144,8 +144,10 @@ private:
     }
 
     void record() {
-        const Feedback feedback = recorder_.record(driver_.stages().platens().speed(), state_);
+        const Feedback feedback = recorder_.record(driver_.stages().platens().speed(), team_, state_);
         header_.energy_scale = recorder_.energy().scale();
+        header_.steps = state_.step;
+        header_.integrations = state_.step;
         driver_.record(setup_.assemblage, setup_.boundary, state_, recorder_.history(), feedback);
         if (output_) output_->record();
     }
@@ -153,16 +155,16 @@ private:
     /// On a signal, keeps what there is in a checkpoint and ends the run.
     void stop_if_asked() {
         const bool asked = request_.stops_after && request_.stops_after(recorder_.history().size());
-        std::array<double, 2> of_any{static_cast<double>(stop_signal()), asked ? 1.0 : 0.0};
-        request_.ranks->take_largest(of_any);
-        const int signal = static_cast<int>(of_any[0]);
-        if (signal == 0 && of_any[1] == 0) return;
+        const int own = stop_signal() != 0 ? stop_signal() : asked ? SIGTERM : 0;
+        const int signal = static_cast<int>(request_.ranks->largest(own));
+        if (signal == 0) return;
         const std::string checkpoint = output_ ? output_->write_checkpoint() : "";
+        if (output_) output_->wait();
         if (!checkpoint.empty() && !is_quiet_) {
             tell(fmt::format("{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
                              checkpoint, checkpoint));
         }
-        throw Interrupted(signal != 0 ? signal : SIGTERM);
+        throw Interrupted(signal);
     }
 
     void show_progress() {
@@ -172,8 +174,6 @@ private:
     }
 
     void finish_header() {
-        header_.steps = state_.step;
-        header_.integrations = state_.step;
         driver_.complete(header_);
         complete_header(recorder_.history(), specimen_.width, header_);
         header_.energy_balance_error = recorder_.energy().relative(recorder_.energy().largest_error());
@@ -207,7 +207,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
                            Verbosity verbosity, Provenance provenance) {
     const auto begin = std::chrono::steady_clock::now();
     Simulation simulation(specimen, request, std::string(name_of(request.loading.test)), verbosity);
-    simulation.write_to(output);
+    simulation.write_to(output, std::move(provenance));
     SimulationSummary summary;
     summary.header = simulation.run();
     const History& history = simulation.outcome().history;
@@ -219,12 +219,11 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));
     summary.cracks = simulation.crack_log().counts(summary.header.crack_event);
     summary.ranks = simulation.rank_summary(summary.wall_time);
-    provenance.wall_time = summary.wall_time;
     if (request.sensitivity) {
         try {
             summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
         } catch (const Interrupted&) {
-            simulation.finish({}, provenance);
+            simulation.finish({}, summary.wall_time);
             if (verbosity != Verbosity::quiet) {
                 tell(fmt::format("{}: {} has the test without its sensitivities; the same command{} starts it anew\n",
                                  summary.header.test, output, request.restart.empty() ? "" : " without --restart"));
@@ -232,7 +231,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
             throw;
         }
     }
-    simulation.finish(summary.sensitivity, provenance);
+    simulation.finish(summary.sensitivity, summary.wall_time);
     return summary;
 }
 

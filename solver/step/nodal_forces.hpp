@@ -8,12 +8,14 @@
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
 #include "solver/model/step_parameters.hpp"
+#include "solver/step/thread_team.hpp"
 
 namespace graincrack {
 
 /// Sums the forces on all nodes at the present displacements into `state.force`, those of elements and edge loads found anew.
 /// Histories and energies stay as they are.
-void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, State& state);
+void sum_nodal_forces(const Assemblage& assemblage, const Boundary& boundary, const StepLoading& loading, ThreadTeam& team,
+                      State& state);
 
 /// Sums the forces on the nodes of a chunk into `state.force`, in this order: elements, contacts, node–edge contacts, platens,
 /// prescribed loads. The friction springs of the platens move to the present displacements, and the friction and the work of the

@@ -67,4 +67,13 @@ private:
     std::vector<std::thread> others_;
 };
 
+/// Calls `act` with 0 … n − 1, shared by the threads of a team; returns when all are done.
+template <class Act>
+void for_each_of_team(ThreadTeam& team, std::size_t n, const Act& act) {
+    team.run([&](int thread) {
+        const auto first = [&](int t) { return n * static_cast<std::size_t>(t) / static_cast<std::size_t>(team.size()); };
+        for (std::size_t i = first(thread); i < first(thread + 1); ++i) act(i);
+    });
+}
+
 }  // namespace graincrack

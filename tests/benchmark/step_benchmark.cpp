@@ -75,7 +75,10 @@ void contacts(LoadedSpecimen& l) {
     for_each_chunk(l.assemblage.contact_chunks.size(),
                    [&](std::int32_t chunk) { advance_contacts(l.assemblage, l.parameters.laws, chunk, l.state.step, l.state); });
 }
-void forces(LoadedSpecimen& l) { sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, l.state); }
+void forces(LoadedSpecimen& l) {
+    static ThreadTeam alone(1);
+    sum_nodal_forces(l.assemblage, l.boundary, l.state.loading, alone, l.state);
+}
 void nodes(LoadedSpecimen& l) {
     StepParameters still = l.parameters;
     still.time_step = 0;  // as much work, and the state stays
@@ -157,7 +160,10 @@ void run_stage(::benchmark::State& timer, Stage stage, bool scaled, VectorTarget
 
 void measure_all(::benchmark::State& timer) {
     LoadedSpecimen loaded(granite(few), LawVariant::consistent, false, widest_vector_target());
-    for (auto _ : timer) ::benchmark::DoNotOptimize(measure(loaded.assemblage, loaded.boundary, loaded.parameters, loaded.state));
+    ThreadTeam team(1);
+    for (auto _ : timer) {
+        ::benchmark::DoNotOptimize(measure(loaded.assemblage, loaded.boundary, loaded.parameters, team, loaded.state));
+    }
     count(timer, loaded, 1);
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/run/frame_output.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
@@ -81,7 +80,7 @@ TEST(Platen, TheMembraneExertsPressureTimesLength) {
     double area = 0;
     double xx = 0;
     double yy = 0;
-    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
+    const Frame frame = run.frame();
     for (std::size_t e = 0; e < frame.element_stress.size(); ++e) {
         const double a = run.assemblage.element_geometry[e].area;
         area += a;

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "mesher/mesh.hpp"
-#include "solver/run/frame_output.hpp"
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
 
@@ -45,7 +44,7 @@ std::vector<Vector2> spun(const SmallRun& run, const Vector2& centre) {
 /// Stress at the centre, from the mean of the inner quarter less what the closed form falls by there, Pa.
 double centre_stress(const SmallRun& run) {
     const double nu = test::augig_granite().rock.poisson_ratio;
-    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
+    const Frame frame = run.frame();
     double sum = 0;
     double area = 0;
     for (std::size_t e = 0; e < frame.element_stress.size(); ++e) {

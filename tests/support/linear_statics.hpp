@@ -23,7 +23,8 @@ struct Tensor {
 inline std::vector<Vector2> forces_at(const SmallRun& run, State state, const std::vector<Vector2>& displacement) {
     state.displacement = displacement;
     start(run.assemblage, run.parameters, state);
-    sum_nodal_forces(run.assemblage, run.boundary, state.loading, state);
+    ThreadTeam alone(1);
+    sum_nodal_forces(run.assemblage, run.boundary, state.loading, alone, state);
     return state.force;
 }
 

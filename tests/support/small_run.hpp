@@ -8,6 +8,7 @@
 
 #include "solver/loading/platen_control.hpp"
 #include "solver/program/standard_tests.hpp"
+#include "solver/run/frame_output.hpp"
 #include "solver/run/measure.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"
@@ -145,7 +146,14 @@ struct SmallRun {
     void press_on(const std::vector<BoundaryPart>& parts, double fraction) {
         set_boundary(with_pressure(boundary, parts, assemblage, specimen), fraction);
     }
-    [[nodiscard]] Measurement measured() { return measure(assemblage, boundary, parameters, state); }
+    [[nodiscard]] Measurement measured(int threads = 1) {
+        ThreadTeam team(threads);
+        return measure(assemblage, boundary, parameters, team, state);
+    }
+    [[nodiscard]] Frame frame(int threads = 1) const {
+        ThreadTeam team(threads);
+        return make_frame(assemblage, parameters.laws, state, team);
+    }
     [[nodiscard]] std::size_t failed_points() const {
         std::size_t n = 0;
         for (std::size_t i = 0; i < 2 * assemblage.contacts.size(); ++i) n += point_history(state, i).failed() ? 1U : 0U;

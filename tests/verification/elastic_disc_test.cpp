@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "mesher/mesh.hpp"
-#include "solver/run/frame_output.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
@@ -106,7 +105,7 @@ TEST(ElasticDisc, StressOfTwoPointLoads) {
     test::expect_close(loads.normal_stresses({})[0], 2 * force / (pi * disc_diameter), 1e-12, force / disc_diameter);
     test::expect_close(loads.normal_stresses({})[1], -6 * force / (pi * disc_diameter), 1e-12, force / disc_diameter);
 
-    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
+    const Frame frame = run.frame();
     const Means centre = means(run, frame, loads, [](const Vector2& p) { return length(p) < disc_radius / 6; });
     EXPECT_GT(centre.elements, 20);
     // Means over the central region, converted to the centre by the ratio of the formula's values.

@@ -24,8 +24,10 @@ TEST(Frame, IsInTheOrderOfTheSpecimen) {
     SmallRun run = run_of(s);
     for (std::size_t i = 0; i < run.state.displacement.size(); ++i) run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
     run.begin();
-    const Frame frame = make_frame(run.assemblage, run.parameters.laws, run.state);
+    const Frame frame = run.frame(3);
     ASSERT_EQ(frame.displacement.size(), s.n_nodes());
+    EXPECT_EQ(frame.element_stress, run.frame(1).element_stress);
+    EXPECT_EQ(frame.traction, run.frame(1).traction);
     for (std::size_t i = 0; i < s.n_nodes(); ++i) {
         EXPECT_EQ(frame.displacement[i][0], 1e-5 * s.node_position[i][0]);
         EXPECT_EQ(frame.displacement[i][1], 1e-5 * s.node_position[i][1]);

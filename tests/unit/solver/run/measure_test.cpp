@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "solver/run/frame_output.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
@@ -31,7 +30,7 @@ TEST(Measure, EnergyOfAnOpenedContact) {
     expect_close(e.contact, expected, 1e-12, expected);
     EXPECT_EQ(e.strain, 0);
     EXPECT_EQ(e.stored(), e.contact);
-    const Frame frame = make_frame(run.assemblage, law, run.state);
+    const Frame frame = run.frame();
     ASSERT_EQ(frame.opening.size(), 1U);
     for (const std::size_t p : {0U, 1U}) {
         expect_close(frame.opening[0][p], opening, 1e-12, opening);
