@@ -11,12 +11,13 @@ namespace graincrack {
 
 namespace {
 
-/// Row of the largest contraction, if the volume grows again before the peak.
+/// Row of the largest contraction, if the volume grows again before the peak; none if it grew from the elastic part on, as in
+/// plane strain from ν = 1/3 on.
 std::optional<std::size_t> reversal(const std::vector<double>& volume, const LoadCurve& curve) {
     const auto row_at = [&](std::size_t row) { return volume.begin() + static_cast<std::ptrdiff_t>(row); };
     const auto largest = std::max_element(row_at(curve.start), row_at(curve.peak + 1));
     const auto row = static_cast<std::size_t>(largest - volume.begin());
-    if (row == curve.peak || row == curve.start) return std::nullopt;
+    if (row == curve.peak || row <= rows_between(curve, elastic_share[0], elastic_share[1]).begin) return std::nullopt;
     return row;
 }
 

@@ -51,6 +51,13 @@ TEST(Thresholds, ElasticUpToThePeakHasNone) {
     EXPECT_FALSE(none.initiation_by_lateral_response.has_value());
 }
 
+// Of plane strain ε1 + 2 ε3 of ν = 0.35 grows from the start but for the first rows.
+TEST(Thresholds, AVolumeThatGrowsFromTheElasticPartOnDoesNotTurn) {
+    LoadCurve curve = opening_curve(0);
+    for (std::size_t row = 10; row < curve.stress.size(); ++row) curve.gauge_lateral_strain[row] *= 0.54 / 0.3;
+    EXPECT_FALSE(measure_thresholds(curve, VolumeKind::pseudo_3d).damage.has_value());
+}
+
 // A curve whose three volumes and count set in at stresses that differ: the default is that of the pseudo-3D volume.
 TEST(Thresholds, TheDefaultIsThatOfStrainGaugesOnACylinder) {
     const LoadCurve curve = opening_curve(extra);
