@@ -1,69 +1,69 @@
-// Time of a step and of its stages, for each law and vector unit: `tests/benchmark/run`. Real time; items are grains.
+// Time of the stages of a step, of a step with each law and vector unit, and of a step of the specimens of the files that are
+// given: `tests/benchmark/run`. Real time; items are elements.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "share/file/h5_file.hpp"
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
-#include "solver/model/vertex_clusters.hpp"
-#include "solver/program/standard_tests.hpp"
 #include "solver/run/measure.hpp"
-#include "solver/setup/stable_time_step.hpp"
+#include "solver/setup/setup.hpp"
 #include "solver/step/contact_forces.hpp"
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
 #include "solver/step/nodal_forces.hpp"
 #include "solver/step/step.hpp"
 #include "tests/support/augig_granite.hpp"
-#include "tests/support/small_run.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace graincrack::benchmark {
 namespace {
 
 constexpr double speed = 0.05;  // of each platen, m/s
+const int processors = static_cast<int>(std::thread::hardware_concurrency());
 
-LoadingRequest compression() {
-    LoadingRequest request;
-    request.platen_friction = 5 * test::degree;
+SimulationRequest compression(const Material& material, LawVariant law, bool scaled, VectorTarget vector_target) {
+    SimulationRequest request;
+    request.material = material;
+    request.contact = contact_parameters(material, request.plane, std::nullopt);
+    request.law = law;
+    request.mass_scaling = scaled;
+    request.vector_target = vector_target;
+    request.loading.platen_friction = material.platen_friction_angle;
     return request;
 }
 
-/// Augig granite between platens, intact and compressed to about a tenth of its strength.
-struct LoadedSpecimen {
-    Specimen specimen;
-    Assemblage assemblage;
-    StepParameters parameters;
-    Boundary boundary;
+/// A specimen between platens, intact and compressed to about a tenth of its strength.
+struct LoadedSpecimen : Setup {
     State state;
 
-    LoadedSpecimen(Specimen s, LawVariant law, bool scaled, VectorTarget vector_target)
-        : specimen(std::move(s)),
-          assemblage(make_assemblage(specimen, test::augig_granite().rock, PlaneCondition::strain)),
-          parameters{make_contact_law(test::augig_contact(), law), 0, 0.8},
-          boundary(test::boundary_of_test(assemblage, specimen, compression(), test::augig_contact())) {
-        assemblage.vector_target = vector_target;
-        const double factor = scaled ? sufficient_mass_scaling(assemblage, boundary, parameters.laws) : 0;
-        parameters.mass_scaling = make_mass_scaling(assemblage, factor);
-        parameters.time_step = 0.7 * stable_time_step(assemblage, boundary, parameters.laws, factor);
-        state = make_state(assemblage, boundary, specimen);
+    LoadedSpecimen(const Specimen& specimen, const SimulationRequest& request)
+        : Setup(make_setup(specimen, request, program_of(request, specimen))), state(make_state(assemblage, boundary, specimen)) {
         for (std::size_t i = 0; i < state.velocity.size(); ++i) {
             state.velocity[i] = {0, -2 * speed * assemblage.position[i].y / specimen.height};
         }
         start(assemblage, parameters, state);
-        ThreadTeam alone(1);
-        advance_by(2000, alone);
+        ThreadTeam all(processors);
+        advance_by(request.mass_scaling ? 200 : 2000, all);  // scaled masses have steps about ten times as long
     }
     /// Further steps at the platens' speed.
     void advance_by(std::int64_t steps, ThreadTeam& team) {
         const IntervalLoading loading{{speed, -speed}, {speed, -speed}, nullptr};
         advance(assemblage, boundary, parameters, loading, steps, team, state);
     }
-    [[nodiscard]] double grains() const { return static_cast<double>(specimen.n_grains()); }
+    [[nodiscard]] double elements() const { return assemblage.n_elements(); }
 };
 
 template <class Act>
@@ -97,35 +97,41 @@ void clusters(LoadedSpecimen& l) {
     l.parameters.time_step = time_step;
 }
 
-constexpr int few = 17;    // × 33 cells of two grains: 1,122
-constexpr int many = 178;  // × 354: 126,024
-Specimen granite(int columns) {
-    const int rows = columns == few ? 33 : 354;
-    const double cell = 4.5e-3;
-    return test::jittered_grid(columns, rows, cell * columns, cell * rows, 0.25);
+/// 17 × 33 cells of two grains: 1,122 grains of a kind.
+Specimen granite() {
+    constexpr double cell = 4.5e-3;
+    return test::jittered_grid(17, 33, cell * 17, cell * 33, 0.25);
+}
+LoadedSpecimen loaded_granite(LawVariant law, bool scaled, VectorTarget target) {
+    return {granite(), compression(test::augig_granite(), law, scaled, target)};
 }
 
 void count(::benchmark::State& timer, const LoadedSpecimen& loaded, double steps) {
-    const double grain_steps = loaded.grains() * steps * static_cast<double>(timer.iterations());
-    timer.SetItemsProcessed(static_cast<std::int64_t>(grain_steps));
-    timer.counters["ns/grain-step"] =
-        ::benchmark::Counter(grain_steps * 1e-9, ::benchmark::Counter::kIsRate | ::benchmark::Counter::kInvert);
+    const double element_steps = loaded.elements() * steps * static_cast<double>(timer.iterations());
+    timer.SetItemsProcessed(static_cast<std::int64_t>(element_steps));
+    timer.counters["ns/element-step"] =
+        ::benchmark::Counter(element_steps * 1e-9, ::benchmark::Counter::kIsRate | ::benchmark::Counter::kInvert);
 }
 
-void run_steps(::benchmark::State& timer, int columns, LawVariant law, bool scaled, VectorTarget target, int threads) {
-    LoadedSpecimen loaded(granite(columns), law, scaled, target);
+void run_steps(::benchmark::State& timer, LoadedSpecimen& loaded, int threads) {
+    const State begin = loaded.state;
     ThreadTeam team(threads);
-    constexpr std::int64_t steps = 20;
-    for (auto _ : timer) loaded.advance_by(steps, team);
+    const std::int64_t steps = 32 * std::max(1, 25000 / loaded.assemblage.n_elements());
+    for (auto _ : timer) {
+        loaded.advance_by(steps, team);
+        timer.PauseTiming();
+        loaded.state = begin;
+        timer.ResumeTiming();
+    }
     count(timer, loaded, static_cast<double>(steps));
 }
 
-/// Every contact is a crack, and each grain was displaced in another direction, so that some two hundred nodes are in node–edge
+/// Every contact is a crack, and each grain was displaced in another direction, so that some hundreds of nodes are in node–edge
 /// contact.
 LoadedSpecimen loose_grains(VectorTarget target) {
-    Specimen specimen = granite(few);
+    Specimen specimen = granite();
     specimen.contact_kind.assign(specimen.n_contacts(), static_cast<std::uint8_t>(ContactKind::pre_existing_crack));
-    LoadedSpecimen loaded(std::move(specimen), LawVariant::consistent, false, target);
+    LoadedSpecimen loaded(specimen, compression(test::augig_granite(), LawVariant::consistent, false, target));
     constexpr double push = 50;  // m/s
     for (std::size_t i = 0; i < loaded.state.velocity.size(); ++i) {
         const double angle = 2.4 * loaded.assemblage.surface.grain_of_node[i];
@@ -153,13 +159,13 @@ void run_node_edge_contacts(::benchmark::State& timer, VectorTarget target, bool
 
 using Stage = void (*)(LoadedSpecimen&);
 void run_stage(::benchmark::State& timer, Stage stage, bool scaled, VectorTarget target) {
-    LoadedSpecimen loaded(granite(few), LawVariant::consistent, scaled, target);
+    LoadedSpecimen loaded = loaded_granite(LawVariant::consistent, scaled, target);
     for (auto _ : timer) stage(loaded);
     count(timer, loaded, 1);
 }
 
 void measure_all(::benchmark::State& timer) {
-    LoadedSpecimen loaded(granite(few), LawVariant::consistent, false, widest_vector_target());
+    LoadedSpecimen loaded = loaded_granite(LawVariant::consistent, false, widest_vector_target());
     ThreadTeam team(1);
     for (auto _ : timer) {
         ::benchmark::DoNotOptimize(measure(loaded.assemblage, loaded.boundary, loaded.parameters, team, loaded.state));
@@ -171,7 +177,30 @@ void add(const std::string& name, auto&& run) {
     ::benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(::benchmark::kMicrosecond);
 }
 
-void add_all() {
+/// Adds steps of the specimen of a file with 1, 2, 4 … threads. It is set up once for all of them, since they follow one another.
+void add_steps(const std::string& file, bool scaled, VectorTarget target) {
+    const std::string name = fmt::format("step/{}/{}/{}/", std::filesystem::path(file).stem().string(),
+                                         scaled ? "selective" : "none", name_of(target));
+    for (int threads = 1; threads <= std::min(processors, 16); threads *= 2) {
+        add(name + std::to_string(threads), [=](auto& timer) {
+            static std::string present;
+            static std::optional<LoadedSpecimen> loaded;
+            if (present != name) {
+                loaded.reset();
+                const Specimen specimen = read_specimen(H5Input(file));
+                const bool is_uniform = specimen.phase_names.size() == 1;
+                const Material material = read_material(is_uniform ? "augig-granite" : "augig-granite-calibrated");
+                loaded.emplace(specimen,
+                               compression(material, is_uniform ? default_law : LawVariant::cohesive_frictional, scaled, target));
+                present = name;
+            }
+            run_steps(timer, *loaded, threads);
+        });
+    }
+}
+
+/// \param files specimens of which steps are measured
+void add_all(const std::vector<std::string>& files) {
     for (const VectorTarget target : {VectorTarget::plain, VectorTarget::avx2, VectorTarget::avx512}) {
         if (!is_available(target)) continue;
         const std::string unit(name_of(target));
@@ -179,21 +208,18 @@ void add_all() {
             const std::string masses = scaled ? "scaled/" : "";
             for (const auto& [stage, act] : std::vector<std::pair<std::string, Stage>>{
                      {"contacts", contacts}, {"forces", forces}, {"integration", scaled ? clusters : nodes}}) {
-                add("stage/" + masses + stage + "/1122/" + unit, [=](auto& timer) { run_stage(timer, act, scaled, target); });
+                add("stage/" + masses + stage + "/1122/" + unit,
+                    [=, act = act](auto& timer) { run_stage(timer, act, scaled, target); });
             }
-            for (const int threads : {1, 2}) {
-                for (const int columns : {few, many}) {
-                    const std::string size = columns == few ? "1122/" : "126024/";
-                    add("step/" + masses + size + unit + "/threads:" + std::to_string(threads),
-                        [=](auto& timer) { run_steps(timer, columns, LawVariant::consistent, scaled, target, threads); });
-                }
-            }
+            for (const std::string& file : files) add_steps(file, scaled, target);
         }
         add("stage/node-edge contacts/1122/" + unit, [=](auto& timer) { run_node_edge_contacts(timer, target, false); });
         add("stage/detection/1122/" + unit, [=](auto& timer) { run_node_edge_contacts(timer, target, true); });
         for (const LawDescription& law : all_contact_laws()) {
-            add("law/" + std::string(law.name) + "/1122/" + unit,
-                [=, variant = law.variant](auto& timer) { run_steps(timer, few, variant, false, target, 1); });
+            add("law/" + std::string(law.name) + "/1122/" + unit, [=, variant = law.variant](auto& timer) {
+                LoadedSpecimen loaded = loaded_granite(variant, false, target);
+                run_steps(timer, loaded, 1);
+            });
         }
     }
     add("measure/1122", measure_all);
@@ -204,8 +230,7 @@ void add_all() {
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    graincrack::benchmark::add_all();
+    graincrack::benchmark::add_all({argv + 1, argv + argc});
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }
