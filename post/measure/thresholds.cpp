@@ -11,8 +11,7 @@ namespace graincrack {
 
 namespace {
 
-/// Row of the largest contraction, if the volume grows again before the peak; none if it grew from the elastic part on, as in
-/// plane strain from ν = 1/3 on.
+/// Row of the largest contraction, if the volume grows again behind the elastic part and before the peak.
 std::optional<std::size_t> reversal(const std::vector<double>& volume, const LoadCurve& curve) {
     const auto row_at = [&](std::size_t row) { return volume.begin() + static_cast<std::ptrdiff_t>(row); };
     const auto largest = std::max_element(row_at(curve.start), row_at(curve.peak + 1));
