@@ -21,22 +21,28 @@ struct ContactLanes {
     alignas(64) double jump_x[2 * n], jump_y[2 * n];
     alignas(64) double opening[2 * n], sliding[2 * n];
     alignas(64) double normal_traction[2 * n], shear_traction[2 * n];
-    alignas(64) double intact[2 * n];                             ///< 1 while the point has not failed, else 0
-    alignas(64) double softening[2 * n];                          ///< 1 if it has failed and cohesion is left, else 0
-    alignas(64) double tensile[2 * n];                            ///< 1 if a softening point failed in tension, else 0
-    alignas(64) double largest_open[2 * n], largest_slid[2 * n];  ///< of softening points, as in `ContactHistory`
-    alignas(64) double bridge[2 * n];                             ///< of softening points, as in `ContactHistory`
-    alignas(64) double residual[2 * n];                           ///< 1 if it carries nothing but friction, else 0
+    alignas(64) double intact[2 * n];    ///< 1 while the point has not failed, else 0
+    alignas(64) double residual[2 * n];  ///< 1 if it carries nothing but friction, else 0
     alignas(64) double released[2 * n];  ///< 1 if the contact has been released to node–edge contacts, else 0
     alignas(64) double done[2 * n];      ///< 1 where one of these responses holds or the contact has been released; else 0: the
                                          ///< point needs the full law
     alignas(64) double fracture[2 * n], shear_fracture[2 * n];  ///< dissipated, J
     alignas(64) double friction[2 * n];                         ///< dissipated, J
-    alignas(64) double remaining[2 * n];                        ///< cohesion of a softening point
-    alignas(64) double passes[2 * n];  ///< 1 if a softening point loses cohesion and falls below its next mark, else 0
-    double passing;                    ///< number of these points
-    bool any_softening;                ///< whether a point is softening; else what is of softening points is not set
-    bool any_residual;                 ///< whether a point is residual or released; else `residual` and `released` are not set
+    bool any_failed;                                            ///< whether a point has failed
+    bool any_residual;  ///< whether a point is residual or released; else `residual` and `released` are not set
+};
+
+/// The softening points of a chunk, those that have failed with cohesion left, side by side: a few of its points. Their motions,
+/// and what changes with them.
+struct SofteningLanes {
+    static constexpr std::int32_t n = 2 * contacts_per_chunk;
+    ContactHistory* histories;  ///< of all points of the chunk
+    bool has_memory;            ///< whether more of them changes than integrity and slip
+    std::int32_t count;
+    std::size_t place[n];  ///< in the chunk, 2 i + p; filled up to whole lanes by the last of them
+    alignas(64) double old_opening[n], old_sliding[n], opening[n], sliding[n];
+    alignas(64) double integrity[n], slip[n], largest_open[n], largest_slid[n], bridge[n];
+    alignas(64) double normal[n], shear[n], fracture[n], friction[n], holds[n], remaining[n];  ///< as in `SofteningResponse`
 };
 
 void gather_contacts(const Assemblage& a, const State& s, Range range, ContactLanes& b) {
@@ -93,37 +99,17 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
     return found != 0;
 }
 
-/// Which points of a chunk are softening, and in which mode they failed.
-void find_softening(const State& s, Range range, ContactLanes& b) {
-    const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
-    double found = 0;
-    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
-        const std::size_t point = first + static_cast<std::size_t>(k);
-        const bool softening = s.failed[point] != 0 && s.residual[point] == 0;
-        const ContactHistory* const history = softening ? &s.points[point] : nullptr;
-        b.softening[k] = softening ? 1.0 : 0.0;
-        b.tensile[k] = softening && history->first_mode == CrackMode::tensile ? 1.0 : 0.0;
-        b.largest_open[k] = softening ? history->largest_open : 0.0;
-        b.largest_slid[k] = softening ? history->largest_slid : 0.0;
-        b.bridge[k] = softening ? history->bridge : 0.0;
-        found += b.softening[k];
-    }
-    b.any_softening = found > 0;
-}
-
-/// Which points of a chunk are intact, softening, residual or released before they move.
+/// Which points of a chunk are intact, residual or released before they move.
 void sort_points(const Assemblage& a, const State& s, Range range, ContactLanes& b) {
     const std::int32_t count = 2 * range.size();
     const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
     const std::uint8_t* const residual = &s.residual[2 * static_cast<std::size_t>(range.begin)];
     const std::uint8_t* const released = &s.contact_pairs.released[range.begin];
-    const bool any_failed = any(failed, count);
+    b.any_failed = any(failed, count);
     b.any_residual = any(residual, count) || any(released, range.size());
-    b.any_softening = false;
-    if (any_failed) find_softening(s, range, b);
-    if (!any_failed) std::fill_n(b.intact, count, 1.0);
+    if (!b.any_failed) std::fill_n(b.intact, count, 1.0);
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-        for (std::int32_t k = 0; any_failed && k < count; ++k) b.intact[k] = 1.0 - static_cast<double>(failed[k]);
+        for (std::int32_t k = 0; b.any_failed && k < count; ++k) b.intact[k] = 1.0 - static_cast<double>(failed[k]);
         for (std::int32_t i = 0; b.any_residual && 2 * i < count; ++i) {
             const auto is_released = static_cast<double>(released[i]);
             b.released[2 * i] = is_released;
@@ -169,8 +155,11 @@ struct Points {
     double* integrity;
     double* slip;
     double* fracture_energy;
-    const double* next_level;
 };
+Points points_from(Range range, State& s) {
+    const auto first = 2 * static_cast<std::size_t>(range.begin);
+    return {&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
+}
 
 /// The intact response of all points, right where it holds.
 template <class Law>
@@ -205,55 +194,58 @@ constexpr bool may_be_bridged = requires(const ContactLaw& law, const SofteningP
     Law::bridged_softening(law, p);
 };
 
-/// The softening response of softening points.
+void find_softening(const State& s, Range range, SofteningLanes& p) {
+    const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
+    const std::uint8_t* const residual = &s.residual[2 * static_cast<std::size_t>(range.begin)];
+    std::int32_t n = 0;
+    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
+        if (failed[k] > residual[k]) p.place[n++] = static_cast<std::size_t>(k);
+    }
+    for (std::int32_t j = n; n > 0 && j < in_whole_lanes(n); ++j) p.place[j] = p.place[n - 1];
+    p.count = n;
+}
+
+void gather_softening(const Points& points, const ContactLanes& b, SofteningLanes& p) {
+    for (std::int32_t j = 0; j < in_whole_lanes(p.count); ++j) {
+        const std::size_t k = p.place[j];
+        const ContactHistory& history = p.histories[k];
+        p.old_opening[j] = points.old_opening[k];
+        p.old_sliding[j] = points.old_sliding[k];
+        p.opening[j] = b.opening[k];
+        p.sliding[j] = b.sliding[k];
+        p.integrity[j] = points.integrity[k];
+        p.slip[j] = points.slip[k];
+        if (!p.has_memory) continue;
+        p.largest_open[j] = history.largest_open;
+        p.largest_slid[j] = history.largest_slid;
+        p.bridge[j] = history.bridge;
+    }
+}
+
+/// The softening response, right where it holds.
 template <class Law, bool bridged>
-GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, const Points& points, std::int32_t count,
-                                                ContactLanes& b) {
+GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, std::int32_t count, SofteningLanes& p) {
     const ContactLaw law = constants;
-    const double* const old_opening = points.old_opening;
-    const double* const old_sliding = points.old_sliding;
-    double* __restrict const integrity = points.integrity;
-    double* __restrict const slip = points.slip;
-    const double* const next_level = points.next_level;
-    for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const SofteningPoint point{old_opening[k], old_sliding[k],    b.opening[k],      b.sliding[k], integrity[k],
-                                   slip[k],        b.largest_open[k], b.largest_slid[k], b.bridge[k]};
+    for (std::int32_t j = 0; j < count; ++j) {
+        const SofteningPoint point{p.old_opening[j], p.old_sliding[j],  p.opening[j],      p.sliding[j], p.integrity[j],
+                                   p.slip[j],        p.largest_open[j], p.largest_slid[j], p.bridge[j]};
         SofteningResponse r;
         if constexpr (bridged) {
             r = Law::bridged_softening(law, point);
         } else {
             r = Law::softening(law, point);
         }
-        const double softening = r.holds * b.softening[k];
-        b.largest_open[k] = softening != 0 ? r.largest_open : b.largest_open[k];
-        b.largest_slid[k] = softening != 0 ? r.largest_slid : b.largest_slid[k];
-        b.bridge[k] = softening != 0 ? r.bridge : b.bridge[k];
-        b.normal_traction[k] = softening != 0 ? r.normal : b.normal_traction[k];
-        b.shear_traction[k] = softening != 0 ? r.shear : b.shear_traction[k];
-        integrity[k] = softening != 0 ? r.integrity : integrity[k];
-        slip[k] = softening != 0 ? r.slip : slip[k];
-        b.fracture[k] = softening != 0 ? r.fracture : 0.0;
-        b.friction[k] = softening != 0 ? r.friction : 0.0;
-        b.done[k] = b.done[k] + softening;
-        b.remaining[k] = r.remaining_cohesion;
-    }
-    for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const double below = b.remaining[k] < next_level[k] ? 1.0 : 0.0;
-        b.passes[k] = b.fracture[k] > 0 ? below : 0.0;
-    }
-    b.passing = sum_values_by_lanes(2 * count, b.passes);
-}
-
-/// Keeps the largest motions and the bridges of softening points.
-void store_histories(Range range, const ContactLanes& b, State& s) {
-    const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
-    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
-        if (b.softening[k] != 0) {
-            ContactHistory& history = s.points.of(first + static_cast<std::size_t>(k));
-            history.largest_open = b.largest_open[k];
-            history.largest_slid = b.largest_slid[k];
-            history.bridge = b.bridge[k];
-        }
+        p.normal[j] = r.normal;
+        p.shear[j] = r.shear;
+        p.integrity[j] = r.integrity;
+        p.slip[j] = r.slip;
+        p.fracture[j] = r.fracture;
+        p.friction[j] = r.friction;
+        p.holds[j] = r.holds;
+        p.remaining[j] = r.remaining_cohesion;
+        p.largest_open[j] = r.largest_open;
+        p.largest_slid[j] = r.largest_slid;
+        p.bridge[j] = r.bridge;
     }
 }
 
@@ -293,19 +285,17 @@ GRAINCRACK_INLINE std::int32_t count_undone(std::int32_t count, const ContactLan
     return undone;
 }
 
-/// Books the fracture energies of the points of a chunk: by point, and in the sums by mode.
-/// \param is_tensile whether that of point k counts as tensile
-template <class IsTensile>
-GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, ContactLanes& b, ContactSums& sums,
-                                     const IsTensile& is_tensile) {
+/// Books the fracture energies of intact points: by point, and in the sums by mode. Damage before the peak belongs to the branch
+/// it happens on.
+GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, ContactLanes& b, ContactSums& sums) {
     double* __restrict const fracture_energy = points.fracture_energy;
     for (std::int32_t i = 0; i < count; ++i) {
         b.fracture[2 * i] = b.energy_area[i] * b.fracture[2 * i];
         b.fracture[2 * i + 1] = b.energy_area[i] * b.fracture[2 * i + 1];
     }
-    for (std::int32_t k = 0; k < 2 * count; ++k) fracture_energy[k] += b.fracture[k];
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const bool tensile = is_tensile(k);
+        const bool tensile = b.opening[k] >= 0;
+        fracture_energy[k] += b.fracture[k];
         b.shear_fracture[k] = tensile ? 0.0 : b.fracture[k];
         b.fracture[k] = tensile ? b.fracture[k] : 0.0;
     }
@@ -391,15 +381,61 @@ void record_events(const Assemblage& a, const ContactLaw& law, const PointIndex&
     }
 }
 
-/// The same of the softening points of a chunk on the vector path, where none fails or separates.
-void record_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, State& s, const ContactLanes& b) {
+/// Stores the responses that hold, and books and notes what they lose.
+void store_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, const SofteningLanes& p, State& s,
+                     ContactLanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
-    for (std::int32_t k = 0; k < 2 * range.size(); ++k) {
-        if (b.passes[k] != 0) {
-            record_levels(a, {chunk, range.begin + k / 2, k % 2}, b.remaining[k], {b.opening[k], b.sliding[k]},
-                          {b.tangent_x[k / 2], b.tangent_y[k / 2]}, step, s);
+    const Points points = points_from(range, s);
+    const double* const next_level = &s.next_level[2 * static_cast<std::size_t>(range.begin)];
+    double sums[3][sum_lanes] = {};  // tension, shear, friction; by lanes, as sums over all points of the chunk
+    for (std::int32_t j = 0; j < p.count; ++j) {
+        if (p.holds[j] == 0) continue;
+        const std::size_t k = p.place[j];
+        ContactHistory& history = p.histories[k];
+        if (p.has_memory) {
+            history.largest_open = p.largest_open[j];
+            history.largest_slid = p.largest_slid[j];
+            history.bridge = p.bridge[j];
+        }
+        b.normal_traction[k] = p.normal[j];
+        b.shear_traction[k] = p.shear[j];
+        b.done[k] = 1;
+        points.integrity[k] = p.integrity[j];
+        points.slip[k] = p.slip[j];
+        const double fracture = b.energy_area[k / 2] * p.fracture[j];
+        points.fracture_energy[k] += fracture;
+        sums[history.first_mode == CrackMode::tensile ? 0 : 1][k % sum_lanes] += fracture;
+        sums[2][k % sum_lanes] += b.energy_area[k / 2] * p.friction[j];
+        if (p.fracture[j] > 0 && p.remaining[j] < next_level[k]) {
+            const auto i = static_cast<std::int32_t>(k / 2);
+            record_levels(a, {chunk, range.begin + i, static_cast<std::int32_t>(k % 2)}, p.remaining[j],
+                          {p.opening[j], p.sliding[j]}, {b.tangent_x[i], b.tangent_y[i]}, step, s);
         }
     }
+    ContactSums& totals = s.contact_sums[chunk];
+    totals.fracture_tension += sum_values_by_lanes(sum_lanes, sums[0]);
+    totals.fracture_shear += sum_values_by_lanes(sum_lanes, sums[1]);
+    totals.friction += sum_values_by_lanes(sum_lanes, sums[2]);
+}
+
+/// The softening response of the points of a chunk that soften, found for them alone.
+template <class Law>
+void soften_points(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, ContactLanes& b) {
+    const Range range = a.contact_chunks[chunk].contacts;
+    SofteningLanes p;
+    find_softening(s, range, p);
+    if (p.count == 0) return;
+    p.histories = &s.points.of(2 * static_cast<std::size_t>(range.begin));
+    p.has_memory = Law::remembers_largest || law.bridge > 0;
+    gather_softening(points_from(range, s), b, p);
+    run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
+        if (may_be_bridged<Law> && law.bridge > 0) {
+            apply_softening_response<Law, may_be_bridged<Law>>(law, in_whole_lanes(p.count), p);
+        } else {
+            apply_softening_response<Law, false>(law, in_whole_lanes(p.count), p);
+        }
+    });
+    store_softening(a, chunk, step, p, s, b);
 }
 
 /// Opens a point whose contact has lost its frame, slowly, so that it dissipates what is left of its fracture energy.
@@ -439,32 +475,15 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
                                ContactLanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
     const std::int32_t count = range.size();
-    const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
-    const Points points{&s.opening[first], &s.sliding[first],         &s.integrity[first],
-                        &s.slip[first],    &s.fracture_energy[first], &s.next_level[first]};
+    const Points points = points_from(range, s);
     ContactSums& sums = s.contact_sums[chunk];
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
         find_motions(count, b);
         apply_intact_response<Law>(law, points, count, b);
-        if constexpr (Law::damages_intact) {
-            // Damage before the peak belongs to the branch it happens on.
-            book_fracture(points, count, b, sums, [&b](std::int32_t k) { return b.opening[k] >= 0; });
-        }
+        if constexpr (Law::damages_intact) book_fracture(points, count, b, sums);
     });
     if constexpr (has_softening<Law>) {
-        if (b.any_softening) {
-            run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
-                if (may_be_bridged<Law> && law.bridge > 0) {
-                    apply_softening_response<Law, may_be_bridged<Law>>(law, points, count, b);
-                } else {
-                    apply_softening_response<Law, false>(law, points, count, b);
-                }
-                book_fracture(points, count, b, sums, [&b](std::int32_t k) { return b.tensile[k] != 0; });
-                sums.friction += sum_friction(count, b);
-            });
-            if (Law::remembers_largest || law.bridge > 0) store_histories(range, b, s);
-            if (b.passing > 0) record_softening(a, chunk, step, s, b);
-        }
+        if (b.any_failed) soften_points<Law>(a, law, chunk, step, s, b);
     }
     std::int32_t undone = 0;
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {

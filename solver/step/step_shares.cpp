@@ -1,6 +1,7 @@
 #include "solver/step/step_shares.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace graincrack {
@@ -10,7 +11,8 @@ namespace {
 // the peak under pressure. Other laws and vector units need others in much the same proportions.
 constexpr double of_node = 40, of_cluster = 150, of_platen_point = 120;
 constexpr double of_contact_chunk = 1260, of_contact = 160;
-constexpr double of_softening = 190, of_residual = 45;  // more, of each contact in a chunk with such a point
+constexpr double of_softening = 130;  // more, of each such point
+constexpr double of_residual = 45;    // more, of each contact in a chunk with such a point
 constexpr double of_element = 56, of_loaded_edge = 55;
 constexpr double of_active_contact = 210, of_watched_pair = 250;  // the latter in a detection
 
@@ -49,14 +51,15 @@ double busiest_over_mean(const std::vector<double>& busy) {
 }
 
 double cost_of_contacts(Range contacts, const State* s) {
-    double of_each = of_contact;
+    double cost = of_contact_chunk + of_contact * contacts.size();
     if (s != nullptr) {
-        const auto [begin, end] = Range{2 * contacts.begin, 2 * contacts.end};
-        const auto residual = s->residual.begin();
-        of_each += std::equal(residual + begin, residual + end, s->failed.begin() + begin) ? 0 : of_softening;
-        of_each += std::find(residual + begin, residual + end, 1) == residual + end ? 0 : of_residual;
+        const auto first = s->residual.begin() + 2 * contacts.begin;
+        const auto last = first + 2 * contacts.size();
+        cost +=
+            of_softening * std::inner_product(first, last, s->failed.begin() + 2 * contacts.begin, 0, std::plus{}, std::less{});
+        cost += std::find(first, last, 1) == last ? 0 : of_residual * contacts.size();
     }
-    return of_contact_chunk + of_each * contacts.size();
+    return cost;
 }
 
 double cost_of_pairs(const ContactPairList& list, std::int32_t chunk) {
