@@ -50,9 +50,9 @@ Outcome outcome_of(const Target& target, const std::vector<const Measures*>& run
     const std::vector<double> values = values_of(target, runs);
     Outcome outcome{target, {}, runs.size(), ""};
     if (!values.empty()) outcome.ours = sample(values);
-    const auto share = static_cast<double>(values.size()) / static_cast<double>(runs.size());
+    const auto fraction = static_cast<double>(values.size()) / static_cast<double>(runs.size());
     if (std::isfinite(target.value)) {
-        const bool lacking = target.property.needs_first_peak && share < study.first_peak_fraction;
+        const bool lacking = target.property.needs_first_peak && fraction < study.first_peak_fraction;
         // A fitted one is asked of the specimen that it is tested on.
         const std::string caveat = target.use == Use::fit ? "" : target.caveat(study.specimens.bend());
         outcome.verdict = !caveat.empty() ? caveat : !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
@@ -125,7 +125,7 @@ Ended ending_of(const std::vector<Outcome>& outcomes, const Fit& fit, const Box&
                 const Study& study) {
     std::string missed;
     std::string remedies;
-    std::string specimens;
+    std::string wanted;
     bool expected = false;
     bool out_of_reach = false;
     bool outside = false;
@@ -140,7 +140,7 @@ Ended ending_of(const std::vector<Outcome>& outcomes, const Fit& fit, const Box&
         if (o.ours && o.ours->deviation) {
             const double n =
                 std::max(std::pow(2 * *o.ours->deviation / o.target.deviation, 2), 2.0 * static_cast<double>(o.tests));
-            add(specimens, fmt::format("{:.0f} for {}", std::ceil(n), o.target.symbol()));
+            add(wanted, fmt::format("{:.0f} for {}", std::ceil(n), o.target.symbol()));
         }
     }
     if (missed.empty()) {
@@ -160,7 +160,7 @@ Ended ending_of(const std::vector<Outcome>& outcomes, const Fit& fit, const Box&
     return {Ending::undecided, missed,
             fmt::format("confirm on more specimens, about {} (settings confirmation_discs=N, confirmation_rectangles=N), or "
                         "{}; settings are given by --set, or by SET= of make",
-                        specimens, another)};
+                        wanted, another)};
 }
 
 }  // namespace graincrack::calibrate
