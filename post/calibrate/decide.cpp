@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "share/base/error.hpp"
@@ -25,7 +24,6 @@ constexpr const char* grain_ratio = "rock.poisson_ratio";
 constexpr double usual_prior = 1;
 /// Fall of the sum of squared deviations that is worth other specimens: half a standard deviation of one target.
 constexpr double pointless = 0.25;
-constexpr double normal_95 = 1.96;
 
 /// Thrown where runs are missing: no later decision can be taken. Caught in `decide` only.
 struct RunsMissing {};
@@ -444,10 +442,11 @@ std::size_t Calibration::specimens_for(const Test& test) const {
         if (t.use != Use::fit || !test.has(t) || t.is_elastic()) continue;
         if (!response.surface) return most;
         const double scatter = std::pow(response.surface->scatter(), 2) * static_cast<double>(specimens_of(response));
-        const double known = response.surface->is_of_kind() ? response.surface->variance(fit_.optimum.point) : INFINITY;
+        const bool is_of_kind = response.surface->is_of_kind();
+        const double known = is_of_kind ? response.surface->variance(fit_.optimum.point) : INFINITY;
         const auto half = [&] {
-            const double times = response.surface->is_of_kind() ? normal_95 : student_t_95(static_cast<int>(n) - 1);
-            return times / std::sqrt(1 / known + static_cast<double>(n) / scatter);
+            const double factor = is_of_kind ? deviations_of_95_percent : student_t_95(static_cast<int>(n) - 1);
+            return factor / std::sqrt(1 / known + static_cast<double>(n) / scatter);
         };
         while (n < most && !(n > 1 && half() <= t.log_deviation())) ++n;
     }

@@ -207,13 +207,14 @@ std::string predictions_text(const Fit& fit, const Draws& draws) {
         const auto between = [&](double low, double high) {
             return fmt::format("{} to {}", t.text(t.of_logarithm(low)), t.text(t.of_logarithm(high)));
         };
+        const auto around = [&](double half) { return between(mean - half, mean + half); };
         std::vector<double> logs;
         for (const std::vector<double>& draw : draws.logs) logs.push_back(draw[r]);
         std::sort(logs.begin(), logs.end());
         const std::size_t outside = logs.size() / 40;
-        text += markdown_row(
-            {t.symbol(), t.text(t.of_logarithm(mean)), between(mean - 0.674 * deviation, mean + 0.674 * deviation),
-             between(mean - 1.96 * deviation, mean + 1.96 * deviation), between(logs[outside], logs[logs.size() - 1 - outside])});
+        text +=
+            markdown_row({t.symbol(), t.text(t.of_logarithm(mean)), around(deviations_of_50_percent * deviation),
+                          around(deviations_of_95_percent * deviation), between(logs[outside], logs[logs.size() - 1 - outside])});
     }
     return text;
 }
