@@ -32,6 +32,7 @@ class Metadata(unittest.TestCase):
         self.assertEqual(self.codemeta["version"], version)
         self.assertEqual(first(r'^    version\("([^"]+)"', "share/packaging/spack/package.py"), version)
         self.assertEqual(first(r'^  version: "([^"]+)"', "share/packaging/conda/recipe.yaml"), version)
+        self.assertEqual(first(r'^__version__ = "([^"]+)"', "share/python/graincrack/__init__.py"), version)
 
     def test_authors_and_licence_are_those_of_the_citation(self):
         author = first(r"^  - name: (.+)", "CITATION.cff")

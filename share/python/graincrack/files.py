@@ -18,7 +18,13 @@ share/doc/file-format.md.
 
 from __future__ import annotations
 
+import base64
 import csv
+import html
+import io
+import json
+import re
+import shutil
 from functools import cached_property
 from pathlib import Path
 from typing import Iterator, Mapping
@@ -29,13 +35,19 @@ try:
 except ImportError as error:
     raise ImportError(f"graincrack needs numpy and h5py, and {error.name} is not there; on Debian apt install python3-h5py") from None
 
-__all__ = ["FormatError", "GraincrackError", "Group", "MissingError", "Run", "Specimen", "Table"]
-
 SCHEMA_VERSION = 4  # as share/file/h5_file.hpp has it
 
 
 class GraincrackError(Exception):
-    """What this module raises, with a line that says what is wrong and what would be right."""
+    """What this package raises, with a line that says what is wrong and what would be right."""
+
+    def __init__(self, *arguments, exit_code: int | None = None):
+        super().__init__(*arguments)
+        self.exit_code = exit_code  #: of the program that refused, else None
+
+
+class GraincrackWarning(UserWarning):
+    """A warning of a program."""
 
 
 class MissingError(GraincrackError, KeyError):
@@ -120,14 +132,56 @@ class Group(Mapping):
         return found
 
 
-class Specimen:
+class _File:
+    """A file at `path`, which a call of the package takes as an argument."""
+
+    def __init__(self, path: str | Path):
+        self.path = Path(path)
+
+    def __fspath__(self) -> str:
+        return str(self.path)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({str(self.path)!r})"
+
+
+class _Hdf5File(_File):
+    """One of Graincrack's files, opened when something of it is first asked for."""
+
+    @classmethod
+    def made(cls, path: Path):
+        """What a program has just made, not opened yet: a thousand files cannot be open at a time."""
+        made = cls.__new__(cls)
+        _File.__init__(made, path)
+        return made
+
+    @cached_property
+    def _file(self) -> h5py.File:
+        return _open(self.path)
+
+    @property
+    def provenance(self) -> dict:
+        """What made it: program, version, command line, configuration …"""
+        return _attributes(self._file["provenance"])
+
+    def plot(self, kind: str, **options) -> Output:
+        """A picture of it by a command of `graincrack.plot`, whose options it takes: plot("cracks", frame="peak")."""
+        return _command("plot", kind)(self, **options)
+
+
+class Specimen(_Hdf5File):
     """A particle assemblage. `Specimen("specimen.h5")`, or `run.specimen`."""
 
     def __init__(self, source: str | Path | h5py.File):
+        super().__init__(source.filename if isinstance(source, h5py.File) else source)
         self._file = source if isinstance(source, h5py.File) else _open(source)
 
     def __getitem__(self, attribute: str):
         return _attribute(self._file, "/specimen", attribute)
+
+    def plot(self, kind: str = "specimen", **options) -> Output:
+        """A picture of its grains, with the options of `graincrack.plot.specimen`."""
+        return super().plot(kind, **options)
 
     @cached_property
     def nodes(self) -> np.ndarray:
@@ -148,11 +202,11 @@ class Specimen:
         return Group(self._file["contacts"])
 
 
-class Run:
+class Run(_Hdf5File):
     """A run of graincrack-solve. `run["damping"]` is an attribute of /run."""
 
     def __init__(self, path: str | Path):
-        self._file = _open(path)
+        super().__init__(path)
         if "run" not in self._file:
             raise FormatError(f"{path}: a specimen, no run; give a file that graincrack-solve wrote")
 
@@ -179,9 +233,13 @@ class Run:
         """All attributes of /run, without their units."""
         return {name: value for name, value in _attributes(self._file["run"]).items() if not name.endswith("_unit")}
 
-    @property
-    def provenance(self) -> dict:
-        return _attributes(self._file["provenance"])
+    def film(self, **options) -> Output:
+        """A film of the test, with the options of `graincrack.film`."""
+        return _command("film")(self, **options)
+
+    def view(self, **options) -> Output:
+        """A page on which the test is turned over, with the options of `graincrack.view`."""
+        return _command("view")(self, **options)
 
     @cached_property
     def specimen(self) -> Specimen:
@@ -241,10 +299,11 @@ class Frame(Group):
 class Table(Mapping):
     """A table of graincrack-post (TSV): columns by name, with or without the unit that ends it."""
 
-    def __init__(self, path: str | Path):
+    def __init__(self, path: str | Path, text: str | None = None):
+        """Reads a file, or the text of a table that is in none; then `path` is a name for messages."""
         try:
-            with open(path, newline="", encoding="utf-8") as file:
-                rows = list(csv.reader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
+            self._text = Path(path).read_text(encoding="utf-8") if text is None else text
+            rows = list(csv.reader(io.StringIO(self._text, newline=""), delimiter="\t", quoting=csv.QUOTE_NONE))
         except (UnicodeDecodeError, csv.Error):
             rows = []
         if not rows or any(len(row) != len(rows[0]) for row in rows):
@@ -283,6 +342,66 @@ class Table(Mapping):
         import pandas
 
         return pandas.DataFrame({name: self[name] for name in self})
+
+    def save(self, path: str | Path) -> Path:
+        """Writes it as the file (TSV) that commands such as `summarize` read."""
+        Path(path).write_text(self._text, encoding="utf-8")
+        return Path(path)
+
+    def __repr__(self) -> str:
+        rows = [(name, *cells) for name, cells in self._columns.items() if any(cells)]
+        texts = [[cell.rjust(max(map(len, row))) for cell in row] for row in rows]
+        return "\n".join("  ".join(line) for line in zip(*texts))
+
+    def _repr_html_(self) -> str:
+        filled = {name: cells for name, cells in self._columns.items() if any(cells)}
+        rows = [*zip(*filled.values())]
+        head = "".join(f"<th>{html.escape(name.removesuffix('_' + self.unit(name)))}<br>{self.unit(name)}</th>" for name in filled)
+        body = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in rows[:_MOST_ROWS])
+        more = f"<p>{len(rows) - _MOST_ROWS} rows more</p>" if len(rows) > _MOST_ROWS else ""
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
+
+
+_MOST_ROWS = 60  # of a table that a notebook shows
+
+
+class Output(_File):
+    """A picture, film, page or folder that a command made; a notebook shows it."""
+
+    def save(self, path: str | Path) -> Path:
+        """Copies it."""
+        return Path((shutil.copytree if self.path.is_dir() else shutil.copyfile)(self.path, path))
+
+    def _repr_png_(self) -> bytes | None:
+        pictures = sorted(self.path.glob("*.png"))[-1:] if self.path.is_dir() else [self.path] * (self.path.suffix == ".png")
+        return pictures[0].read_bytes() if pictures else None
+
+    def _repr_svg_(self) -> str | None:
+        return self.path.read_text() if self.path.suffix == ".svg" else None
+
+    def _repr_html_(self) -> str | None:
+        if self.path.suffix == ".html":
+            page = html.escape(self.path.read_text(encoding="utf-8"))
+            return f'<iframe srcdoc="{page}" style="width: 100%; height: 640px; border: 0"></iframe>'
+        if self.path.suffix not in (".mp4", ".webm"):
+            return None
+        data = base64.b64encode(self.path.read_bytes()).decode()
+        return f'<video controls loop style="max-width: 100%" src="data:video/{self.path.suffix[1:]};base64,{data}"></video>'
+
+
+def material_of(path: str | Path) -> str | None:
+    """The material with which a specimen or run was made, as its command line had it."""
+    with _open(path) as file:
+        lines = re.findall(r'^material = (".*")$', _attributes(file["provenance"]).get("configuration", ""), re.MULTILINE)
+    return json.loads(lines[-1]) if lines else None
+
+
+def _command(*names: str):
+    """A function of the package, by the names of its command."""
+    from . import functions
+
+    return functions.command(*names)
+
 
 
 # Units that end the names of columns (share/doc/tables.md).

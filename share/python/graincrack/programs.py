@@ -1,0 +1,229 @@
+"""The programs: where they are, what they say of themselves, and their calls, one by one or side by side."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import threading
+import warnings
+from concurrent import futures
+from pathlib import Path
+from typing import Callable, Iterable, Iterator
+
+from .files import GraincrackError, GraincrackWarning
+
+PROGRAMS = ("graincrack-mesh", "graincrack-solve", "graincrack-post")
+
+
+def settings():
+    """The package, whose `folder` and `quiet` users set."""
+    return sys.modules[__package__]
+
+
+@functools.cache
+def bin_folder() -> Path:
+    """The folder of the three programs: GRAINCRACK_BIN, else that of the installation or build that this package is of, else on PATH."""
+    here = Path(__file__).resolve()
+    own = os.environ.get("GRAINCRACK_BIN")
+    beside = [here.parents[4] / "bin", here.parents[3] / "build" / "bin", Path(sysconfig.get_path("scripts"))]
+    on_path = shutil.which(PROGRAMS[0])
+    places = [Path(own)] if own else beside + ([Path(on_path).parent] if on_path else [])
+    for place in places:
+        if all(os.access(place / program, os.X_OK) for program in PROGRAMS):
+            return place.absolute()
+    where = f"in GRAINCRACK_BIN={own}" if own else f"in {', '.join(str(place) for place in beside)} or on PATH"
+    raise GraincrackError(f"graincrack-mesh, graincrack-solve and graincrack-post are not {where}; install Graincrack, or set "
+                          "GRAINCRACK_BIN to the folder of the three")
+
+
+@functools.cache
+def description(program: str) -> dict:
+    """What a program says of itself: `PROGRAM --describe`."""
+    path = bin_folder() / program
+    asked = subprocess.run([path, "--describe"], stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    try:
+        said = json.loads(asked.stdout)
+    except ValueError:
+        said = {}
+    version = settings().__version__
+    if "commands" not in said:
+        raise GraincrackError(f"{path}: does not describe itself ({asked.stderr.strip()}); the program of Graincrack {version} fits")
+    if said["version"] != version:
+        warnings.warn(f"{path} is of Graincrack {said['version']}, this package of {version}; install both from one source",
+                      GraincrackWarning, stacklevel=2)
+    return said
+
+
+class Screen:
+    """Shows what programs tell, where Python runs: on a terminal as they do, in a notebook as one line that changes, elsewhere by lines."""
+
+    def __init__(self, quiet: bool | None):
+        shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+        self._quiet = settings().quiet if quiet is None else quiet
+        self._notebook = hasattr(shell, "kernel")
+        self._place = None
+        self._lines: list[str] = []
+        self.has_bar = not self._quiet and (self._notebook or sys.stderr.isatty())
+
+    def show(self, text: str, *, stays: bool) -> None:
+        """A line that stays (of a notebook's the last four do), or one of work in progress, which the next replaces."""
+        if self._quiet or not (stays or self.has_bar):
+            return
+        if not self._notebook:
+            sys.stderr.write(("\r\033[K" if self.has_bar else "") + text + "\n" * stays)
+            sys.stderr.flush()
+            return
+        from IPython.display import display
+
+        self._lines += [text] * stays
+        shown = {"text/plain": "\n".join(self._lines[-4:]) if stays or not text else text}
+        if self._place is not None:
+            self._place.update(shown, raw=True)
+        elif shown["text/plain"]:
+            self._place = display(shown, raw=True, display_id=True)
+
+
+class Together:
+    """Calls that end together: those of a `map`."""
+
+    of_thread = threading.local()
+
+    def __init__(self):
+        self._lock = threading.Lock()
+        self._processes: set[subprocess.Popen] = set()
+        self.is_stopped = False
+
+    def start(self, *arguments, **options) -> subprocess.Popen:
+        with self._lock:
+            if self.is_stopped:
+                raise GraincrackError("stopped, as another call has failed")
+            # A session of its own: Ctrl-C of a terminal reaches Python alone, which passes it on once.
+            process = subprocess.Popen(*arguments, **options, stdin=subprocess.DEVNULL, start_new_session=True)
+            self._processes.add(process)
+            return process
+
+    def end(self, process: subprocess.Popen) -> None:
+        with self._lock:
+            self._processes.discard(process)
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+
+    def stop(self) -> None:
+        """Interrupts what runs, as Ctrl-C does; a second time it ends at once."""
+        with self._lock:
+            self.is_stopped = True
+            for process in self._processes:
+                with contextlib.suppress(ProcessLookupError):
+                    os.killpg(process.pid, signal.SIGINT)
+
+
+def is_side_by_side() -> bool:
+    """Whether this is a call of a `map`, which has a processor of its own."""
+    return getattr(Together.of_thread, "calls", None) is not None
+
+
+def _told(reader: int) -> Iterator[tuple[str, bool]]:
+    """What comes through a pipe or terminal, as it comes: lines, and bars (False), which the next text replaces."""
+    rest = b""
+    with contextlib.suppress(OSError):  # of a terminal whose other end is closed
+        while data := os.read(reader, 65536):
+            *texts, rest = re.split(rb"(?<=\n)|(?<=\r)(?=[^\n])", rest + data)
+            for text in texts:
+                yield text.decode(errors="replace").replace("\033[K", "").strip("\r\n"), text.endswith(b"\n")
+    yield rest.decode(errors="replace").replace("\033[K", "").strip("\r\n"), True
+
+
+def run(command: list, *, quiet: bool | None = None, resume: Callable[[], str] = str, stacklevel: int = 2) -> str:
+    """What a command prints on stdout. Its warnings become Python's.
+
+    Raises GraincrackError with the line by which it fails and its exit code; KeyboardInterrupt, with what `resume` says, if Ctrl-C ended it.
+    """
+    calls = getattr(Together.of_thread, "calls", None) or Together()
+    screen = Screen(True if is_side_by_side() else quiet)
+    last, cautions, interrupted = "", [], False
+    with tempfile.TemporaryFile() as out, contextlib.ExitStack() as ends:
+        reader, writer = os.openpty() if screen.has_bar else os.pipe()
+        ends.callback(os.close, reader)
+        try:
+            process = calls.start(command, stdout=out, stderr=writer)
+        finally:
+            os.close(writer)
+        ends.callback(calls.end, process)
+        while process.returncode is None:
+            try:
+                for text, is_line in _told(reader):
+                    if ": warning: " in text:
+                        cautions.append(text.replace(": warning: ", ": ", 1))
+                    elif not is_line:
+                        screen.show(text, stays=False)
+                    elif text and not text.startswith("make"):
+                        if last:
+                            screen.show(last, stays=True)
+                        last = text  # may be its error, which is raised and not shown
+                process.wait()
+            except KeyboardInterrupt:
+                interrupted = True
+                calls.stop()
+        out.seek(0)
+        printed = out.read().decode(errors="replace")
+    code = process.returncode
+    screen.show("" if code else last, stays=not code and last != "")
+    for text in cautions:
+        warnings.warn(text, GraincrackWarning, stacklevel=stacklevel + 1)
+    if interrupted:
+        raise KeyboardInterrupt("stopped" + resume())
+    if code:
+        code = code if code > 0 else 128 - code
+        raise GraincrackError(last or f"{command[0]}: ended with exit code {code}", exit_code=code)
+    return printed
+
+
+def processors() -> int:
+    """Those that this process may use."""
+    return len(os.sched_getaffinity(0))
+
+
+def map(f: Callable, items: Iterable, jobs: int | None = None, *, quiet: bool | None = None) -> list:
+    """[f(item) for item in items], `jobs` at a time: as many as there are processors unless given.
+
+    Tests that f makes have one thread each. The first error stops all others, and is raised when they have ended; so is Ctrl-C. Tests
+    that are stopped leave their checkpoints.
+    """
+    items, calls, screen, errors = list(items), Together(), Screen(quiet), []
+
+    def call(item):
+        Together.of_thread.calls = calls
+        try:
+            return None if calls.is_stopped else f(item)
+        except BaseException as error:
+            errors.append(error)
+            calls.stop()
+        finally:
+            Together.of_thread.calls = None
+
+    interrupted = False
+    with futures.ThreadPoolExecutor(jobs or processors()) as pool:
+        waiting = all_calls = [pool.submit(call, item) for item in items]
+        while waiting:
+            try:
+                screen.show(f"{len(items) - len(waiting)} of {len(items)} are done", stays=False)
+                _, waiting = futures.wait(waiting, return_when=futures.FIRST_COMPLETED)
+            except KeyboardInterrupt:
+                interrupted = True
+                calls.stop()
+    screen.show("", stays=False)
+    if interrupted:
+        raise KeyboardInterrupt("stopped; tests that were running have left their checkpoints, as RUN.checkpoint beside their files")
+    if errors:
+        raise errors[0]
+    return [each.result() for each in all_calls]
