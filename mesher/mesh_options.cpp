@@ -370,12 +370,8 @@ void add_import(OptionSet set, ImportRequest& request) {
         "write a key with all labels of a picture, their colours, areas and pieces, whose phases are to be named, and make "
         "no specimen; - for stdout",
         "FILE|-");
-    add_value(
-        set.usual(), "--pixel-size",
-        [&request](const std::string& text) {
-            request.labels.pixel_size = parse_quantity(text, quantity::pixel_size, "--pixel-size");
-        },
-        "side of a pixel of a picture, as 0.1mm", "LENGTH", "");
+    add_quantity(set.usual(), "--pixel-size", request.labels.pixel_size, quantity::pixel_size,
+                 "side of a pixel of a picture, as 0.1mm");
     add_quantity(set, "--element-size", request.labels.element_size, quantity::element_size,
                  "side of the triangles into which grains of a picture are divided; default: a third of the mean diameter of "
                  "grains, at least 2 pixels");

@@ -76,8 +76,7 @@ void add(OptionSet parent, const Command& command, const std::string& prefix, Re
     }
     Registered& own = registry.emplace_back(Registered{set, name, command.files, {}, {}, {}});
     if (command.files) {
-        add_files(set, command.files->name, own.files, std::string(command.files->help) + " (- is stdin)")
-            .type_name("FILE")
+        add_files(set, command.files->name, own.files, std::string(command.files->help) + " (- is stdin)", command.files->several)
             .only_on_command_line();
         add_text(set.seldom(), "--files-from", own.files_from,
                  "file with a list of files, one per line or with a NUL behind each (- is stdin)")

@@ -56,7 +56,7 @@ void read_rate(const std::string& text, LoadingRequest& loading) {
 
 void add_rate_options(OptionSet command, LoadingRequest& loading, RawOptions& raw, const TestDescription& test) {
     add_value(
-        command, "--rate", [&loading](const std::string& text) { read_rate(text, loading); },
+        command, "--rate", [&loading](const std::string& text) { read_rate(text, loading); }, quantity::platen_speed,
         "speed of each platen; auto: as fast as quasi-static equilibrium allows; blocks: loading and equilibration alternate",
         "auto|blocks|SPEED", "auto");
     add_quantity(

@@ -133,14 +133,13 @@ void write_fpz_table(std::ostream& out, const KnownRock& known, TableFormat form
 
 struct FpzOptions {
     std::string material;
-    std::vector<std::string> edges;
+    std::vector<double> edges;
     TableFormat format = TableFormat::tsv;
 };
 
 /// The edges that were asked for; else those of the paper for its rock, else the laboratory's grain size, if there is one.
 std::vector<double> edges_of(const FpzOptions& options, const Material& material) {
-    std::vector<double> edges;
-    for (const std::string& edge : options.edges) edges.push_back(parse_quantity(edge, quantity::mean_edge, "--edge"));
+    std::vector<double> edges = options.edges;
     if (!edges.empty()) return edges;
     if (is_rock_of_paper(material.name)) return {mean_edges_of_paper.begin(), mean_edges_of_paper.end()};
     const auto measured = material.laboratory.find("grain_size");
@@ -171,8 +170,12 @@ Command fpz_command() {
         {"--material augig-granite", "--material augig-granite --edge 2mm --edge 4mm --format jsonl"}, std::nullopt,
         [](OptionSet set, FpzOptions& options) {
             add_text(set, "--material", options.material, "material: a name of share/materials or a TOML file").required();
-            add_texts(set, "--edge", options.edges, "LENGTH",
-                      "mean edge of the grains; may be given again; default: the grain size of the laboratory");
+            const auto add_edge = [&options](const std::string& text) {
+                options.edges.push_back(parse_quantity(text, quantity::mean_edge, "--edge"));
+            };
+            add_value(set, "--edge", add_edge, quantity::mean_edge,
+                      "mean edge of the grains; may be given again; default: the grain size of the laboratory", "LENGTH")
+                .repeatable();
             add_format(set, options.format);
         },
         [](const FpzOptions& options, const Call& call) {

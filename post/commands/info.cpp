@@ -213,7 +213,7 @@ void show_info(const InfoOptions& options, const Call& call) {
 
 Command info_command() {
     return make_command<InfoOptions>("info", "contents of a specimen or run", {"uniaxial.h5", "disc.h5 --check"},
-                                     FileArguments{"files", "specimens or runs"}, add_info_options, show_info);
+                                     FileArguments{"files", "specimens or runs", true, true}, add_info_options, show_info);
 }
 
 }  // namespace graincrack

@@ -112,7 +112,7 @@ Command properties_command() {
         "elastic constants, strengths, cohesion and friction angle of a set of tests, compared with the laboratory, and what new "
         "specimens have by the kind of rock, also without tests",
         {"uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite", "brazilian.h5 --material augig-granite --format jsonl"},
-        FileArguments{several_runs.name, several_runs.help, false},
+        FileArguments{several_runs.name, several_runs.help, false, true},
         [](OptionSet set, Options& options) {
             add_laboratory_material(set, options.material).required();
             add_envelope_options(set, options.envelope);
@@ -162,7 +162,8 @@ Command summarize_command() {
         {"strength.tsv --sql 'SELECT test, count(*) AS runs, mean(tensile_strength_MPa) AS mean_MPa FROM strength GROUP BY test'",
          "strength.tsv --sql \"SELECT test, mean_and_half(energy_balance_error, '.1e') FROM strength GROUP BY test\" --pivot "
          "--format markdown"},
-        FileArguments{"tables", "tables as FILE, named by the stem of the file, or NAME=FILE; those of one name are combined"},
+        FileArguments{"tables", "tables as FILE, named by the stem of the file, or NAME=FILE; those of one name are combined",
+                      true, true},
         [](OptionSet set, SummaryOptions& options) {
             add_text(
                 set, "--sql", options.sql,

@@ -32,7 +32,7 @@ Command cracks_command() {
         "cracks", "grains and cracks as VTK series; tables of cracks, events, fragments and directions",
         {"uniaxial.h5 -o cracks", "brazilian.h5 --event-distance 10mm -o cracks"}, one_run,
         [](OptionSet set, Options& options) {
-            add_output(set, options.folder, "folder for grains.pvd, cracks.pvd and the tables");
+            add_output(set, options.folder, "folder for grains.pvd, cracks.pvd and the tables").type_name("FOLDER");
             add_events(set, options.crack_export.events);
             add_crack_label(set, options.crack_export.label);
             add_format(set, options.crack_export.format);
@@ -98,7 +98,8 @@ Command film_command() {
         one_run,
         [](OptionSet set, FilmOptions& options) {
             add_output(set, options.output,
-                       "film: .mp4 (H.264) or .webm (VP9), which ffmpeg encodes, or a folder of numbered PNG");
+                       "film: .mp4 (H.264) or .webm (VP9), which ffmpeg encodes, or a folder of numbered PNG")
+                .type_name("FILE|FOLDER");
             add_choice<FilmSteps>(
                 set, "--by", options.contents.steps,
                 {{"cracks", FilmSteps::cracks}, {"strain", FilmSteps::strain}, {"time", FilmSteps::time}},

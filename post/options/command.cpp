@@ -45,8 +45,8 @@ TableFormat format_for(const std::optional<TableFormat>& format, const std::ostr
     return format.value_or(is_terminal ? TableFormat::aligned : TableFormat::tsv);
 }
 
-void add_output(OptionSet set, std::string& output, const std::string& help) {
-    add_text(set, "-o,--output", output, help).required();
+Option add_output(OptionSet set, std::string& output, const std::string& help) {
+    return add_text(set, "-o,--output", output, help).required().type_name("FILE");
 }
 
 Option add_laboratory_material(OptionSet set, std::string& material) {

@@ -33,10 +33,11 @@ struct Call {
 struct FileArguments {
     const char* name = "";  ///< of the positional argument, as help shows it
     const char* help = "";
-    bool needed = true;  ///< at least one
+    bool needed = true;    ///< at least one
+    bool several = false;  ///< any number
 };
 inline constexpr FileArguments one_run{"run", "run file"};
-inline constexpr FileArguments several_runs{"runs", "run files"};
+inline constexpr FileArguments several_runs{"runs", "run files", true, true};
 
 /// The action of a command once the command line has been read. \throws UsageError, InputError, OutputError
 using Action = std::function<void(const Call&)>;
@@ -83,7 +84,7 @@ struct ColumnOptions {
 void add_columns(OptionSet set, ColumnOptions& options);
 TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out);
 /// -o, --output, which is required. \param help what is written
-void add_output(OptionSet set, std::string& output, const std::string& help);
+Option add_output(OptionSet set, std::string& output, const std::string& help);
 /// --material of a command that shows laboratory values of a rock beside results.
 Option add_laboratory_material(OptionSet set, std::string& material);
 /// The material of an option; notes on its values go to the diagnostics of the call. \throws InputError as `read_material`

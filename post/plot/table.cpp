@@ -89,7 +89,7 @@ Command table_plot() {
         "table", "columns of tables against each other",
         {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --points -o table.png",
          "strength.tsv --x strain_at_peak --y tensile_cracks --y shear_cracks --points -o table.svg"},
-        FileArguments{"tables", "tables"},
+        FileArguments{"tables", "tables", true, true},
         [](OptionSet set, Options& options) {
             add_text(set, "--x", options.columns.x, "column along x").required();
             add_texts(set, "--y", options.columns.y, "NAME", "column along y; may be given again").required();

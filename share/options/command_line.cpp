@@ -12,6 +12,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -21,6 +22,7 @@
 #include "share/file/provenance.hpp"
 #include "share/options/completion.hpp"
 #include "share/options/configuration_file.hpp"
+#include "share/options/description.hpp"
 
 namespace graincrack {
 namespace {
@@ -52,21 +54,6 @@ void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
 }
 
 // --- help ------------------------------------------------------------------------------------------------------------
-
-bool is_help(const CLI::Option* option, const CLI::App* app) {
-    return option == app->get_help_ptr() || option == app->get_help_all_ptr();
-}
-
-/// The options of a command that help shows. \param all or, with those that are required, the usual ones, else all but the seldom
-std::vector<const CLI::Option*> shown_options(const CLI::App* app, bool all) {
-    const auto is_usual = [](const CLI::Option* option) { return option->get_group() == usual_options; };
-    const bool has_usual = !app->get_options(is_usual).empty();
-    const auto is_shown = [&](const CLI::Option* option) {
-        return is_help(option, app) || option->get_required() ||
-               (has_usual ? is_usual(option) : option->get_group() != seldom_options);
-    };
-    return app->get_options([&](const CLI::Option* option) { return option->nonpositional() && (all || is_shown(option)); });
-}
 
 /// Help shows the usual options of a command; with --help-all all of them, and those of the tool.
 class HelpFormatter : public CLI::Formatter {
@@ -108,14 +95,23 @@ public:
             if (!option->get_type_name().empty()) text += " " + option->get_type_name();
             if (option->get_required()) {
                 text += " REQUIRED";
-            } else if (!option->get_default_str().empty()) {
-                text += " = " + option->get_default_str();
+            } else if (const std::string usual = shown_default(*option); !usual.empty()) {
+                text += " = " + usual;
             }
             if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
         }
         return text;
     }
 };
+
+/// The answer to --describe.
+std::string description_of(const CLI::App& app) {
+    const nlohmann::ordered_json own = describe(app);
+    nlohmann::ordered_json all{{"program", app.get_name()}, {"version", project_version()}, {"schema", 1}};
+    for (const char* part : {"description", "options", "commands"}) all[part] = own[part];
+    all["tables"] = all["datasets"] = nlohmann::ordered_json::array();
+    return all.dump();
+}
 
 // --- notes -----------------------------------------------------------------------------------------------------------
 
@@ -368,8 +364,13 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
             return text + "\nCLI11 " CLI11_VERSION;
         },
         "print version, commit and libraries and exit");
+    app.add_flag_callback(
+           "--describe", [&app] { throw CLI::CallForVersion(description_of(app), 0); },
+           "print all commands and options, and the columns and datasets that are written, as JSON and exit")
+        ->configurable(false);
     app.add_option_function<std::string>(
-           "--completion", [&app](const std::string& shell) { throw CLI::CallForVersion(completion_script(app, shell), 0); },
+           "--completion",
+           [&app](const std::string& shell) { throw CLI::CallForVersion(completion_script(describe(app), shell), 0); },
            "print a script that completes command lines and exit")
         ->type_name("bash|zsh")
         ->configurable(false);

@@ -4,12 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "share/base/error.hpp"
 
 namespace graincrack {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// What can follow on a command line behind a (sub)command, "" for the tool itself.
 struct Position {
@@ -19,39 +22,21 @@ struct Position {
     std::vector<std::pair<std::string, std::vector<std::string>>> choices;
 };
 
-/// The words among "auto|blocks|SPEED"; placeholders are in capitals.
-std::vector<std::string> words_of(const std::string& type_name) {
-    std::vector<std::string> words;
-    for (const std::string& word : CLI::detail::split(type_name, '|')) {
-        if (!word.empty() && std::none_of(word.begin(), word.end(), [](char c) { return c >= 'A' && c <= 'Z'; })) {
-            words.push_back(word);
-        }
-    }
-    return words;
-}
-
-void add_options(const CLI::App& app, Position& position) {
-    for (const CLI::Option* option : app.get_options()) {
-        if (option->get_group().empty() || !option->nonpositional()) continue;
-        const std::vector<std::string> words = words_of(option->get_type_name());
-        for (const std::string& name : option->get_lnames()) {
-            position.words.push_back("--" + name);
-            if (option->get_type_size() != 0 && !words.empty()) position.choices.emplace_back("--" + name, words);
-        }
-    }
-}
-
-/// Adds the position of a command and those of its subcommands. \param above the options of the commands above it
-void add_positions(const CLI::App& app, const std::string& command, const Position& above, std::vector<Position>& positions) {
-    Position position = above;
+/// Adds the position of a command and those of its subcommands. \param position with the options of the commands above it
+void add_positions(const Json& own, const std::string& command, Position position, std::vector<Position>& positions) {
     position.command = command;
-    add_options(app, position);
-    const Position own = position;
-    const auto subcommands = app.get_subcommands(nullptr);
-    for (const CLI::App* sub : subcommands) position.words.push_back(sub->get_name());
+    for (const Json& option : own["options"]) {
+        if (option.contains("positional")) continue;
+        const std::string name = "--" + option["name"].get<std::string>();
+        position.words.push_back(name);
+        if (option.contains("choices")) position.choices.emplace_back(name, option["choices"].get<std::vector<std::string>>());
+    }
+    const std::size_t at = positions.size();
     positions.push_back(position);
-    for (const CLI::App* sub : subcommands) {
-        add_positions(*sub, command.empty() ? sub->get_name() : command + " " + sub->get_name(), own, positions);
+    for (const Json& sub : own["commands"]) {
+        const auto name = sub["name"].get<std::string>();
+        positions[at].words.push_back(name);
+        add_positions(sub, command.empty() ? name : command + " " + name, position, positions);
     }
 }
 
@@ -120,13 +105,14 @@ _files
 
 }  // namespace
 
-std::string completion_script(const CLI::App& app, const std::string& shell) {
+std::string completion_script(const Json& tool, const std::string& shell) {
     if (shell != "bash" && shell != "zsh") {
         throw UsageError(fmt::format("--completion: unknown shell \"{}\"; one of bash|zsh fits", shell));
     }
     std::vector<Position> positions;
-    add_positions(app, "", {}, positions);
-    return shell == "bash" ? bash_script(app.get_name(), positions) : zsh_script(app.get_name(), positions);
+    add_positions(tool, "", {}, positions);
+    const auto name = tool["name"].get<std::string>();
+    return shell == "bash" ? bash_script(name, positions) : zsh_script(name, positions);
 }
 
 }  // namespace graincrack

@@ -98,10 +98,15 @@ std::string ConfigurationFile::origin(const CLI::Option* option) const {
 }
 
 void ConfigurationFile::apply_default(const CLI::Option* option) const {
-    const auto reader = readers_.find(option);
-    if (reader != readers_.end() && option->count() == 0 && !option->get_default_str().empty()) {
-        reader->second(option->get_default_str());
+    const auto value = values_.find(option);
+    if (value != values_.end() && option->count() == 0 && !option->get_default_str().empty()) {
+        value->second.read(option->get_default_str());
     }
+}
+
+std::optional<Quantity> ConfigurationFile::bounds(const CLI::Option* option) const {
+    const auto value = values_.find(option);
+    return value == values_.end() ? std::nullopt : value->second.bounds;
 }
 
 void ConfigurationFile::check_section(const TomlFile& toml, const TomlSection& section) const {

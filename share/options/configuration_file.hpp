@@ -4,16 +4,22 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "share/base/quantities.hpp"
 #include "share/base/toml_file.hpp"
 
 namespace graincrack {
 
-/// Reads configuration files for CLI11.
+/// Reads configuration files for CLI11, and keeps what CLI11 does not of the options: how values are read, between which bounds.
 class ConfigurationFile : public CLI::Config {
 public:
+    struct Value {
+        std::function<void(const std::string&)> read;
+        std::optional<Quantity> bounds;  ///< of a quantity or a whole number
+    };
     explicit ConfigurationFile(CLI::App& app) : app_(app) {}
 
     std::vector<CLI::ConfigItem> from_config(std::istream& stream) const override;
@@ -23,8 +29,10 @@ public:
     [[nodiscard]] std::string origin(const CLI::Option* option) const;
 
     /// Keeps the function that reads the value of an option: its default is applied once it is known which subcommand runs.
-    void remember(const CLI::Option* option, const std::function<void(const std::string&)>& read) { readers_[option] = read; }
+    void remember(const CLI::Option* option, const Value& value) { values_[option] = value; }
     void apply_default(const CLI::Option* option) const;
+    /// Between which bounds the value of an option is, if it has some.
+    [[nodiscard]] std::optional<Quantity> bounds(const CLI::Option* option) const;
 
 private:
     void check_section(const TomlFile& toml, const TomlSection& section) const;
@@ -33,7 +41,7 @@ private:
 
     CLI::App& app_;
     mutable std::map<const CLI::Option*, std::string> origins_;
-    std::map<const CLI::Option*, std::function<void(const std::string&)>> readers_;
+    std::map<const CLI::Option*, Value> values_;
 };
 
 /// The configuration file of an application; nullptr if it has none.

@@ -63,6 +63,22 @@ T parse_integer(const std::string& text, const std::string& where, T lower, T up
     return value;
 }
 
+/// Adds an option with one value, whose bounds are kept for its description.
+Option add_bounded(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
+                   const std::optional<Quantity>& bounds, const std::string& help, const std::string& type_name,
+                   const std::string& default_text) {
+    CLI::callback_t callback = [read](const CLI::results_t& results) {
+        for (const std::string& text : results) read(text);
+        return true;
+    };
+    if (!default_text.empty()) read(default_text);
+    CLI::Option* added = set.app().add_option(option, std::move(callback), help);
+    added->type_name(type_name);
+    added->default_str(default_text);
+    if (auto* file = configuration_file(set.app()); file != nullptr) file->remember(added, {read, bounds});
+    return Option(added);
+}
+
 }  // namespace
 
 Option Option::required() { return Option(option_->required()); }
@@ -70,6 +86,7 @@ Option Option::type_name(const std::string& name) { return Option(option_->type_
 Option Option::only_on_command_line() { return Option(option_->configurable(false)); }
 Option Option::excludes(Option other) { return Option(option_->excludes(other.option_)); }
 Option Option::needs(Option other) { return Option(option_->needs(other.option_)); }
+Option Option::repeatable() { return Option(option_->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)); }
 
 OptionSet OptionSet::usual() const { return OptionSet(app_, usual_options); }
 OptionSet OptionSet::seldom() const { return OptionSet(app_, seldom_options); }
@@ -94,16 +111,14 @@ Option add_text(OptionSet set, const std::string& option, std::string& target, c
 
 Option add_texts(OptionSet set, const std::string& option, std::vector<std::string>& target, const std::string& type,
                  const std::string& help) {
-    return Option(set.app()
-                      .add_option(option, target, help)
-                      ->type_name(type)
-                      ->expected(1)
-                      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-                      ->default_str(""));  // no "[]", which --config would read as a value
+    const auto read = [&target](const std::string& text) { target.push_back(text); };
+    return add_value(set, option, read, help, type).repeatable();
 }
 
-Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help) {
-    return Option(set.app().add_option(name, target, help)->default_str(""));
+Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help,
+                 bool several) {
+    CLI::Option* added = set.app().add_option(name, target, help)->type_name("FILE")->default_str("");
+    return Option(several ? added : added->expected(1, 2));
 }
 
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help) {
@@ -116,16 +131,13 @@ Option add_flag(OptionSet set, const std::string& option, const std::function<vo
 
 Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
                  const std::string& help, const std::string& type_name, const std::string& default_text) {
-    CLI::callback_t callback = [read](const CLI::results_t& results) {
-        read(results.front());
-        return true;
-    };
-    if (!default_text.empty()) read(default_text);
-    CLI::Option* added = set.app().add_option(option, std::move(callback), help);
-    added->type_name(type_name);
-    added->default_str(default_text);
-    if (auto* file = configuration_file(set.app()); file != nullptr) file->remember(added, read);
-    return Option(added);
+    return add_bounded(set, option, read, std::nullopt, help, type_name, default_text);
+}
+
+Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
+                 const Quantity& quantity, const std::string& help, const std::string& type_name,
+                 const std::string& default_text) {
+    return add_bounded(set, option, read, quantity, help_of(help, quantity), type_name, default_text);
 }
 
 template <class Target>
@@ -135,7 +147,7 @@ Option add_quantity(OptionSet set, const std::string& option, Target& target, co
         target = parse_quantity(text, quantity, where);
         note_bare_number(text, quantity, where);
     };
-    return add_value(set, option, read, help_of(help, quantity), type_name(quantity.dimension), default_text);
+    return add_value(set, option, read, quantity, help, type_name(quantity.dimension), default_text);
 }
 template Option add_quantity(OptionSet, const std::string&, double&, const Quantity&, const std::string&, const std::string&);
 template Option add_quantity(OptionSet, const std::string&, std::optional<double>&, const Quantity&, const std::string&,
@@ -149,14 +161,14 @@ Option add_quantity_or(OptionSet set, const std::string& option, double& target,
         [&target, quantity, where, word, word_value](const std::string& text) {
             target = parse_quantity_or(text, word, word_value, quantity, where);
         },
-        help_of(help, quantity), type_name(quantity.dimension) + "|" + word, default_text);
+        quantity, help, type_name(quantity.dimension) + "|" + word, default_text);
 }
 
 Option add_fracture_energy(OptionSet set, std::optional<FractureEnergyChoice>& target, const std::string& help) {
     return add_value(
         set, "--fracture-energy",
         [&target](const std::string& text) { target = parse_fracture_energy(text, "--fracture-energy"); },
-        help_of(help, contact_parameter(&ContactParameters::fracture_energy).quantity), "mixed|mode-i|ENERGY/AREA", "");
+        contact_parameter(&ContactParameters::fracture_energy).quantity, help, "mixed|mode-i|ENERGY/AREA");
 }
 
 template <class T, class Target>
@@ -166,7 +178,9 @@ Option add_integer(OptionSet set, const std::string& option, Target& target, con
     const auto read = [&target, where = long_name(option), lower, upper](const std::string& text) {
         target = parse_integer<T>(text, where, lower, upper);
     };
-    return add_value(set, option, read, help, "N", default_text);
+    const double most = upper == std::numeric_limits<T>::max() ? quantity::unbounded : static_cast<double>(upper);
+    const Quantity bounds{"", Dimension::one, static_cast<double>(lower), most, ""};
+    return add_bounded(set, option, read, bounds, help, "N", default_text);
 }
 template Option add_integer(OptionSet, const std::string&, int&, const std::string&, int, int);
 template Option add_integer(OptionSet, const std::string&, std::optional<int>&, const std::string&, int, int);

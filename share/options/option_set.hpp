@@ -36,6 +36,8 @@ public:
     Option excludes(Option other);
     /// Given alone, it is refused.
     Option needs(Option other);
+    /// May be given again: each value is read.
+    Option repeatable();
 
 private:
     CLI::Option* option_;
@@ -68,8 +70,9 @@ Option add_text(OptionSet set, const std::string& option, std::string& target, c
 /// Adds an option that may be given again. \param type of its value, as help shows it
 Option add_texts(OptionSet set, const std::string& option, std::vector<std::string>& target, const std::string& type,
                  const std::string& help);
-/// Adds a positional argument of any number of files.
-Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help);
+/// Adds a positional argument of files. \param several any number; else one: a second is read too, for the caller to refuse
+Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help,
+                 bool several = true);
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help);
 /// The same where the flag stands for an action.
 Option add_flag(OptionSet set, const std::string& option, const std::function<void()>& action, const std::string& help);
@@ -77,10 +80,13 @@ Option add_flag(OptionSet set, const std::string& option, const std::function<vo
 /// once and help shows it.
 Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
                  const std::string& help, const std::string& type_name, const std::string& default_text = "");
+/// The same of a quantity, or of words in its place: help names units and the bounds of pure numbers up to 10.
+Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
+                 const Quantity& quantity, const std::string& help, const std::string& type_name,
+                 const std::string& default_text = "");
 
-/// Adds an option for a quantity with a unit ("--edge 4mm"); its help names units and the bounds of
-/// pure numbers up to 10. `target` is SI, a `double` or an
-/// optional one, unset if the option is not given. If `default_text` is not empty, the target is set from it and help shows it.
+/// Adds an option for a quantity with a unit ("--edge 4mm"). `target` is SI, a `double` or an optional one, unset if the option
+/// is not given. If `default_text` is not empty, the target is set from it and help shows it.
 template <class Target>
 Option add_quantity(OptionSet set, const std::string& option, Target& target, const Quantity& quantity, const std::string& help,
                     const std::string& default_text = "");

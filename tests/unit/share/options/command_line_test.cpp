@@ -388,6 +388,27 @@ TEST_F(CommandLines, HelpShowsUnitsDefaultsAndExamples) {
     EXPECT_NE(testing::internal::GetCapturedStdout().find("triaxial"), std::string::npos);
 }
 
+// A bound, a unit, a default and a meaning stand where an option is declared: help and --describe have the same.
+TEST_F(CommandLines, DescriptionHasWhatAnOptionIsDeclaredWith) {
+    testing::internal::CaptureStdout();
+    EXPECT_FALSE(Tool().parse("--describe"));
+    const std::string description = testing::internal::GetCapturedStdout();
+    EXPECT_TRUE(description.starts_with(R"({"program":"graincrack-try","version":")")) << description.substr(0, 100);
+    for (const char* part :
+         {R"({"name":"quiet","short":"q","type":"flag","excludes":["verbose"],"usual":true,"meaning":"print errors only"})",
+          R"({"name":"files","positional":true,"type":"file","many":true,"usual":true,"meaning":"specimen"})",
+          R"({"name":"edge","type":"quantity","unit":"m","units":["m","mm","cm","um","km"],"minimum":0.0,"maximum":1000.0,)"
+          R"("exclusive_minimum":true,"default":"5.13mm","excludes":["grains"],"usual":true,)"
+          R"("meaning":"mean edge [m, mm, cm, um, km]"})",
+          R"({"name":"grains","type":"integer","minimum":1,"excludes":["edge"],"usual":true,"meaning":"grains"})",
+          R"("maximum":0.99,"choices":["none"],"default":"0.8",)", R"("choices":["mixed","mode-i"],)",
+          R"({"name":"plane","type":"choice","choices":["strain","stress"],"default":"strain",)",
+          R"({"name":"frames","type":"integer","minimum":1,"maximum":1000,"default":"20",)",
+          R"({"name":"output","short":"o","type":"text","required":true,)", R"({"name":"triaxial","description":"a test",)"}) {
+        EXPECT_NE(description.find(part), std::string::npos) << part << " is not in " << description;
+    }
+}
+
 TEST_F(CommandLines, VersionShowsLibraries) {
     testing::internal::CaptureStdout();
     EXPECT_FALSE(Tool().parse("--version"));
