@@ -175,16 +175,13 @@ def _default_of(option: dict):
 
 
 def _kind_of(option: dict) -> str:
-    """What an option takes, in a line: type, units, bounds, words, default."""
+    """What an option takes, in a line: type, unit, words, default. Its meaning has bounds and other units."""
     words = " | ".join(map(repr, option.get("choices", [])))
     kind = {"flag": "True, False", "choice": words}.get(option["type"], option["type"])
-    if option["type"] == "quantity" and option.get("unit", "1") != "1":
-        kind += f" in {option['unit']}, or with its unit: {', '.join(option.get('units', []))}"
+    if option.get("unit", "1") != "1":
+        kind += f" in {option['unit']}, or with its unit"
     if option["type"] != "choice" and words:
         kind += f" | {words}"
-    for bound, word in (("minimum", "from"), ("maximum", "to")):
-        if bound in option:
-            kind += f", {'not ' * bool(option.get(f'exclusive_{bound}'))}{word} {option[bound]:g}"
     return kind + ", may be a list" * bool(option.get("repeatable")) + (f", default {option['default']}" if "default" in option else "")
 
 

@@ -164,9 +164,9 @@ def run(command: list, *, quiet: bool | None = None, resume: Callable[[], str] =
                 for text, is_line in _told(reader):
                     if ": warning: " in text:
                         cautions.append(text.replace(": warning: ", ": ", 1))
-                    elif not is_line:
+                    elif not is_line or screen.has_bar and text.startswith("["):  # a bar, or "[3/20] …" of a study
                         screen.show(text, stays=False)
-                    elif text and not text.startswith("make"):
+                    elif text and not re.match(r"make|/\S*$", text):  # neither make's own word nor a file that it made
                         if last:
                             screen.show(last, stays=True)
                         last = text  # may be its error, which is raised and not shown
@@ -221,7 +221,7 @@ def map(f: Callable, items: Iterable, jobs: int | None = None, *, quiet: bool | 
             except KeyboardInterrupt:
                 interrupted = True
                 calls.stop()
-    screen.show("", stays=False)
+    screen.show(f"{len(items)} of {len(items)} are done" if not errors else "", stays=screen.has_bar and not errors)
     if interrupted:
         raise KeyboardInterrupt("stopped; tests that were running have left their checkpoints, as RUN.checkpoint beside their files")
     if errors:

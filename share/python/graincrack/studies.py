@@ -51,13 +51,14 @@ def calibrate(material, *, out=None, jobs: int | None = None, set: dict | None =
     rock = functions.text_of(material)
     out = Path(programs.settings().folder if out is None else out)
     folder = out / "calibrate" / Path(rock).name.removesuffix(".toml")
-    settings = " ".join(f"{key}={functions.text_of(value)}" for key, value in (set or {}).items())
+    variables = [f"ROCK={Path(rock).absolute() if Path(rock).is_file() else rock}", f"OUT={out.absolute()}", f"BIN={programs.bin_folder()}"]
+    if set:
+        variables.append("SET=" + " ".join(f"{key}={functions.text_of(value)}" for key, value in set.items()))
+    make = ["make", "-s", "--no-print-directory", f"-j{jobs or programs.processors()}", "-C", _studies(), "calibrate", *variables]
     begin = time.time() - 1
     try:
-        programs.run(
-            ["make", "--no-print-directory", "-s", "-C", _studies(), "calibrate", f"ROCK={Path(rock).absolute() if Path(rock).is_file() else rock}",
-             f"OUT={out.absolute()}", f"BIN={programs.bin_folder()}", f"-j{jobs or programs.processors()}", *([f"SET={settings}"] if set else [])],
-            quiet=quiet, resume=lambda: "; the same call resumes the calibration, and no test is repeated")
+        programs.run(["sh", "-c", 'exec "$@" >&2', "calibrate", *make], quiet=quiet,
+                     resume=lambda: "; the same call resumes the calibration, and no test is repeated")
     except GraincrackError:
         report = folder / "report.md"
         if (folder / "wanted.tsv").exists() or not report.exists() or report.stat().st_mtime < begin:

@@ -1,0 +1,240 @@
+"""Drives the programs from Python and compares what they make with what their command lines make. Usage: programs_test.py BIN PYTHON"""
+
+import inspect
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+from pathlib import Path
+
+BIN, PYTHON = (Path(argument).resolve() for argument in sys.argv[1:3])
+sys.path.insert(0, str(PYTHON))
+os.environ["GRAINCRACK_BIN"] = str(BIN)
+
+import graincrack  # noqa: E402
+
+ROCK = "augig-granite-calibrated"
+QUICK = {"rate": (200, "mm/s"), "max_strain": 0.006, "frames": 2}
+QUICK_LINE = f"--material {ROCK} --rate 200mm/s --max-strain 0.006 --frames 2 --quiet"
+
+
+def tool(line, fails=False):
+    """What a command of the tools prints; of one that fails, its error."""
+    done = subprocess.run(f"{BIN}/graincrack-{line}", shell=True, capture_output=True, text=True)
+    if (done.returncode != 0) != fails:
+        raise AssertionError(f"{line}: exit code {done.returncode}: {done.stderr}")
+    return done.stderr if fails else done.stdout
+
+
+def digest(path):
+    return tool(f"post info --digest {os.fspath(path)}").split()[0]
+
+
+def python(program, **environment):
+    """What a program of Python prints, with the error on which it ends."""
+    return subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                          env={**os.environ, "PYTHONPATH": str(PYTHON), **environment})
+
+
+def interrupt_when(path):
+    """Presses Ctrl-C a moment after a program has begun a file."""
+    def wait():
+        while not Path(path).exists():
+            time.sleep(0.01)
+        time.sleep(0.3)
+        os.kill(os.getpid(), signal.SIGINT)
+    threading.Thread(target=wait, daemon=True).start()
+
+
+class DrivesThePrograms(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        os.chdir(cls.folder.name)
+        graincrack.quiet = True
+        warnings.simplefilter("ignore", graincrack.GraincrackWarning)  # so few crystals are no rock
+        cls.disc = graincrack.disc(diameter="30mm", grains=40, material=ROCK, output="disc.h5")
+        cls.pillar = graincrack.rectangle(width="15mm", height="30mm", grains=40, material=ROCK, output="pillar.h5")
+        cls.runs = [graincrack.brazilian(cls.disc, **QUICK, output="brazilian.h5"),
+                    graincrack.uniaxial(cls.pillar, **QUICK, output="uniaxial.h5"),
+                    graincrack.triaxial(cls.pillar, confining_pressure="4MPa", **QUICK, output="triaxial.h5")]
+
+    @classmethod
+    def tearDownClass(cls):
+        os.chdir("/")
+        cls.folder.cleanup()
+
+    def same(self, made, line):
+        """What Python made is what the command line makes."""
+        Path("line.h5").unlink(missing_ok=True)
+        tool(f"{line} -o line.h5")
+        self.assertEqual(digest(made), digest("line.h5"))
+
+    def test_specimens_of_each_tessellation(self):
+        for tessellation in ("delaunay", "voronoi", "trigon"):
+            specimen = graincrack.rectangle(width=(20, "mm"), height=0.03, edge="4mm", tessellation=tessellation, seed=3,
+                                            phases={"quartz": 0.4, "mica": 0.6})
+            self.same(specimen, f"mesh rectangle --width 20mm --height 30mm --edge 4mm --tessellation {tessellation} --seed 3 "
+                                "--phases quartz=0.4,mica=0.6 --quiet")
+            self.assertEqual(specimen["tessellation"], tessellation)
+
+    def test_tests_with_the_material_of_their_specimen(self):
+        brazilian, uniaxial, triaxial = self.runs
+        self.same(brazilian, f"solve brazilian disc.h5 {QUICK_LINE}")
+        self.same(uniaxial, f"solve uniaxial pillar.h5 {QUICK_LINE}")
+        self.same(triaxial, f"solve triaxial pillar.h5 --confining-pressure 4MPa {QUICK_LINE}")
+        self.assertEqual((brazilian.test, triaxial["confining_pressure"]), ("brazilian", 4e6))
+        other = graincrack.brazilian(self.disc, material="lac-du-bonnet-granite-calibrated", **QUICK)
+        self.assertEqual(other["material"], "Lac du Bonnet granite, calibrated")
+
+    def test_a_loading_program(self):
+        options = {"contact_tensile_strength": "12MPa", "frames": 1}
+        program = graincrack.uniaxial(self.pillar, **QUICK, print_program=True)
+        Path("program.toml").write_text(program + "\n")
+        self.same(graincrack.program(self.pillar, program="program.toml", **options),
+                  f"solve program pillar.h5 --program program.toml --material {ROCK} --contact-tensile-strength 12MPa --frames 1 --quiet")
+
+    def test_a_restart(self):
+        slow = {"rate": "100mm/s", "max_strain": 0.005}
+        with self.assertRaises(graincrack.GraincrackError) as caught:
+            graincrack.uniaxial(self.pillar, **slow, walltime=(100, "ms"), output="stopped.h5")
+        self.assertEqual(caught.exception.exit_code, 128 + signal.SIGTERM)
+        shutil.copy("stopped.h5.checkpoint", "copy")
+        self.same(graincrack.uniaxial(self.pillar, **slow, restart="stopped.h5.checkpoint"),
+                  f"solve uniaxial pillar.h5 --material {ROCK} --rate 100mm/s --max-strain 0.005 --restart copy --quiet")
+
+    def test_tables(self):
+        for name, line in (("strength", "--all-columns"), ("moduli", "")):
+            table = getattr(graincrack, name)(self.runs, **({"all_columns": True} if line else {}))
+            printed = tool(f"post {name} brazilian.h5 uniaxial.h5 triaxial.h5 {line}")
+            self.assertEqual(table.save(f"{name}.tsv").read_text(), printed)
+            self.assertIn("<td>uniaxial.h5</td>", table._repr_html_())
+        self.assertEqual(graincrack.strength(*self.runs, format="jsonl").count("\n"), 2)
+        self.assertEqual(list(graincrack.summarize("strength.tsv", sql="SELECT test FROM strength WHERE seed = 1")["test"]),
+                         ["brazilian", "uniaxial", "triaxial"])
+        self.assertEqual(graincrack.material.value("contact.friction_angle", ROCK), tool(f"post material value contact.friction_angle {ROCK}").strip())
+
+    def test_pictures_and_pages(self):
+        picture = self.runs[0].plot("cracks", frame=["first", "last"])
+        self.assertEqual((picture._repr_png_()[:4], picture.path), (b"\x89PNG", Path("graincrack-results/plot-cracks-1.png")))
+        self.assertGreater(picture.save("copy.png").stat().st_size, 10000)
+        self.assertIn("<svg", self.disc.plot(output="disc.svg")._repr_svg_())
+        self.assertIn("<iframe srcdoc=", graincrack.report(self.runs)._repr_html_())
+        self.assertIsNone(graincrack.cracks(self.runs[0], output="cracks")._repr_html_())
+        film = self.runs[0].film(duration="200ms", size="320x240", output="film")
+        self.assertEqual(film._repr_png_()[:4], b"\x89PNG")
+
+    def test_files_have_new_names_unless_they_are_named(self):
+        def rings():
+            return sorted(path.name for path in Path("elsewhere").iterdir())
+        graincrack.folder = "elsewhere"
+        try:
+            sizes = {"diameter": "30mm", "edge": "4mm"}
+            self.assertEqual(os.fspath(graincrack.ring(inner_diameter="10mm", **sizes)), "elsewhere/ring-1.h5")
+            with self.assertRaises(graincrack.GraincrackError):
+                graincrack.ring(inner_diameter="40mm", **sizes)
+            self.assertEqual(rings(), ["ring-1.h5"])
+            Path("elsewhere/ring-2.h5.checkpoint").touch()
+            graincrack.ring(inner_diameter="10mm", **sizes)
+            self.assertIn("ring-3.h5", rings())
+            plan = graincrack.ring(inner_diameter="10mm", **sizes, output="elsewhere/ring-1.h5", dry_run=True)
+            self.assertRegex(plan, "ring of about .* grains")
+        finally:
+            graincrack.folder = "graincrack-results"
+
+    def test_what_does_not_fit_is_said(self):
+        with self.assertRaises(graincrack.GraincrackError) as caught:
+            graincrack.brazilian(self.disc, max_strain=2)
+        line = tool(f"solve brazilian disc.h5 --max-strain 2 --material {ROCK} -o no.h5", fails=True)
+        self.assertEqual((str(caught.exception), caught.exception.exit_code), (line.strip(), 2))
+        imported = graincrack.ring(diameter="30mm", inner_diameter="10mm", edge="4mm")
+        with self.assertRaisesRegex(graincrack.GraincrackError, "--material: missing"):
+            graincrack.brazilian(imported)
+        with self.assertRaisesRegex(graincrack.GraincrackError, "output '-'"):
+            graincrack.brazilian(self.disc, output="-")
+        with self.assertRaisesRegex(TypeError, "brazilian: .*'max_strian'"):
+            graincrack.brazilian(self.disc, max_strian=2)
+        with self.assertRaisesRegex(AttributeError, "graincrack has no brasilian; did you mean brazilian?"):
+            graincrack.brasilian
+        with self.assertRaisesRegex(graincrack.GraincrackError, "plot maps: no such command; there are .*cracks"):
+            self.disc.plot("maps")
+        with self.assertWarnsRegex(graincrack.GraincrackWarning, "disc.h5: did not fail|crystals of the mean diameter"), warnings.catch_warnings():
+            warnings.simplefilter("always")
+            graincrack.strength(graincrack.brazilian(self.disc, **{**QUICK, "max_strain": 0.0005}))
+
+    def test_functions_are_described_by_the_programs(self):
+        said = json.loads(tool("solve --describe"))
+        for command in said["commands"]:
+            names = inspect.signature(getattr(graincrack, command["name"])).parameters
+            own = {option["name"].replace("-", "_") for option in command["options"]} - {"help", "help_all"}
+            self.assertLessEqual(own, set(names))
+        parameters = inspect.signature(graincrack.brazilian).parameters
+        self.assertEqual((parameters["max_strain"].default, parameters["sensitivity"].default), (0.015, False))
+        self.assertEqual(parameters["specimen"].kind, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+        self.assertRegex(graincrack.plot.cracks.__doc__, "class_ : .*may be a list\n")
+        self.assertRegex(graincrack.uniaxial.__doc__, "contact_cohesion : quantity in Pa(.|\n)*MPa")
+        self.assertLessEqual({"half_disc", "import_", "size_effect", "calibrate", "Run"}, set(dir(graincrack)))
+
+    def test_programs_are_found_or_it_is_said(self):
+        asks = "import graincrack; print(len(dir(graincrack)) < 20); graincrack.disc"
+        missing = python(asks, GRAINCRACK_BIN="/nowhere")
+        self.assertEqual(missing.stdout, "True\n")
+        self.assertRegex(missing.stderr, "GraincrackError: .* are not in GRAINCRACK_BIN=/nowhere; install Graincrack, or set")
+        Path("other").mkdir()
+        for program in ("mesh", "solve", "post"):
+            Path(f"other/graincrack-{program}").write_text(f"#!/bin/sh\n{BIN}/graincrack-{program} \"$@\" | sed 's/\"version\": *\"[^\"]*\"/\"version\":\"9.9\"/'\n")
+            Path(f"other/graincrack-{program}").chmod(0o755)
+        other = python("import graincrack; graincrack.disc", GRAINCRACK_BIN="other")
+        self.assertRegex(other.stderr, f"graincrack-mesh is of Graincrack 9.9, this package of {graincrack.__version__}; install both")
+        on_path = python("import graincrack; print(graincrack.programs.bin_folder())", GRAINCRACK_BIN="", PATH=f"{BIN}:{os.environ['PATH']}")
+        self.assertTrue(Path(on_path.stdout.strip()).is_dir(), on_path.stderr)
+
+    def test_ctrl_c_leaves_a_checkpoint(self):
+        interrupt_when("long.h5.part")
+        with self.assertRaisesRegex(KeyboardInterrupt, r"stopped; the test so far is in long.h5.checkpoint, and uniaxial\(…, restart='long.h5"):
+            graincrack.uniaxial(self.pillar, rate="2mm/s", output="long.h5")
+        self.assertTrue(Path("long.h5.checkpoint").exists())
+        self.assertFalse(Path("long.h5").exists())
+
+    def test_map_has_the_order_of_its_items_and_stops_at_an_error(self):
+        def one(item):
+            time.sleep(0.2 - item / 20)
+            return graincrack.brazilian(self.disc, **QUICK).provenance["threads"], item
+        self.assertEqual(graincrack.map(one, range(4), jobs=2), [(1, item) for item in range(4)])
+
+        def fails(item):
+            while item == "wrong" and not Path("slow.h5.part").exists():
+                time.sleep(0.05)
+            time.sleep(0.3)
+            return graincrack.uniaxial(self.pillar, rate="2mm/s" if item == "slow" else item, output=f"{item}.h5")
+        with self.assertRaisesRegex(graincrack.GraincrackError, '--rate: .*wrong'):
+            graincrack.map(fails, ["slow", "wrong", "never"], jobs=2)
+        self.assertTrue(Path("slow.h5.checkpoint").exists())
+
+    def test_progress_on_a_terminal(self):
+        shown = f"import graincrack; graincrack.uniaxial('pillar.h5', rate='10mm/s', max_strain=0.002, quiet=QUIET)"
+        for quiet in (False, True):
+            master, slave = os.openpty()
+            subprocess.run([sys.executable, "-W", "ignore", "-c", shown.replace("QUIET", str(quiet))], stderr=slave, check=True,
+                           env={**os.environ, "PYTHONPATH": str(PYTHON)})
+            os.close(slave)
+            told = b""
+            try:
+                while piece := os.read(master, 65536):
+                    told += piece
+            except OSError:
+                pass
+            os.close(master)
+            self.assertEqual(b"uniaxial: ended by" in told, not quiet, told)
+            self.assertEqual(b"\runiaxial [" in told.replace(b"\033[K", b""), not quiet, told)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
