@@ -24,8 +24,6 @@ To read files alone: `from graincrack import Run, Specimen, Table`; graincrack/f
 
 from __future__ import annotations
 
-import difflib
-
 from . import functions as _functions
 from .files import SCHEMA_VERSION, FormatError, GraincrackError, GraincrackWarning, Group, MissingError, Output, Run, Specimen, Table
 from .programs import map
@@ -40,13 +38,8 @@ quiet = False  #: whether nothing is shown of what programs tell; warnings and e
 
 
 def __getattr__(name: str):
-    if not name.startswith("_"):
-        commands = _functions.commands()
-        if name in commands:
-            return commands[name]
-        near = "".join(f"; did you mean {each}?" for each in difflib.get_close_matches(name, commands, 1))
-        raise AttributeError(f"graincrack has no {name}{near}")
-    raise AttributeError(f"graincrack has no {name}")
+    commands = {} if name.startswith("_") else _functions.commands()
+    return commands[name] if name in commands else _functions.refuse("graincrack", commands, name)
 
 
 def __dir__() -> list[str]:

@@ -25,6 +25,7 @@ import io
 import json
 import re
 import shutil
+import sys
 from functools import cached_property
 from pathlib import Path
 from typing import Iterator, Mapping
@@ -166,7 +167,7 @@ class _Hdf5File(_File):
 
     def plot(self, kind: str, **options) -> Output:
         """A picture of it by a command of `graincrack.plot`, whose options it takes: plot("cracks", frame="peak")."""
-        return _command("plot", kind)(self, **options)
+        return getattr(_package().plot, kind.replace("-", "_"))(self, **options)
 
 
 class Specimen(_Hdf5File):
@@ -235,11 +236,11 @@ class Run(_Hdf5File):
 
     def film(self, **options) -> Output:
         """A film of the test, with the options of `graincrack.film`."""
-        return _command("film")(self, **options)
+        return _package().film(self, **options)
 
     def view(self, **options) -> Output:
         """A page on which the test is turned over, with the options of `graincrack.view`."""
-        return _command("view")(self, **options)
+        return _package().view(self, **options)
 
     @cached_property
     def specimen(self) -> Specimen:
@@ -389,19 +390,16 @@ class Output(_File):
         return f'<video controls loop style="max-width: 100%" src="data:video/{self.path.suffix[1:]};base64,{data}"></video>'
 
 
+def _package():
+    """The functions that programs make of files."""
+    return sys.modules[__package__]
+
+
 def material_of(path: str | Path) -> str | None:
     """The material with which a specimen or run was made, as its command line had it."""
     with _open(path) as file:
         lines = re.findall(r'^material = (".*")$', _attributes(file["provenance"]).get("configuration", ""), re.MULTILINE)
     return json.loads(lines[-1]) if lines else None
-
-
-def _command(*names: str):
-    """A function of the package, by the names of its command."""
-    from . import functions
-
-    return functions.command(*names)
-
 
 
 # Units that end the names of columns (share/doc/tables.md).

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import functools
 import inspect
 import itertools
@@ -77,8 +78,8 @@ class _Command:
         self.program, self.names, self.meaning = program, names, said["description"]
         own = said["options"]
         known = {option["name"] for option in own}
-        self.options = {_python_name(option["name"]): option for option in own + [each for each in of_program if each["name"] not in known]
-                        if option["name"] not in _NONE_OF_A_FUNCTION}
+        others = [option for option in of_program if option["name"] not in known]
+        self.options = {_python_name(each["name"]): each for each in own + others if each["name"] not in _NONE_OF_A_FUNCTION}
         self.output = self.options.get("output")
 
     @property
@@ -182,7 +183,8 @@ def _kind_of(option: dict) -> str:
         kind += f" in {option['unit']}, or with its unit"
     if option["type"] != "choice" and words:
         kind += f" | {words}"
-    return kind + ", may be a list" * bool(option.get("repeatable")) + (f", default {option['default']}" if "default" in option else "")
+    default = f", default {option['default']}" if "default" in option else ""
+    return kind + ", may be a list" * bool(option.get("repeatable")) + default
 
 
 def _function(command: _Command, columns: list[dict]):
@@ -200,6 +202,13 @@ def _function(command: _Command, columns: list[dict]):
     return call
 
 
+def refuse(where: str, there: dict, name: str):
+    """Raises the error of a name that is not there."""
+    near = difflib.get_close_matches(name, there, 1)
+    fits = f"did you mean {near[0]}?" if near else "there are " + ", ".join(each for each in there if each[0] != "_")
+    raise AttributeError(f"{where} has no {name}; {fits}")
+
+
 def _functions(said: dict, part: dict, names: tuple[str, ...] = ()) -> dict:
     """Those of a program, or of a command that has others."""
     made = {}
@@ -207,7 +216,7 @@ def _functions(said: dict, part: dict, names: tuple[str, ...] = ()) -> dict:
         own = (*names, each["name"])
         if each.get("commands"):  # becomes a module, as graincrack.plot
             function = types.ModuleType(f"{__package__}.{_python_name(each['name'])}", each["description"])
-            vars(function).update(_functions(said, each, own))
+            vars(function).update(_functions(said, each, own), __getattr__=functools.partial(refuse, function.__name__, vars(function)))
         else:
             columns = [column for table in said["tables"] if table["command"] == " ".join(own) for column in table["columns"]]
             function = _function(_Command(said["program"], own, each, said["options"]), columns)
@@ -220,13 +229,3 @@ def commands() -> dict:
     """The functions by their names. Raises GraincrackError where the programs are not found."""
     all_said = map(programs.description, programs.PROGRAMS)
     return {name: function for said in all_said for name, function in _functions(said, said).items()}
-
-
-def command(*names: str):
-    """A function by the names of its command: command("plot", "cracks")."""
-    there = commands()
-    for name in map(_python_name, names):
-        if name not in there:
-            raise GraincrackError(f"{' '.join(names)}: no such command; there are {', '.join(each for each in there if each[0] != '_')}")
-        there = there[name] if not isinstance(there[name], types.ModuleType) else vars(there[name])
-    return there

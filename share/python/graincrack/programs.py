@@ -31,7 +31,7 @@ def settings():
 
 @functools.cache
 def bin_folder() -> Path:
-    """The folder of the three programs: GRAINCRACK_BIN, else that of the installation or build that this package is of, else on PATH."""
+    """The folder of the three programs: GRAINCRACK_BIN, else beside this package in its installation or build, else on PATH."""
     here = Path(__file__).resolve()
     own = os.environ.get("GRAINCRACK_BIN")
     beside = [here.parents[4] / "bin", here.parents[3] / "build" / "bin", Path(sysconfig.get_path("scripts"))]
@@ -56,7 +56,7 @@ def description(program: str) -> dict:
         said = {}
     version = settings().__version__
     if "commands" not in said:
-        raise GraincrackError(f"{path}: does not describe itself ({asked.stderr.strip()}); the program of Graincrack {version} fits")
+        raise GraincrackError(f"{path}: does not describe itself ({asked.stderr.strip()}); that of Graincrack {version} fits")
     if said["version"] != version:
         warnings.warn(f"{path} is of Graincrack {said['version']}, this package of {version}; install both from one source",
                       GraincrackWarning, stacklevel=2)
@@ -64,7 +64,7 @@ def description(program: str) -> dict:
 
 
 class Screen:
-    """Shows what programs tell, where Python runs: on a terminal as they do, in a notebook as one line that changes, elsewhere by lines."""
+    """Shows what programs tell: on a terminal as they do, in a notebook as a line that changes, elsewhere by lines."""
 
     def __init__(self, quiet: bool | None):
         shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
@@ -146,7 +146,7 @@ def _told(reader: int) -> Iterator[tuple[str, bool]]:
 def run(command: list, *, quiet: bool | None = None, resume: Callable[[], str] = str, stacklevel: int = 2) -> str:
     """What a command prints on stdout. Its warnings become Python's.
 
-    Raises GraincrackError with the line by which it fails and its exit code; KeyboardInterrupt, with what `resume` says, if Ctrl-C ended it.
+    Raises GraincrackError with the line by which it fails and its exit code, and KeyboardInterrupt with what `resume` says.
     """
     calls = getattr(Together.of_thread, "calls", None) or Together()
     screen = Screen(True if is_side_by_side() else quiet)
@@ -169,7 +169,7 @@ def run(command: list, *, quiet: bool | None = None, resume: Callable[[], str] =
                     elif text and not re.match(r"make|/\S*$", text):  # neither make's own word nor a file that it made
                         if last:
                             screen.show(last, stays=True)
-                        last = text  # may be its error, which is raised and not shown
+                        last = re.sub(r".*\*\*\* (.*)\.  Stop\.$", r"\1", text)  # may be its error, which is raised and not shown
                 process.wait()
             except KeyboardInterrupt:
                 interrupted = True
@@ -196,8 +196,8 @@ def processors() -> int:
 def map(f: Callable, items: Iterable, jobs: int | None = None, *, quiet: bool | None = None) -> list:
     """[f(item) for item in items], `jobs` at a time: as many as there are processors unless given.
 
-    Tests that f makes have one thread each. The first error stops all others, and is raised when they have ended; so is Ctrl-C. Tests
-    that are stopped leave their checkpoints.
+    Tests that f makes have one thread each. The first error, or Ctrl-C, stops all others, which leave their checkpoints, and is
+    raised when they have ended.
     """
     items, calls, screen, errors = list(items), Together(), Screen(quiet), []
 
@@ -223,7 +223,7 @@ def map(f: Callable, items: Iterable, jobs: int | None = None, *, quiet: bool | 
                 calls.stop()
     screen.show(f"{len(items)} of {len(items)} are done" if not errors else "", stays=screen.has_bar and not errors)
     if interrupted:
-        raise KeyboardInterrupt("stopped; tests that were running have left their checkpoints, as RUN.checkpoint beside their files")
+        raise KeyboardInterrupt("stopped; tests that were running have left RUN.checkpoint beside their files")
     if errors:
         raise errors[0]
     return [each.result() for each in all_calls]

@@ -16,10 +16,12 @@ class Calibration:
     def __init__(self, folder: str | Path):
         self.folder = Path(folder)  #: with all files of the calibration
         self.report = (self.folder / "report.md").read_text(encoding="utf-8")  #: Markdown, which a notebook shows
-        self.rock, _, self.end = self.report.partition("\n")[0].removeprefix("# ").rpartition(": ")  #: "calibrated", "not reached" …
-        found = self.folder / "calibrated.toml"
-        self.material = found if found.exists() else self.folder / "nearest.toml"  #: file of the material
-        self.tables = {path.stem: Table(path) for path in sorted(self.folder.glob("*.tsv")) if path.stat().st_size > 0}  #: strength …
+        #: the word of its end: "calibrated", "not reached", "contradictory" or "undecided"
+        self.rock, _, self.end = self.report.partition("\n")[0].removeprefix("# ").rpartition(": ")
+        #: file of the material: with the values that were found, or the nearest to the targets
+        self.material = self.folder / ("calibrated.toml" if self.end == "calibrated" else "nearest.toml")
+        #: strength, moduli, identify, draws …
+        self.tables = {path.stem: Table(path) for path in sorted(self.folder.glob("*.tsv")) if path.stat().st_size > 0}
 
     @property
     def fitted(self) -> dict[str, str]:
@@ -45,13 +47,14 @@ def calibrate(material, *, out=None, jobs: int | None = None, set: dict | None =
     jobs: tests at a time; default: as many as there are processors.
     set: other values for keys of [study], as {"zooms": 2} (share/doc/tables.md, calibrate).
 
-    The calibration may end otherwise than "calibrated": its `end` says how, its `report` what to do next. A rock of a known kind takes some
-    minutes.
+    The calibration may end otherwise than "calibrated": its `end` says how, its `report` what to do next. A rock of a known kind
+    takes some minutes.
     """
     rock = functions.text_of(material)
     out = Path(programs.settings().folder if out is None else out)
     folder = out / "calibrate" / Path(rock).name.removesuffix(".toml")
-    variables = [f"ROCK={Path(rock).absolute() if Path(rock).is_file() else rock}", f"OUT={out.absolute()}", f"BIN={programs.bin_folder()}"]
+    rock = Path(rock).absolute() if Path(rock).is_file() else rock
+    variables = [f"ROCK={rock}", f"OUT={out.absolute()}", f"BIN={programs.bin_folder()}"]
     if set:
         variables.append("SET=" + " ".join(f"{key}={functions.text_of(value)}" for key, value in set.items()))
     make = ["make", "-s", "--no-print-directory", f"-j{jobs or programs.processors()}", "-C", _studies(), "calibrate", *variables]
@@ -62,14 +65,14 @@ def calibrate(material, *, out=None, jobs: int | None = None, set: dict | None =
     except GraincrackError:
         report = folder / "report.md"
         if (folder / "wanted.tsv").exists() or not report.exists() or report.stat().st_mtime < begin:
-            raise  # other ends than "calibrated" are exit codes of the study, with a report
+            raise  # other ends than "calibrated" are errors of the study too, which leave a report
     return Calibration(folder)
 
 
 def _studies() -> Path:
     """The folder of the studies, of the installation or of the source tree."""
     top = programs.bin_folder().parent
-    for place in (top / "share" / "graincrack" / "studies", top.parent / "share" / "studies", Path(__file__).parents[2] / "studies"):
+    for place in (top / "share" / "graincrack" / "studies", Path(__file__).resolve().parents[2] / "studies"):
         if (place / "Makefile").exists():
             return place
-    raise GraincrackError(f"{top}/share/graincrack/studies: not there; calibrations need an installation of Graincrack with its studies")
+    raise GraincrackError(f"{top}/share/graincrack/studies: not there; calibrations need Graincrack with its studies")
