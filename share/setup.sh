@@ -61,18 +61,24 @@ estimate() {
     say "${text%, } here, unless other work slows it down"
 }
 
+# missing_packages PACKAGE…: those that are not installed, one a line.
+missing_packages() {
+    local package status
+    for package in "$@"; do
+        status=$(dpkg-query --show --showformat='${db:Status-Status} ' "$package" 2>/dev/null) || status=
+        # "not-installed" is the status of what another package only mentions.
+        [[ " $status" == *" installed "* ]] || echo "$package"
+    done
+}
+
 # have_packages PACKAGE…: installs what is missing if it may; ends the script with exit code 3 if it may not.
 have_packages() {
-    local package status missing=()
+    local missing
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         say "this is no Debian; going on with what is here. Needed are, by their Debian 12 names: $*"
         return 0
     fi
-    for package in "$@"; do
-        status=$(dpkg-query --show --showformat='${db:Status-Status} ' "$package" 2>/dev/null) || status=
-        # "not-installed" is the status of what another package only mentions.
-        [[ " $status" == *" installed "* ]] || missing+=("$package")
-    done
+    mapfile -t missing < <(missing_packages "$@")
     if ((${#missing[@]} == 0)); then
         say "packages: all there"
         return 0

@@ -2,9 +2,11 @@
 
 #include <pango/pangocairo.h>
 
+#include <cstdlib>
 #include <memory>
 #include <numbers>
 
+#include "share/base/shared_file.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {
@@ -20,7 +22,10 @@ template <class T>
 using Owned = std::unique_ptr<T, FreePango>;
 
 /// Letters keep their shape and distance at every resolution, so that what was measured once holds in each file.
+/// An installation for machines that may have no font brings its own, with the file that tells of them.
 Owned<PangoContext> make_context() {
+    const std::filesystem::path fonts = SharedFolder{.what = "font", .folder = "fonts"}.below("fonts.conf");
+    if (!fonts.empty()) setenv("FONTCONFIG_FILE", fonts.c_str(), 0);
     Owned<PangoContext> context(pango_font_map_create_context(pango_cairo_font_map_get_default()));
     const Owned<cairo_font_options_t> options(cairo_font_options_create());
     cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);

@@ -3,8 +3,11 @@
 Usage: metadata_test.py. Also: the description of a folder of results (RO-Crate 1.1) names what is in the folder, and everything it refers to.
 """
 import json
+import os
 import re
 import subprocess
+import sys
+import tarfile
 import tempfile
 import unittest
 from pathlib import Path
@@ -43,6 +46,8 @@ class Metadata(unittest.TestCase):
         self.assertEqual(first(r'^    license\("([^"]+)"', "share/packaging/spack/package.py"), LICENCE)
         self.assertEqual(first(r"^  license: (\S+)", "share/packaging/conda/recipe.yaml"), LICENCE)
 
+        self.assertEqual(first(r'^license = "([^"]+)"', "pyproject.toml"), LICENCE)
+
     def test_the_model_is_that_of_one_paper(self):
         self.assertEqual(self.codemeta["referencePublication"]["@id"], f"https://doi.org/{PAPER}")
         for path in ("CITATION.cff", "share/joss/paper.bib", "README.md"):
@@ -70,6 +75,38 @@ class Metadata(unittest.TestCase):
         for section in ("Summary", "Statement of need", "State of the field", "References"):
             self.assertRegex(body, rf"(?m)^# {section}$")
         self.assertEqual(set(re.findall(r"@(\w+)", body)), set(re.findall(r"^@\w+\{(\w+),", text("share/joss/paper.bib"), re.M)))
+
+
+class Sources(unittest.TestCase):
+    """What pip asks of the sources."""
+
+    def backend(self, folder, call, path=""):
+        script = f"import build_backend; print(build_backend.{call})"
+        variables = os.environ | {"PYTHONPATH": str(TOP / "share/packaging"), "PYTHONDONTWRITEBYTECODE": "1", "PATH": f"{path}{os.environ['PATH']}"}
+        return subprocess.run([sys.executable, "-c", script], cwd=folder, env=variables, capture_output=True, text=True)
+
+    def test_one_line_names_the_packages_that_are_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            known = "#!/bin/sh\ncase $3 in libvtk9-dev | libopenmpi-dev) exit 1;; libpng-dev) printf 'not-installed ';; *) printf 'installed ';; esac\n"
+            for name, text in (("cmake", "#!/bin/sh\necho VTK?\nexit 1\n"), ("apt-get", "#!/bin/sh\n"), ("dpkg-query", known)):
+                Path(folder, name).write_text(text)
+                Path(folder, name).chmod(0o755)
+            done = self.backend(folder, f"build_wheel('.', {{'build-dir': '{folder}/build'}})", f"{folder}:")
+        self.assertEqual(done.stderr, "graincrack: packages are missing; with root rights: apt-get install --no-install-recommends libpng-dev libvtk9-dev\n")
+        self.assertNotEqual(done.returncode, 0)
+
+    def test_a_setting_that_is_none_is_named(self):
+        done = self.backend(TOP, "build_wheel('.', {'bundel': 'yes'})")
+        self.assertEqual(done.stderr, "graincrack: --config-settings bundel: unknown; build-dir=FOLDER or bundle=yes fits\n")
+
+    def test_an_archive_has_the_sources_and_their_description(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = self.backend(TOP, f"build_sdist({folder!r})").stdout.strip()
+            with tarfile.open(Path(folder, name)) as archive:
+                top = name.removesuffix(".tar.gz")
+                archive.getmember(f"{top}/pyproject.toml")
+                description = archive.extractfile(f"{top}/PKG-INFO").read().decode()
+        self.assertRegex(description, rf"(?s)^Metadata-Version: 2.4\nName: graincrack\nVersion: {top.partition('-')[2]}\n.*\nRequires-Dist: h5py\n")
 
 
 class Crate(unittest.TestCase):

@@ -35,6 +35,7 @@ class Graincrack(CMakePackage):
     depends_on("gzip", type="build")
     depends_on("python@3.9:", type=("build", "run"))
     depends_on("py-h5py", type="run")
+    depends_on("py-numpy", type="run")
 
     depends_on("cairo+ft+fc+png+pdf+svg")
     depends_on("cgal@5.5:")
@@ -64,6 +65,9 @@ class Graincrack(CMakePackage):
             self.define_from_variant("GRAINCRACK_MPI", "mpi"),
             self.define("CMAKE_UNITY_BUILD", True),
         ]
+
+    def setup_run_environment(self, env):
+        env.prepend_path("PYTHONPATH", self.prefix.lib.python3.join("dist-packages"))
 
     def test_disc(self):
         """a small disc is meshed, broken and measured"""
