@@ -11,7 +11,6 @@ $CMAKE_ARGS are options of CMake for a folder that is not configured yet.
 import base64
 import hashlib
 import os
-import platform
 import re
 import shlex
 import shutil
@@ -21,7 +20,7 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-from bundle import SEARCH_PATH, add_bundle
+from bundle import SEARCH_PATH, add_bundle, tag
 
 try:
     import tomllib
@@ -45,7 +44,8 @@ def configure(folder, bundle):
     missing = " ".join(sorted(set(subprocess.run(listing, cwd=TOP, capture_output=True, text=True).stdout.split())))
     if missing and shutil.which("apt-get"):
         sys.exit(f"graincrack: packages are missing; with root rights: apt-get install --no-install-recommends {missing}")
-    sys.exit(f"{result.stdout if result else 'cmake: not found'}\ngraincrack: not configured" + (f"; needed are, by their Debian 12 names: {missing}" if missing else ""))
+    printed = result.stdout if result else "cmake: not found"
+    sys.exit(f"{printed}\ngraincrack: not configured{missing and f'; needed are, by their Debian 12 names: {missing}'}")
 
 
 def run(*command):
@@ -73,12 +73,6 @@ def metadata():
     return "\n".join([*lines, "Description-Content-Type: text/markdown", "", (TOP / table["readme"]).read_text()])
 
 
-def tag(bundle):
-    """What a wheel fits: this machine with its libraries, or every one with a glibc as new as this one."""
-    glibc = "many" + os.confstr("CS_GNU_LIBC_VERSION").replace("glibc ", "linux_").replace(".", "_")
-    return f"py3-none-{glibc if bundle else 'linux'}_{platform.machine()}"
-
-
 def description(bundle):
     """The files that describe a wheel: content by name."""
     wheel = f"Wheel-Version: 1.0\nGenerator: graincrack\nRoot-Is-Purelib: false\nTag: {tag(bundle)}\n"
@@ -90,7 +84,7 @@ def files_of(installed):
     data = f"{name_and_version()}.data"
     folders = ("lib/graincrack", "share/graincrack", "share/man", "share/bash-completion", "share/zsh")
     places = [(f"{data}/scripts", "bin"), *((f"{data}/data/{folder}", folder) for folder in folders)]
-    places += [("", path.relative_to(installed)) for path in installed.glob("lib/python*/dist-packages")]
+    places += [("", path) for path in installed.glob("lib/python*/dist-packages")]
     for place, folder in places:
         for path in sorted((installed / folder).rglob("*")):
             if path.is_file() and path.suffix != ".pyc":

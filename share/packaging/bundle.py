@@ -1,5 +1,7 @@
 """What a wheel has inside so that its programs need nothing of a machine but glibc: shared libraries, a font, licences; from a Debian."""
 
+import os
+import platform
 import re
 import shutil
 import subprocess
@@ -13,6 +15,12 @@ GLIBC = re.compile(r"lib(c|m|mvec|dl|rt|pthread|resolv|util|anl)\.so")
 FONTS = Path("/usr/share/fonts/truetype/liberation")
 # Packages of which the programs have nothing but headers, and that of the font.
 COMPILED_IN = ["libboost-dev", "libcgal-dev", "libcli11-dev", "libeigen3-dev", "nlohmann-json3-dev", "fonts-liberation"]
+
+
+def tag(bundle):
+    """What a wheel fits: this machine with its libraries, or every one with a glibc as new as this one."""
+    glibc = "many" + os.confstr("CS_GNU_LIBC_VERSION").replace("glibc ", "linux_").replace(".", "_")
+    return f"py3-none-{glibc if bundle else 'linux'}_{platform.machine()}"
 
 
 def libraries(programs):

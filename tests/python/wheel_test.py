@@ -26,8 +26,8 @@ $RUN $BIN/graincrack-post plot cracks $WORK/run.h5 --quiet -o $WORK/cracks.pdf
 def run(*command, **variables):
     """What a command prints, without variables of this process but PATH and those that are given."""
     names = ("PATH", "HOME", "CMAKE_CXX_COMPILER_LAUNCHER", "CCACHE_DIR")
-    kept = {name: os.environ[name] for name in names if name in os.environ}
-    result = subprocess.run(list(map(str, command)), cwd="/", env=kept | {name: str(value) for name, value in variables.items()}, text=True, capture_output=True)
+    variables = {name: os.environ[name] for name in names if name in os.environ} | {name: str(value) for name, value in variables.items()}
+    result = subprocess.run(list(map(str, command)), cwd="/", env=variables, text=True, capture_output=True)
     if result.returncode != 0:
         raise AssertionError(f"{command}: {result.returncode}\n{result.stdout}\n{result.stderr}")
     return result.stdout, result.stderr
@@ -46,8 +46,8 @@ class Wheel(unittest.TestCase):
 
     def test_the_sources_are_installed_by_pip(self):
         self.assertIn("Brazilian, plane stress", self.strength)
-        script = f"import graincrack; print(graincrack.__file__); print(*graincrack.strength(graincrack.Run({str(self.folder / 'run.h5')!r}))['test'])"
-        printed, _ = run(self.folder / "first/bin/python", "-c", script)
+        script = "import graincrack, sys; print(graincrack.__file__, *graincrack.strength(graincrack.Run(sys.argv[1]))['test'])"
+        printed, _ = run(self.folder / "first/bin/python", "-c", script, self.folder / "run.h5")
         self.assertTrue(printed.startswith(str(self.folder / "first/lib")), printed)
         self.assertTrue(printed.endswith("brazilian\n"), printed)
         self.assertTrue(os.access(self.folder / "first/share/graincrack/studies/lib/crate", os.X_OK))
@@ -67,12 +67,14 @@ class Wheel(unittest.TestCase):
             (bare / name).mkdir(parents=True)
         loaded, _ = run("ldd", second / "bin/graincrack-post")
         needed = [line.split()[-2] for line in loaded.splitlines() if "/" in line and str(second) not in line]
-        self.assertLessEqual({Path(each).name.split(".")[0] for each in needed}, {"libc", "libm", "libdl", "librt", "libpthread", "libresolv", "ld-linux-x86-64"})
+        glibc = {"libc", "libm", "libdl", "librt", "libpthread", "libresolv", "ld-linux-x86-64"}
+        self.assertLessEqual({Path(each).name.split(".")[0] for each in needed}, glibc)
         for each in needed:
             (bare / each[1:]).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(each, bare / each[1:])
         hide = f"mount --rbind /proc {bare}/proc; mount --bind {second} {bare}/environment\n"
-        strength, said = run(*NAMESPACE, "bash", "-c", f"set -e\n{hide}{TEST}", RUN=f"chroot {bare}", BIN="/environment/bin", WORK="/work", HOME="/work")
+        places = {"RUN": f"chroot {bare}", "BIN": "/environment/bin", "WORK": "/work", "HOME": "/work"}
+        strength, said = run(*NAMESPACE, "bash", "-c", f"set -e\n{hide}{TEST}", **places)
         self.assertEqual(strength.replace("/work/", f"{self.folder}/").split(), self.strength.split())
         self.assertNotIn("ontconfig", said)
         self.assertIn(b"LiberationSans", (bare / "work/cracks.pdf").read_bytes())
