@@ -468,7 +468,9 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     CommandLine line(
         "graincrack-mesh",
         "Makes specimens of triangular grains of near-equal size without a preferred direction, or of polygonal crystals", common,
-        examples, {triangulation_library()});
+        examples, {triangulation_library()}, [] {
+            return WrittenRows{{}, datasets_of("specimen")};
+        });
     add_dry_run(line.options(), common, "print the expected counts and file size without making a specimen");
     KindOptions kind_options;
     CutOptions cuts;

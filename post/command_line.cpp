@@ -13,6 +13,7 @@
 #include "post/chart/picture.hpp"
 #include "post/commands/commands.hpp"
 #include "post/cracks/crack_map.hpp"
+#include "post/table/tables_page.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "share/options/command_line.hpp"
@@ -122,9 +123,11 @@ std::vector<std::string> files_of(const Registered& command) {
 void run_command_line(int argc, const char* const* argv, std::ostream& out) {
     gsl_set_error_handler_off();  // what fails says so by its value or status; the handler would end the process
     CommonOptions common;
-    CommandLine line(
-        "graincrack-post", "Evaluates runs: tables, VTK files, pictures and reports", common, examples,
-        {vtk_library_version(), cairo_library_version(), pango_library_version(), std::string("GSL ") + GSL_VERSION});
+    CommandLine line("graincrack-post", "Evaluates runs: tables, VTK files, pictures and reports", common, examples,
+                     {vtk_library_version(), cairo_library_version(), pango_library_version(), std::string("GSL ") + GSL_VERSION},
+                     [] {
+                         return WrittenRows{documented_tables(), {}};
+                     });
     Registry registry;
     for (const Command& command : commands()) add(line.options(), command, "", registry);
     if (!line.parse(argc, argv)) return;

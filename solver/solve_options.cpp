@@ -282,7 +282,9 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     CommonOptions common;
     CommandLine line("graincrack-solve",
                      "Runs laboratory tests on assemblages of grains by the discrete element method with cohesive contacts",
-                     common, examples, {is_built_with_mpi() ? "MPI: yes" : "MPI: no"});
+                     common, examples, {is_built_with_mpi() ? "MPI: yes" : "MPI: no"}, [] {
+                         return WrittenRows{{}, datasets_of("run")};
+                     });
     std::vector<std::pair<OptionSet, TestKind>> tests;
     for (const TestDescription& test : all_tests()) {
         if (test.loading == Loading::program) continue;

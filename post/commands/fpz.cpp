@@ -139,12 +139,10 @@ struct FpzOptions {
 
 /// The edges that were asked for; else those of the paper for its rock, else the laboratory's grain size, if there is one.
 std::vector<double> edges_of(const FpzOptions& options, const Material& material) {
-    std::vector<double> edges = options.edges;
-    if (!edges.empty()) return edges;
+    if (!options.edges.empty()) return options.edges;
     if (is_rock_of_paper(material.name)) return {mean_edges_of_paper.begin(), mean_edges_of_paper.end()};
     const auto measured = material.laboratory.find("grain_size");
-    if (measured != material.laboratory.end()) edges.push_back(measured->second);
-    return edges;
+    return measured == material.laboratory.end() ? std::vector<double>{} : std::vector<double>{measured->second};
 }
 
 /// \param notes gets a sentence for each value that was not measured

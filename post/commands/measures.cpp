@@ -162,8 +162,7 @@ Command summarize_command() {
         {"strength.tsv --sql 'SELECT test, count(*) AS runs, mean(tensile_strength_MPa) AS mean_MPa FROM strength GROUP BY test'",
          "strength.tsv --sql \"SELECT test, mean_and_half(energy_balance_error, '.1e') FROM strength GROUP BY test\" --pivot "
          "--format markdown"},
-        FileArguments{"tables", "tables as FILE, named by the stem of the file, or NAME=FILE; those of one name are combined",
-                      true, true},
+        FileArguments{"tables", "tables as FILE, named by its stem, or NAME=FILE; those of one name are combined", true, true},
         [](OptionSet set, SummaryOptions& options) {
             add_text(
                 set, "--sql", options.sql,

@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 
+#include "share/file/datasets.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/schema.hpp"
 
@@ -98,6 +99,10 @@ ModeCounts count_modes(const std::vector<Crack>& log, const CrackLabel& label, d
         if (crack.time <= time) counts.add(crack);
     }
     return counts;
+}
+
+void visit_crack_datasets(const VisitDataset& visit) {
+    visit_columns([&](const schema::Dataset& dataset, const auto&... /*member*/) { visit(dataset); });
 }
 
 void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "share/base/error.hpp"
+#include "share/file/datasets.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/provenance.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 /// Visits every array of a frame once.
 template <class FrameType, class Visit>
-void visit_frame(FrameType& frame, Visit&& visit) {
+void visit_frame(FrameType&& frame, Visit&& visit) {
     visit(schema::frame_displacement, frame.displacement, 0);
     visit(schema::frame_velocity, frame.velocity, 0);
     visit(schema::frame_element_stress, frame.element_stress, 0);
@@ -45,6 +46,10 @@ void link_last_frame(H5Output& file, const std::string& frame) {
 }
 
 }  // namespace
+
+void visit_frame_datasets(const VisitDataset& visit) {
+    visit_frame(Frame(), [&](const schema::Dataset& dataset, const auto&... /*rows*/) { visit(dataset); });
+}
 
 // --- writing ---------------------------------------------------------------------------------------------------------
 

@@ -17,6 +17,7 @@
 
 #include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
+#include "share/file/datasets.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
@@ -410,6 +411,12 @@ void write_vtk_view(H5Output& file, const Specimen& s) {
 }
 
 }  // namespace
+
+void visit_specimen_datasets(const VisitDataset& visit) {
+    const Specimen none;
+    visit_arrays(none, [&](const schema::Dataset& dataset, const auto&... /*array*/) { visit(dataset); });
+    visit(schema::contact_class);
+}
 
 void write_specimen(H5Output& file, const Specimen& s) {
     const std::string group = schema::specimen_group;

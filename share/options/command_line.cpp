@@ -105,11 +105,23 @@ public:
 };
 
 /// The answer to --describe.
-std::string description_of(const CLI::App& app) {
-    const nlohmann::ordered_json own = describe(app);
-    nlohmann::ordered_json all{{"program", app.get_name()}, {"version", project_version()}, {"schema", 1}};
+std::string description_of(const CLI::App& app, const WrittenRows& written) {
+    using Json = nlohmann::ordered_json;
+    const auto values = [](const std::vector<NamedValue>& rows, const char* name) {
+        Json all = Json::array();
+        for (const NamedValue& row : rows) all.push_back({{name, row.name}, {"unit", row.unit}, {"meaning", row.meaning}});
+        return all;
+    };
+    const Json own = describe(app);
+    Json all{{"program", app.get_name()}, {"version", project_version()}, {"schema", 1}};
     for (const char* part : {"description", "options", "commands"}) all[part] = own[part];
-    all["tables"] = all["datasets"] = nlohmann::ordered_json::array();
+    all["tables"] = Json::array();
+    for (const TableRow& table : written.tables) {
+        Json& row = all["tables"].emplace_back(Json{{"command", table.command}});
+        if (!table.file.empty()) row["file"] = table.file;
+        row["columns"] = values(table.columns, "name");
+    }
+    all["datasets"] = values(written.datasets, "path");
     return all.dump();
 }
 
@@ -338,7 +350,8 @@ double control_group_quota() {
 }  // namespace
 
 CommandLine::CommandLine(const std::string& tool, const std::string& description, CommonOptions& common,
-                         const std::string& examples, const std::vector<std::string>& libraries)
+                         const std::string& examples, const std::vector<std::string>& libraries,
+                         const std::function<WrittenRows()>& written)
     : app_(std::make_unique<CLI::App>(description)) {
     CLI::App& app = *app_;
     app.name(tool);
@@ -365,7 +378,8 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
         },
         "print version, commit and libraries and exit");
     app.add_flag_callback(
-           "--describe", [&app] { throw CLI::CallForVersion(description_of(app), 0); },
+           "--describe",
+           [&app, written] { throw CLI::CallForVersion(description_of(app, written ? written() : WrittenRows()), 0); },
            "print all commands and options, and the columns and datasets that are written, as JSON and exit")
         ->configurable(false);
     app.add_option_function<std::string>(

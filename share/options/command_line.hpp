@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "share/base/progress.hpp"
+#include "share/file/datasets.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {
@@ -43,13 +44,26 @@ struct CommonOptions {
     bool dry_run = false;       ///< set by `add_dry_run`
 };
 
+/// A table that a command prints, or writes into its folder as `file`.
+struct TableRow {
+    std::string command;  ///< "strength --summary"
+    std::string file;
+    std::vector<NamedValue> columns;
+};
+/// What a tool writes, for --describe.
+struct WrittenRows {
+    std::vector<TableRow> tables;
+    std::vector<NamedValue> datasets;
+};
+
 /// The command line of a tool.
 class CommandLine {
 public:
     /// Sets up --help and --help-all (with `examples` at their end), --version, --config, --print-config, --quiet, --verbose.
     /// \param libraries versions of the libraries of this tool alone, for --version: "CGAL 5.5.1"
+    /// \param written what it writes
     CommandLine(const std::string& tool, const std::string& description, CommonOptions& common, const std::string& examples,
-                const std::vector<std::string>& libraries = {});
+                const std::vector<std::string>& libraries = {}, const std::function<WrittenRows()>& written = nullptr);
     ~CommandLine();
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;

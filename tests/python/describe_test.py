@@ -8,14 +8,22 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
+
+import h5py
 
 BIN = pathlib.Path(sys.argv.pop(1)).resolve()
 PROGRAMS = ["graincrack-mesh", "graincrack-solve", "graincrack-post"]
 
 
-def run(*call):
-    return subprocess.run([BIN / call[0], *call[1:]], capture_output=True, text=True)
+# A test so small and fast has no peak but one of 1 %.
+QUICK = "--material augig-granite --mass-scaling none --rate 400mm/s --max-strain 0.03 --peak-drop 0.01 --threads 1 --quiet".split()
+MATERIAL = ["--material", "augig-granite"]
+
+
+def run(*call, folder=None):
+    return subprocess.run([BIN / call[0], *call[1:]], capture_output=True, text=True, cwd=folder)
 
 
 def description(program):
@@ -101,6 +109,59 @@ class Description(unittest.TestCase):
                         self.assertEqual(done.returncode, 2 if is_refused else 0, f"{option['name']} {value}: {done.stderr}")
                         self.assertEqual("--" + option["name"] in done.stderr, is_refused, done.stderr)
         self.assertGreater(found, 60)
+
+
+class Files(unittest.TestCase):
+    maxDiff = None
+    """What is described of tables and datasets is what a specimen, a run and the tables of the run have."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        for call in (["graincrack-mesh", "rectangle", "--width=20mm", "--height=40mm", "--edge=5mm", "-o", "specimen.h5"],
+                     ["graincrack-solve", "uniaxial", "specimen.h5", "-o", "uniaxial.h5", *QUICK],
+                     ["graincrack-solve", "triaxial", "specimen.h5", "--confining-pressure=1MPa", "-o", "triaxial.h5", *QUICK],
+                     ["graincrack-post", "cracks", "uniaxial.h5", "-o", "cracks"]):
+            done = run(*call, folder=cls.folder.name)
+            assert done.returncode == 0, done.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_datasets(self):
+        for program, name in (("graincrack-mesh", "specimen.h5"), ("graincrack-solve", "uniaxial.h5")):
+            told = {dataset["path"]: (dataset["unit"], dataset["meaning"]) for dataset in description(program)["datasets"]}
+            there = {}
+
+            with h5py.File(pathlib.Path(self.folder.name) / name) as file:
+                for group in {path.rpartition("/")[0] for path in told}:
+                    for path, item in file[group.replace("NNNN", "0000")].items():
+                        there[f"{group}/{path}"] = item.attrs["unit"].decode(), item.attrs["description"].decode()
+                self.assertEqual(set(file) - {"VTKHDF", "run", "provenance", "specimen"}, {path.split("/")[1] for path in told})
+            for path in ("/grains/crystal", "/contacts/strength_factor", "/contacts/class"):
+                del told[path]  # of other specimens
+            self.assertEqual(there, told, program)
+
+    def test_tables(self):
+        tables = {(table["command"], table.get("file")): {column["name"] for column in table["columns"]}
+                  for table in description("graincrack-post")["tables"]}
+        for command, options in (("history", ["uniaxial.h5"]), ("strength", ["uniaxial.h5", "--all-columns"]),
+                                 ("strength --summary", ["uniaxial.h5"]), ("moduli", ["uniaxial.h5", "--all-columns"]),
+                                 ("envelope", ["uniaxial.h5", "triaxial.h5"]), ("properties", ["uniaxial.h5", *MATERIAL]), ("kind", []),
+                                 ("kind --rocks", []), ("fpz", MATERIAL), ("classes", ["uniaxial.h5"])):
+            done = run("graincrack-post", *command.split(), *options, "--format=tsv", folder=self.folder.name)
+            self.assertEqual(set(done.stdout.split("\n")[0].split("\t")), tables[command, None], command + done.stderr)
+        for file in pathlib.Path(self.folder.name, "cracks").glob("*.tsv"):
+            names = file.read_text().split("\n")[0].replace("rock-rock", "CLASS").split("\t")
+            self.assertEqual(set(names), tables[("classes", None) if file.name == "classes.tsv" else ("cracks", file.name)], file.name)
+
+    def test_units_of_columns(self):
+        columns = {column["name"]: column["unit"] for table in description("graincrack-post")["tables"] for column in table["columns"]}
+        for name, unit in {"strain_at_peak": "", "runs_at_1_percent": "", "drop_percent": "percent", "moment_N_m": "N_m", "x_m": "m",
+                           "tensile_share_within_30_deg": "", "curvature_low_per_MPa": "per_MPa", "platen_speed_m/s": "m/s",
+                           "time_damaged_10_s": "s", "seed_cohesion_deviation_MPa": "MPa"}.items():
+            self.assertEqual(columns[name], unit, name)
 
 
 if __name__ == "__main__":
