@@ -12,6 +12,8 @@ build_packages=(
 test_packages=(libgtest-dev openmpi-bin python3-h5py python3-matplotlib)
 # What opens reports as a person does; without it that test of tests/run --all is skipped.
 browser_packages=(chromium poppler-utils)
+# What makes environments of Python; without it the test of `pip install .` and of wheels is skipped.
+environment_packages=(make python3-venv)
 # What the benchmarks add.
 benchmark_packages=(libbenchmark-dev)
 # What counts instructions.

@@ -62,6 +62,7 @@ class Metadata(unittest.TestCase):
 
     def test_the_recipes_need_what_the_build_looks_for(self):
         looked_for = set(re.findall(r"find_package\((\w+)", text("CMakeLists.txt") + text("post/CMakeLists.txt")))
+        looked_for |= set(re.findall(r'"([^"]+)"', first(r"^dependencies = \[(.+)\]", "pyproject.toml")))
         names = {"Eigen3": "eigen", "CLI11": "cli11", "nlohmann_json": "nlohmann", "PNG": "libpng", "SQLite3": "sqlite", "CGAL": "cgal"}
         for package in looked_for - {"Threads", "PkgConfig", "MPI"}:
             for path in ("share/packaging/spack/package.py", "share/packaging/conda/recipe.yaml"):
