@@ -180,7 +180,8 @@ class DrivesThePrograms(unittest.TestCase):
         self.assertEqual(parameters["specimen"].kind, inspect.Parameter.POSITIONAL_OR_KEYWORD)
         self.assertRegex(graincrack.plot.cracks.__doc__, "class_ : .*may be a list\n")
         self.assertRegex(graincrack.uniaxial.__doc__, "contact_cohesion : quantity in Pa(.|\n)*MPa")
-        self.assertLessEqual({"half_disc", "import_", "size_effect", "calibrate", "Run"}, set(dir(graincrack)))
+        self.assertRegex(graincrack.strength.__doc__, "Returns: Table\\.(.|\n)*Columns of `strength`(.|\n)*peak_compressive_stress_MPa : MPa\n")
+        self.assertLessEqual({"half_disc", "import_", "size_effect", "calibrate", "map", "Run"}, set(dir(graincrack)))
 
     def test_programs_are_found_or_it_is_said(self):
         asks = "import graincrack; print(len(dir(graincrack)) < 20); graincrack.disc"

@@ -8,16 +8,16 @@
     graincrack.strength(run)                                    # a Table; .frame_of_pandas()
     runs = graincrack.map(graincrack.brazilian, specimens)      # side by side, each test with one thread
 
-There is a function for each command of graincrack-mesh (its result is a Specimen), of graincrack-solve (a Run) and of graincrack-post
-(a Table, a file or a text), made from what the programs say of themselves: `help(graincrack.brazilian)` has the options of
-`graincrack-solve brazilian` with their units. `dir(graincrack)` has all, those of plots in `graincrack.plot`.
+There is a function for each command of graincrack-mesh (its result is a Specimen), of graincrack-solve (a Run) and of
+graincrack-post (a Table, a file or a text), made from what the programs say of themselves: `help(graincrack.brazilian)` has the
+options of `graincrack-solve brazilian` with their units. `dir(graincrack)` has all, and `dir(graincrack.plot)` those of plots.
 
-A value is what stands on the command line, "4mm", or (4, "mm"), or a bare number in SI units; a list where an option may be given again.
-A test has the material that its specimen was made with unless another is given. What a program refuses raises a GraincrackError with its
-line; its warnings are Python's. Ctrl-C ends a test, whose checkpoint stays.
+A value is what stands on the command line, "4mm", or (4, "mm"), or a bare number in SI units; a list where an option may be given
+again. A test has the material that its specimen was made with unless another is given. What a program refuses raises a
+GraincrackError with its line; its warnings are Python's. Ctrl-C ends a test, whose checkpoint stays.
 
-`output="run.h5"` names the file that is made, and replaces one that is there, as on the command line. Without it files have a new name in
-`graincrack.folder`. `graincrack.quiet = True`, or `quiet=True` of a call, shows nothing of what programs tell.
+`output="run.h5"` names the file that is made, and replaces one that is there, as on the command line. Without it files have a new
+name in `graincrack.folder`. `graincrack.quiet = True`, or `quiet=True` of a call, shows nothing of what programs tell.
 
 To read files alone: `from graincrack import Run, Specimen, Table`; graincrack/files.py says how.
 """
@@ -29,8 +29,8 @@ from .files import SCHEMA_VERSION, FormatError, GraincrackError, GraincrackWarni
 from .programs import map
 from .studies import Calibration, calibrate
 
-__all__ = ["Calibration", "FormatError", "GraincrackError", "GraincrackWarning", "Group", "MissingError", "Output", "Run", "SCHEMA_VERSION",
-           "Specimen", "Table", "calibrate", "folder", "map", "quiet"]
+__all__ = ["Calibration", "FormatError", "GraincrackError", "GraincrackWarning", "Group", "MissingError", "Output", "Run",
+           "SCHEMA_VERSION", "Specimen", "Table", "calibrate"]  # without map, which is Python's own word too
 __version__ = "0.1.0"
 
 folder = "graincrack-results"  #: where files without a name go: beside the notebook or script, where people look for them
@@ -43,7 +43,8 @@ def __getattr__(name: str):
 
 
 def __dir__() -> list[str]:
+    names = {*__all__, "folder", "map", "quiet"}
     try:
-        return sorted({*__all__, *_functions.commands()})
+        return sorted(names | {*_functions.commands()})
     except GraincrackError:  # no programs are here: files can be read nevertheless
-        return sorted(__all__)
+        return sorted(names)

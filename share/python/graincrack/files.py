@@ -358,12 +358,17 @@ class Table(Mapping):
         filled = {name: cells for name, cells in self._columns.items() if any(cells)}
         rows = [*zip(*filled.values())]
         head = "".join(f"<th>{html.escape(name.removesuffix('_' + self.unit(name)))}<br>{self.unit(name)}</th>" for name in filled)
-        body = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in rows[:_MOST_ROWS])
+        body = "".join("<tr>" + "".join(f"<td>{html.escape(_short(cell))}</td>" for cell in row) + "</tr>" for row in rows[:_MOST_ROWS])
         more = f"<p>{len(rows) - _MOST_ROWS} rows more</p>" if len(rows) > _MOST_ROWS else ""
         return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
 
 
 _MOST_ROWS = 60  # of a table that a notebook shows
+
+
+def _short(cell: str) -> str:
+    """A number with digits behind its point in the four that a person reads; anything else as it is."""
+    return f"{float(cell):.4g}" if re.fullmatch(r"-?\d+\.\d+(e[-+]\d+)?", cell) else cell
 
 
 class Output(_File):

@@ -10,7 +10,6 @@ import keyword
 import os
 import re
 import shutil
-import sys
 import types
 from collections.abc import Mapping
 from pathlib import Path
@@ -50,8 +49,7 @@ def _new_file(stem: str, ending: str) -> Path:
     folder = Path(programs.settings().folder)
     if not folder.is_dir():
         folder.mkdir(parents=True, exist_ok=True)
-        if not programs.settings().quiet:
-            print(f"graincrack: files without a name go to {folder}, which graincrack.folder sets", file=sys.stderr)
+        programs.Screen(None).show(f"graincrack: files without a name go to {folder}, which graincrack.folder sets", stays=True)
     for number in itertools.count(1):
         path = folder / f"{stem}-{number}{ending}"
         if not Path(f"{path}.checkpoint").exists():
@@ -81,6 +79,7 @@ class _Command:
         others = [option for option in of_program if option["name"] not in known]
         self.options = {_python_name(each["name"]): each for each in own + others if each["name"] not in _NONE_OF_A_FUNCTION}
         self.output = self.options.get("output")
+        self._makes_table = "format" in self.options and not self.output
 
     @property
     def name(self) -> str:
@@ -100,14 +99,18 @@ class _Command:
                 places.append(kinds(name, kinds.POSITIONAL_OR_KEYWORD, default=default))
         return inspect.Signature([*places, *others, kinds("quiet", kinds.KEYWORD_ONLY, default=None)])
 
-    def documentation(self, columns: list[dict]) -> str:
-        lines = [f"{self.meaning}: `{' '.join((self.program, *self.names))}`.", "", "Parameters", "----------"]
+    def documentation(self, tables: list[dict]) -> str:
+        result = {"graincrack-mesh": "Specimen", "graincrack-solve": "Run"}.get(self.program)
+        result = result or ("Output, a file" if self.output else "Table" if self._makes_table else "text")
+        lines = [f"{self.meaning}: `{' '.join((self.program, *self.names))}`.", "", f"Returns: {result}.", "", "Parameters", "----------"]
         for name, option in self.options.items():
             lines += [f"{name} : {_kind_of(option)}", f"    {option['meaning']}"]
         lines += ["quiet : True, False", "    whether nothing is shown of what the program tells; default: graincrack.quiet"]
-        lines += ["", "Columns", "-------"] if columns else []
-        for column in columns:
-            lines += [f"{column['name']} : {column.get('unit') or '1'}", f"    {column['meaning']}"]
+        own = " ".join(self.names)
+        for table in (each for each in tables if f"{each['command']} ".startswith(f"{own} ")):
+            lines += ["", f"Columns of `{table.get('file', table['command'])}`", "----------"]
+            for column in table["columns"]:
+                lines += [column["name"] + f" : {column['unit']}" * bool(column["unit"]), f"    {column['meaning']}"]
         return "\n".join(lines)
 
     def __call__(self, given: dict):
@@ -128,7 +131,7 @@ class _Command:
         finally:
             if is_new and _state(output) == before:
                 output.unlink() if output.is_file() else output.rmdir()
-        is_table = "format" in self.options and not self.output and given.get("format") in (None, "tsv")
+        is_table = self._makes_table and given.get("format") in (None, "tsv")
         return Table(self.name, printed) if is_table else printed.rstrip("\n")
 
     def _words(self, given: dict) -> list[str]:
@@ -187,7 +190,7 @@ def _kind_of(option: dict) -> str:
     return kind + ", may be a list" * bool(option.get("repeatable")) + default
 
 
-def _function(command: _Command, columns: list[dict]):
+def _function(command: _Command, tables: list[dict]):
     signature = command.signature()
 
     def call(*arguments, **options):
@@ -198,7 +201,7 @@ def _function(command: _Command, columns: list[dict]):
         return command(given)
 
     call.__name__ = call.__qualname__ = command.name
-    call.__doc__, call.__signature__, call.__module__ = command.documentation(columns), signature, __package__
+    call.__doc__, call.__signature__, call.__module__ = command.documentation(tables), signature, __package__
     return call
 
 
@@ -218,8 +221,7 @@ def _functions(said: dict, part: dict, names: tuple[str, ...] = ()) -> dict:
             function = types.ModuleType(f"{__package__}.{_python_name(each['name'])}", each["description"])
             vars(function).update(_functions(said, each, own), __getattr__=functools.partial(refuse, function.__name__, vars(function)))
         else:
-            columns = [column for table in said["tables"] if table["command"] == " ".join(own) for column in table["columns"]]
-            function = _function(_Command(said["program"], own, each, said["options"]), columns)
+            function = _function(_Command(said["program"], own, each, said["options"]), said["tables"])
         made[_python_name(each["name"])] = function
     return made
 
