@@ -32,33 +32,6 @@ constexpr const char* examples =
     "  graincrack-mesh import thin-section.png --write-key labels.tsv\n"
     "  graincrack-mesh import thin-section.png --pixel-size 0.1mm --phase-key minerals.tsv --crystals break -o section.h5";
 
-/// Adds an option that takes one of several words and is unset unless given.
-template <class T, class Target>
-void add_optional_choice(OptionSet set, const char* option, Target& target, std::vector<std::pair<std::string, T>> choices,
-                         const std::string& help) {
-    std::string words;
-    std::string type;
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        words += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i].first;
-        type += (i == 0 ? "" : "|") + choices[i].first;
-    }
-    const auto choose = [=, &target](const std::string& text) {
-        for (const auto& [word, value] : choices) {
-            if (word != text) continue;
-            target = value;
-            return;
-        }
-        throw UsageError(fmt::format("{}: \"{}\" is not known; {} fits", option, printable(text.substr(0, 40)), words));
-    };
-    add_value(set, option, choose, help, type, "");
-}
-
-/// Adds an option whose text is kept.
-void add_string(OptionSet set, const char* option, std::string& target, const std::string& help, const char* type) {
-    add_value(
-        set, option, [&target](const std::string& text) { target = text; }, help, type, "");
-}
-
 /// What the options of a kind of specimens set; kinds share them.
 struct KindOptions {
     double width = 0;
@@ -197,13 +170,13 @@ struct CutOptions {
 void add_cuts(OptionSet set, CutOptions& options) {
     add_texts(set, "--hole", options.holes, "X,Y,RADIUS",
               "round hole, as 10mm,-5mm,4mm; may be given again; its part is hole_1, hole_2 …");
-    add_string(
+    add_text(
         set, "--flaws", options.flaws,
         "straight flaws that grain boundaries follow: TSV with columns x1_mm, y1_mm, x2_mm, y2_mm and, if needed, class: broken "
         "(from the start; the default), intact or a NAME, whose contacts have the parameters [flaws.NAME] of the material, and "
-        "state: broken or intact",
-        "FILE");
-    add_string(set, "--holes", options.hole_file, "round holes: TSV with columns x_mm, y_mm, radius_mm", "FILE");
+        "state: broken or intact")
+        .type_name("FILE");
+    add_text(set, "--holes", options.hole_file, "round holes: TSV with columns x_mm, y_mm, radius_mm").type_name("FILE");
     add_texts(
         set, "--joint-set", options.joint_sets, "KEY=VALUE,...",
         "parallel joints at random: spacing=20mm,dip=45deg and, if needed, persistence=0.7 (fraction of a line that is jointed), "
@@ -274,9 +247,10 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
         .excludes(add_quantity(set, "--elements-per-crystal", fabric.elements_per_crystal, quantity::elements_per_crystal,
                                "mean number of elements of a crystal instead of --element-size; the corners of crystals ask for "
                                "three to four at least"));
-    add_optional_choice<SizeDistribution>(set, "--size-distribution", fabric.size_distribution,
-                                          {{"normal", SizeDistribution::normal}, {"lognormal", SizeDistribution::lognormal}},
-                                          "distribution of the equal-area diameters of crystals; default: normal");
+    add_choice<std::optional<SizeDistribution>>(
+        set, "--size-distribution", fabric.size_distribution,
+        {{"normal", SizeDistribution::normal}, {"lognormal", SizeDistribution::lognormal}},
+        "distribution of the equal-area diameters of crystals; default: normal");
     Option edge = add_quantity(
         set.usual(), "--edge", fabric.edge, quantity::mean_edge,
         "requested mean edge over all grain edges, rim included; of crystals the edge of the equilateral triangle of their "
@@ -336,7 +310,7 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
         "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose "
         "contact zones elements must resolve",
         "NAME|FILE", "");
-    add_string(set.usual(), "-o,--output", options.output, "specimen file to write; - for stdout", "FILE|-");
+    add_text(set.usual(), "-o,--output", options.output, "specimen file to write; - for stdout").type_name("FILE|-");
 }
 
 /// A mesh or a picture from elsewhere.
@@ -346,30 +320,29 @@ void add_import(OptionSet set, ImportRequest& request) {
              "text); - for stdin")
         .type_name("FILE|-")
         .required();
-    add_optional_choice<MeshFormat>(set.usual(), "--format", request.format,
-                                    {{"gmsh", MeshFormat::gmsh},
-                                     {"neper", MeshFormat::neper},
-                                     {"abaqus", MeshFormat::abaqus},
-                                     {"labels", MeshFormat::labels}},
-                                    "format of the file; default: told by its content");
-    add_optional_choice<GrainChoice>(
+    add_choice<std::optional<MeshFormat>>(set.usual(), "--format", request.format,
+                                          {{"gmsh", MeshFormat::gmsh},
+                                           {"neper", MeshFormat::neper},
+                                           {"abaqus", MeshFormat::abaqus},
+                                           {"labels", MeshFormat::labels}},
+                                          "format of the file; default: told by its content");
+    add_choice<std::optional<GrainChoice>>(
         set.usual(), "--grain", request.grains,
         {{"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}},
         "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus, piece of a picture), or what is connected "
         "of a physical group; default: entity, or element where there is one entity only");
-    add_optional_choice<CrystalChoice>(
+    add_choice<CrystalChoice>(
         set.usual(), "--crystals", request.crystals, {{"elastic", CrystalChoice::elastic}, {"break", CrystalChoice::breaking}},
         "crystals of several elements: elastic (the elements deform together, as those of voronoi crystals), or break (the "
-        "elements are grains within their crystal, as those of trigon crystals); default: elastic");
-    add_string(set.usual(), "--phase-key", request.phase_key,
-               "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset; number or "
-               "colour as #c03020 of a label) and phase; default: names of physical groups and elsets",
-               "FILE");
-    add_string(
-        set.usual(), "--write-key", request.new_key,
-        "write a key with all labels of a picture, their colours, areas and pieces, whose phases are to be named, and make "
-        "no specimen; - for stdout",
-        "FILE|-");
+        "elements are grains within their crystal, as those of trigon crystals)");
+    add_text(set.usual(), "--phase-key", request.phase_key,
+             "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset; number or "
+             "colour as #c03020 of a label) and phase; default: names of physical groups and elsets")
+        .type_name("FILE");
+    add_text(set.usual(), "--write-key", request.new_key,
+             "write a key with all labels of a picture, their colours, areas and pieces, whose phases are to be named, and make "
+             "no specimen; - for stdout")
+        .type_name("FILE|-");
     add_quantity(set.usual(), "--pixel-size", request.labels.pixel_size, quantity::pixel_size,
                  "side of a pixel of a picture, as 0.1mm");
     add_quantity(set, "--element-size", request.labels.element_size, quantity::element_size,
@@ -381,12 +354,9 @@ void add_import(OptionSet set, ImportRequest& request) {
     add_value(
         set, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
         "point of the file that becomes the origin, as 40mm,80mm; default: the middle of the extent", "X,Y", "");
-    std::vector<std::pair<std::string, std::string>> shapes;
-    for (const char* shape : {"rectangle", "disc", "ring", "beam", "half-disc", "polygon"}) shapes.emplace_back(shape, shape);
-    add_optional_choice<std::string>(
-        set, "--shape", request.placement.shape, shapes,
-        "shape of the specimen, which says how it can be tested; default: told by its outline, which "
-        "takes a beam for a rectangle");
+    add_choice(set, "--shape", request.placement.shape, {"rectangle", "disc", "ring", "beam", "half-disc", "polygon"},
+               "shape of the specimen, which says how it can be tested; default: told by its outline, which "
+               "takes a beam for a rectangle");
 }
 
 /// A value of [fabric], and the option that stands for it.

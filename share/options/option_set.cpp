@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "share/base/error.hpp"
+#include "share/base/text.hpp"
 #include "share/base/units.hpp"
 #include "share/options/configuration_file.hpp"
 #include "share/rock/material.hpp"
@@ -118,7 +119,7 @@ Option add_texts(OptionSet set, const std::string& option, std::vector<std::stri
 Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help,
                  bool several) {
     CLI::Option* added = set.app().add_option(name, target, help)->type_name("FILE")->default_str("");
-    return Option(several ? added : added->expected(1, 2));
+    return Option(several ? added : added->expected(1, CLI::detail::expected_max_vector_size - 1));
 }
 
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help) {
@@ -196,7 +197,10 @@ Option add_keyword(OptionSet set, const std::string& option, const std::vector<s
     const std::string keywords = fmt::to_string(fmt::join(words, "|"));
     const auto read = [words, choose, keywords, where = long_name(option)](const std::string& text) {
         const auto found = std::find(words.begin(), words.end(), text);
-        if (found == words.end()) throw UsageError(where + ": unknown choice \"" + text + "\"; one of " + keywords + " fits");
+        if (found == words.end()) {
+            throw UsageError(
+                fmt::format("{}: unknown choice \"{}\"; one of {} fits", where, printable(text.substr(0, 40)), keywords));
+        }
         choose(static_cast<std::size_t>(found - words.begin()));
     };
     return add_value(set, option, read, help, keywords, default_word);

@@ -70,7 +70,7 @@ Option add_text(OptionSet set, const std::string& option, std::string& target, c
 /// Adds an option that may be given again. \param type of its value, as help shows it
 Option add_texts(OptionSet set, const std::string& option, std::vector<std::string>& target, const std::string& type,
                  const std::string& help);
-/// Adds a positional argument of files. \param several any number; else one: a second is read too, for the caller to refuse
+/// Adds a positional argument of files. \param several any number; else one, and the caller refuses more
 Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help,
                  bool several = true);
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help);
