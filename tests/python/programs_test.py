@@ -1,5 +1,6 @@
 """Drives the programs from Python and compares what they make with what their command lines make. Usage: programs_test.py BIN PYTHON"""
 
+import contextlib
 import inspect
 import json
 import os
@@ -43,14 +44,19 @@ def python(program, **environment):
                           env={**os.environ, "PYTHONPATH": str(PYTHON), **environment})
 
 
+def appears(path):
+    """Whether a file is there within a minute, and a moment later."""
+    for _ in range(6000):
+        if Path(path).exists():
+            time.sleep(0.3)
+            return True
+        time.sleep(0.01)
+    return False
+
+
 def interrupt_when(path):
-    """Presses Ctrl-C a moment after a program has begun a file."""
-    def wait():
-        while not Path(path).exists():
-            time.sleep(0.01)
-        time.sleep(0.3)
-        os.kill(os.getpid(), signal.SIGINT)
-    threading.Thread(target=wait, daemon=True).start()
+    """Presses Ctrl-C once a program has begun a file."""
+    threading.Thread(target=lambda: appears(path) and os.kill(os.getpid(), signal.SIGINT), daemon=True).start()
 
 
 class DrivesThePrograms(unittest.TestCase):
@@ -211,30 +217,38 @@ class DrivesThePrograms(unittest.TestCase):
         self.assertEqual(graincrack.map(one, range(4), jobs=2), [(1, item) for item in range(4)])
 
         def fails(item):
-            while item == "wrong" and not Path("slow.h5.part").exists():
-                time.sleep(0.05)
-            time.sleep(0.3)
+            if item == "wrong":
+                appears("slow.h5.part")
             return graincrack.uniaxial(self.pillar, rate="2mm/s" if item == "slow" else item, output=f"{item}.h5")
         with self.assertRaisesRegex(graincrack.GraincrackError, '--rate: .*wrong'):
             graincrack.map(fails, ["slow", "wrong", "never"], jobs=2)
         self.assertTrue(Path("slow.h5.checkpoint").exists())
 
+    def on_a_terminal(self, program):
+        """A process of Python whose stderr is a terminal, and that terminal."""
+        master, slave = os.openpty()
+        process = subprocess.Popen([sys.executable, "-W", "ignore", "-c", f"import graincrack; {program}"], stderr=slave,
+                                   env={**os.environ, "PYTHONPATH": str(PYTHON)})
+        os.close(slave)
+        self.addCleanup(os.close, master)
+        return process, master
+
     def test_progress_on_a_terminal(self):
-        shown = f"import graincrack; graincrack.uniaxial('pillar.h5', rate='10mm/s', max_strain=0.002, quiet=QUIET)"
         for quiet in (False, True):
-            master, slave = os.openpty()
-            subprocess.run([sys.executable, "-W", "ignore", "-c", shown.replace("QUIET", str(quiet))], stderr=slave, check=True,
-                           env={**os.environ, "PYTHONPATH": str(PYTHON)})
-            os.close(slave)
+            process, terminal = self.on_a_terminal(f"graincrack.uniaxial('pillar.h5', rate='10mm/s', max_strain=0.002, quiet={quiet})")
             told = b""
-            try:
-                while piece := os.read(master, 65536):
-                    told += piece
-            except OSError:
-                pass
-            os.close(master)
-            self.assertEqual(b"uniaxial: ended by" in told, not quiet, told)
-            self.assertEqual(b"\runiaxial [" in told.replace(b"\033[K", b""), not quiet, told)
+            with contextlib.suppress(OSError):  # the other end is closed
+                while piece := os.read(terminal, 65536):
+                    told += piece.replace(b"\033[K", b"")
+            self.assertEqual(process.wait(), 0)
+            self.assertEqual((b"\runiaxial [" in told, b"\runiaxial: ended by" in told), (not quiet, not quiet), told)
+
+    def test_a_test_ends_with_python(self):
+        process, _ = self.on_a_terminal("graincrack.uniaxial('pillar.h5', rate='2mm/s', output='left.h5')")
+        self.assertTrue(appears("left.h5.part"))
+        process.kill()
+        process.wait()
+        self.assertTrue(appears("left.h5.checkpoint"))
 
 
 if __name__ == "__main__":

@@ -150,10 +150,12 @@ def run(command: list, *, quiet: bool | None = None, resume: Callable[[], str] =
     """
     calls = getattr(Together.of_thread, "calls", None) or Together()
     screen = Screen(True if is_side_by_side() else quiet)
-    last, cautions, interrupted = "", [], False
+    program, last, cautions, interrupted = command[0], "", [], False
     with tempfile.TemporaryFile() as out, contextlib.ExitStack() as ends:
         reader, writer = os.openpty() if screen.has_bar else os.pipe()
         ends.callback(os.close, reader)
+        if screen.has_bar:  # the terminal of the program's session: where Python dies it is hung up, and the program ends
+            command = ["sh", "-c", 'exec "$@" 2<>"$0"', os.ttyname(writer), *command]
         try:
             process = calls.start(command, stdout=out, stderr=writer)
         finally:
@@ -184,7 +186,7 @@ def run(command: list, *, quiet: bool | None = None, resume: Callable[[], str] =
         raise KeyboardInterrupt("stopped" + resume())
     if code:
         code = code if code > 0 else 128 - code
-        raise GraincrackError(last or f"{command[0]}: ended with exit code {code}", exit_code=code)
+        raise GraincrackError(last or f"{program}: ended with exit code {code}", exit_code=code)
     return printed
 
 
