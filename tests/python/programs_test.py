@@ -132,7 +132,7 @@ class DrivesThePrograms(unittest.TestCase):
         self.assertEqual((picture._repr_png_()[:4], picture.path), (b"\x89PNG", Path("graincrack-results/plot-cracks-1.png")))
         self.assertGreater(picture.save("copy.png").stat().st_size, 10000)
         self.assertIn("<svg", self.disc.plot(output="disc.svg")._repr_svg_())
-        self.assertIn("<iframe srcdoc=", graincrack.report(self.runs)._repr_html_())
+        self.assertIn("<iframe sandbox=", graincrack.report(self.runs)._repr_html_())
         self.assertIsNone(graincrack.cracks(self.runs[0], output="cracks")._repr_html_())
         film = self.runs[0].film(duration="200ms", size="320x240", output="film")
         self.assertEqual(film._repr_png_()[:4], b"\x89PNG")
@@ -165,6 +165,8 @@ class DrivesThePrograms(unittest.TestCase):
             graincrack.brazilian(imported)
         with self.assertRaisesRegex(graincrack.GraincrackError, "output '-'"):
             graincrack.brazilian(self.disc, output="-")
+        with self.assertRaisesRegex(graincrack.GraincrackError, "^ROCK=cheese: no such file, nor a name in share/materials$"):
+            graincrack.calibrate("cheese")
         with self.assertRaisesRegex(TypeError, "brazilian: .*'max_strian'"):
             graincrack.brazilian(self.disc, max_strian=2)
         with self.assertRaisesRegex(AttributeError, "graincrack has no brasilian; did you mean brazilian?"):

@@ -388,7 +388,7 @@ class Output(_File):
     def _repr_html_(self) -> str | None:
         if self.path.suffix == ".html":
             page = html.escape(self.path.read_text(encoding="utf-8"))
-            return f'<iframe srcdoc="{page}" style="width: 100%; height: 640px; border: 0"></iframe>'
+            return f'<iframe sandbox="allow-scripts allow-downloads" srcdoc="{page}" style="width: 100%; height: 640px; border: 0"></iframe>'
         if self.path.suffix not in (".mp4", ".webm"):
             return None
         data = base64.b64encode(self.path.read_bytes()).decode()
