@@ -9,8 +9,9 @@ const std::string page_of_format = GRAINCRACK_SOURCE "/share/doc/file-format.md"
 TEST(FileFormat, TheReaderOfThePageReadsARun) {
     const Shell shell;
     shell.must(make_disc + "disc.h5\ngraincrack-solve brazilian disc.h5 -o run.h5" + past_peak);
-    const std::string text = shell.must("sed -n '/^```python/,/^```$/{/^```/d;p}' " + page_of_format +
-                                        " >reader.py\n/usr/bin/python3 reader.py run.h5");
+    const std::string text =
+        shell.must("sed '1,/^## A reader/d' " + page_of_format +
+                   " | sed -n '/^```python/,/^```$/{/^```/d;p}' >reader.py\n/usr/bin/python3 reader.py run.h5");
     EXPECT_EQ(n_lines(text), 3) << text;
     EXPECT_LT(text.find("peak "), text.find("tensile contact points: ")) << text;
     const int points = std::atoi(text.substr(std::min(text.size(), text.find("tensile contact points: ") + 24)).c_str());
