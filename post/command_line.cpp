@@ -48,6 +48,7 @@ std::vector<Command> commands() {
         classes_command(),
         export_command(),
         report_command(),
+        view_command(),
         plot_command(),
         film_command(),
     };

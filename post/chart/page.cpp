@@ -64,6 +64,11 @@ void draw_mark(Drawing& drawing, const std::variant<Stroke, Marker, Colour>& mar
 
 }  // namespace
 
+std::string fixed_digits(double value, int digits) {
+    const double zero = 0.5 * std::pow(10.0, -digits);
+    return with_minus(fmt::format("{:.{}f}", std::abs(value) < zero ? 0.0 : value, digits));
+}
+
 std::string with_minus(std::string word) {
     const std::size_t sign = word.find_first_not_of("([");
     const auto is_digit = [&](std::size_t at) { return at < word.size() && word[at] >= '0' && word[at] <= '9'; };

@@ -33,6 +33,8 @@ struct TextColumn {
 
 /// A word with a minus in place of the hyphen before a number.
 std::string with_minus(std::string word);
+/// A number with so many digits behind the point, without the sign of what rounds to zero.
+std::string fixed_digits(double value, int digits);
 /// Text in lines that are no wider than `room`, broken at ends of lines and blanks. A longer word, as names of files may be,
 /// loses its middle; a hyphen before a number is a minus.
 std::vector<std::string> broken_lines(const std::string& text, double size, double room, bool bold = false);

@@ -29,6 +29,7 @@ Command cracks_command();
 Command classes_command();
 Command export_command();
 Command report_command();
+Command view_command();
 Command plot_command();
 Command film_command();
 

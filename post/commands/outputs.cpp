@@ -8,6 +8,7 @@
 #include "post/options/command.hpp"
 #include "post/plot/plots.hpp"
 #include "post/report/report.hpp"
+#include "post/view/view_page.hpp"
 #include "share/base/quantities.hpp"
 #include "share/base/text.hpp"
 #include "share/file/h5_file.hpp"
@@ -63,6 +64,28 @@ Command report_command() {
             ReportOptions report = options.report;
             if (!options.material.empty()) report.material = read_material(options.material);
             write_whole_file(options.page, make_report(call.files, report, call.verbosity, call.diagnostics()));
+        });
+}
+
+Command view_command() {
+    struct Options {
+        ViewOptions view;
+        std::string page;
+    };
+    return make_command<Options>(
+        "view", "a page in which tests are turned over in the browser: states, cracks, stresses, load curve",
+        {"uniaxial.h5 -o view.html", "uniaxial.h5 triaxial.h5 --frames 40 -o view.html"}, several_runs,
+        [](OptionSet set, Options& options) {
+            add_integer(
+                set, "--frames", options.view.frames,
+                "most frames of a run in the page, evenly chosen; the first, that of the peak and the last are among them", 3,
+                1000);
+            add_crack_label(set, options.view.label);
+            add_output(set, options.page, "page: .html");
+        },
+        [](const Options& options, const Call& call) {
+            require_ending(options.page, ".html");
+            write_whole_file(options.page, make_view(call.files, options.view, call.verbosity));
         });
 }
 

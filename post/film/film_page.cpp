@@ -28,12 +28,6 @@ constexpr double scale_bar = 46;   ///< below the map
 constexpr double lowest_chart = 80;
 constexpr double largest_map = 0.5;  ///< of the width of the page
 
-/// A number as it is printed, without the sign of what rounds to zero.
-std::string fixed(double value, int digits) {
-    const double zero = 0.5 * std::pow(10.0, -digits);
-    return with_minus(fmt::format("{:.{}f}", std::abs(value) < zero ? 0.0 : value, digits));
-}
-
 /// The last of ascending values that is not above a value; the first if all are.
 std::size_t last_until(const std::vector<double>& ascending, double value) {
     const auto next = std::upper_bound(ascending.begin(), ascending.end(), value);
@@ -188,9 +182,9 @@ Drawing FilmPage::at(std::size_t row) const {
         fmt::format("seed {}, {}, plane {}", specimen_.seed, grains_label(specimen_), name_of(data_.header.plane))};
     if (contents_.magnification != 1) facts.back() += fmt::format("; displacements × {:.3g}", contents_.magnification);
     const std::string stress = stress_name(data_);
-    facts.push_back(fmt::format("strain {} %, {} {} MPa, time {} ms", fixed(100 * curve_.axial_strain[row], 3),
-                                stress == "axial stress" ? "stress" : stress, fixed(1e-6 * curve_.stress[row], 1),
-                                fixed(1e3 * time, 2)));
+    facts.push_back(fmt::format("strain {} %, {} {} MPa, time {} ms", fixed_digits(100 * curve_.axial_strain[row], 3),
+                                stress == "axial stress" ? "stress" : stress, fixed_digits(1e-6 * curve_.stress[row], 1),
+                                fixed_digits(1e3 * time, 2)));
     const std::string title = contents_.title.empty() ? test_title(data_.header) : contents_.title;
     double below = draw_heading(page, {title, facts}, column(), above_page) + 8;
     for (const LegendEntry& count :

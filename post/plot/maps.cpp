@@ -48,9 +48,7 @@ struct Standing {
 };
 
 Standing standing(const RunData& run, const LoadCurve& curve, double time) {
-    const auto& times = run.history[HistoryColumn::time];
-    const auto after = std::lower_bound(times.begin(), times.end(), time);
-    const auto row = static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
+    const std::size_t row = row_at(run.history, time);
     return {curve.axial_strain[row],
             curve.stress[row],
             curve.stress[row] / curve.peak_stress(),

@@ -86,9 +86,9 @@ for (const head of document.querySelectorAll("th")) head.tabIndex = 0;
 for (const kind of ["click", "keydown"]) document.addEventListener(kind, sort);
 )js";
 
-using Bytes = std::vector<unsigned char>;
+}  // namespace
 
-std::string base64(const Bytes& bytes) {
+std::string base64(const std::vector<unsigned char>& bytes) {
     static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
     out.reserve((bytes.size() + 2) / 3 * 4);
@@ -101,6 +101,8 @@ std::string base64(const Bytes& bytes) {
     return out;
 }
 
+namespace {
+
 std::string image(const Drawing& drawing, const std::string& caption) {
     constexpr std::size_t many_marks = 2500;
     constexpr std::size_t long_svg = 150'000;  // bytes, about those of the PNG
@@ -108,7 +110,8 @@ std::string image(const Drawing& drawing, const std::string& caption) {
     const bool is_svg = !svg.empty() && svg.size() < long_svg;
     // As data of an image: several SVG elements in a page would share the names of their letters.
     return fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">", escaped(caption + ": " + drawing.words()),
-                       is_svg ? "svg+xml" : "png", base64(is_svg ? Bytes(svg.begin(), svg.end()) : png_bytes(drawing)));
+                       is_svg ? "svg+xml" : "png",
+                       base64(is_svg ? std::vector<unsigned char>(svg.begin(), svg.end()) : png_bytes(drawing)));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 namespace graincrack::html {
 
 std::string escaped(const std::string& text);
+std::string base64(const std::vector<unsigned char>& bytes);
 
 /// A table; cells are text, escaped here. An empty cell shows as a dash.
 class Table {

@@ -10,6 +10,7 @@
 #include "share/base/error.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
+#include "share/file/probe_file.hpp"
 #include "share/file/schema.hpp"
 
 namespace graincrack {
@@ -153,6 +154,55 @@ std::optional<LoadCurve> load_curve_if_any(const RunData& run) {
 CurveColumns LoadCurve::loaded() const {
     const auto rows = [&](const std::vector<double>& column) { return std::span(column).subspan(start); };
     return {rows(axial_strain), rows(stress), rows(failed)};
+}
+
+namespace {
+
+double range_of(const std::vector<double>& values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high - *low;
+}
+
+std::vector<double> column_of(const ProbeHistory& probe, const std::string& name) {
+    for (std::size_t c = 0; c < probe.columns.size(); ++c) {
+        if (probe.columns[c].name == name) return probe.values[c];
+    }
+    return {};
+}
+
+}  // namespace
+
+LoadCourse load_course(const RunReader& run, const RunData& data) {
+    if (const auto curve = load_curve_if_any(data)) {
+        return {"axial strain", "%", stress_name(data), "MPa", scaled(curve->axial_strain, 100), scaled(curve->stress, 1e-6)};
+    }
+    const History& history = data.history;
+    LoadCourse course{"time",
+                      "ms",
+                      "axial stress, tension positive",
+                      "MPa",
+                      scaled(history[HistoryColumn::time], 1e3),
+                      scaled(history[HistoryColumn::axial_stress], 1e-6)};
+    double most = 0;
+    for (const std::string& name : probe_names(run.file())) {
+        const ProbeHistory probe = read_probe(run.file(), name);
+        for (const std::string along : {"x", "y"}) {
+            const std::vector<double> way = column_of(probe, "displacement_" + along), force = column_of(probe, "force_" + along);
+            if (way.empty() || way.size() != history.size() || force.size() != history.size()) continue;
+            const double both = range_of(way) * range_of(force);
+            if (!(both > most)) continue;
+            most = both;
+            course = {
+                "displacement of " + name + " along " + along, "mm", "force", "kN/m", scaled(way, 1e3), scaled(force, 1e-3)};
+        }
+    }
+    return course;
+}
+
+std::size_t row_at(const History& history, double time) {
+    const std::vector<double>& times = history[HistoryColumn::time];
+    const auto reached = std::lower_bound(times.begin(), times.end(), time);
+    return static_cast<std::size_t>(std::min(reached, times.end() - 1) - times.begin());
 }
 
 double CurvePoint::of(const std::vector<double>& column) const {

@@ -77,6 +77,19 @@ LoadCurve load_curve(const RunData& run);
 /// Empty for a run that was never loaded along its axis, such as a program of other motions.
 std::optional<LoadCurve> load_curve_if_any(const RunData& run);
 
+/// What goes along in each row of the history of a test of any kind: two quantities with their names, in their units.
+struct LoadCourse {
+    std::string across, across_unit;  ///< "axial strain", "%"
+    std::string up, up_unit;          ///< "axial stress", "MPa"
+    std::vector<double> x, y;
+};
+/// The load curve; of a run that was not loaded along its axis force over displacement of that boundary of its program, along x
+/// or y, whose ranges of both have the largest product; without any axial stress over time.
+LoadCourse load_course(const RunReader& run, const RunData& data);
+
+/// The row of the history in which a time (s) is reached; the last if it is later.
+std::size_t row_at(const History& history, double time);
+
 /// A point between two rows: share 0 is `row`, share 1 is `row + 1`.
 struct CurvePoint {
     std::size_t row = 0;

@@ -41,13 +41,20 @@ std::vector<Crack> read_cracks(const RunReader& run, const Specimen& specimen) {
     return cracks;
 }
 
-Frame read_frame(const RunReader& run, const Specimen& specimen, std::size_t index) {
+Frame read_whole_frame(const RunReader& run, const Specimen& specimen, std::size_t index) {
     Frame frame = run.frame(index);
+    const std::size_t contacts = specimen.n_contacts();
     if (frame.displacement.size() != specimen.n_nodes() || frame.velocity.size() != specimen.n_nodes() ||
-        frame.element_stress.size() != specimen.n_elements() || frame.state.size() != specimen.n_contacts()) {
+        frame.element_stress.size() != specimen.n_elements() || frame.state.size() != contacts ||
+        frame.opening.size() != contacts || frame.sliding.size() != contacts) {
         throw InputError(fmt::format("{}: frame {} does not fit the specimen of {} nodes, {} elements and {} contacts",
-                                     run.name(), index, specimen.n_nodes(), specimen.n_elements(), specimen.n_contacts()));
+                                     run.name(), index, specimen.n_nodes(), specimen.n_elements(), contacts));
     }
+    return frame;
+}
+
+Frame read_frame(const RunReader& run, const Specimen& specimen, std::size_t index) {
+    Frame frame = read_whole_frame(run, specimen, index);
     for (auto* values : {&frame.opening, &frame.sliding}) *values = {};
     frame.traction = {};
     return frame;

@@ -11,8 +11,9 @@ namespace graincrack {
 
 /// The crack log. \throws InputError if a row names a contact or point that the specimen does not have
 std::vector<Crack> read_cracks(const RunReader& run, const Specimen& specimen);
-/// A frame without opening, sliding and traction, which no map shows: a third of its size. \throws InputError if its arrays do
-/// not fit the specimen
+/// A frame. \throws InputError if its arrays do not fit the specimen
+Frame read_whole_frame(const RunReader& run, const Specimen& specimen, std::size_t index);
+/// The same without opening, sliding and traction, which no map shows: a third of its size.
 Frame read_frame(const RunReader& run, const Specimen& specimen, std::size_t index);
 /// The cracks up to a time.
 std::vector<Crack> cracks_until(const std::vector<Crack>& cracks, double time);

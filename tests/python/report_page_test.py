@@ -5,8 +5,6 @@ copy of the page measures it and leaves what it found in the page, which --dump-
 asks for outside itself. GRAINCRACK_SCREENSHOTS=FOLDER keeps pictures of the pages as a person sees them.
 """
 
-import html
-import json
 import os
 import re
 import shutil
@@ -16,7 +14,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-POLICY = """<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">"""
+from browser import Browser, skip_without
+
 MEASURE = """<script>
 for (const each of document.querySelectorAll("details")) each.open = true;
 const column = (table, i) => [...table.rows].slice(1).map(row => (row.cells[i] ?? row.lastElementChild).textContent.trim());
@@ -52,26 +51,7 @@ def number(text):
     return float(match[0].replace("−", "-")) if match else None
 
 
-class Browser:
-    def __init__(self, folder):
-        self.folder = folder
-
-    def __call__(self, page, *options):
-        command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run",
-                   f"--user-data-dir={self.folder}/profile", "--window-size=1300,900", "--enable-logging=stderr", *options, page.as_uri()]
-        done = subprocess.run(command, check=True, capture_output=True, encoding="utf-8", timeout=120)
-        return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
-
-    def measured(self, page, width):
-        """What the measuring script found, and what the console says."""
-        copy = self.folder / "copy.html"
-        text = page.read_text().replace('<meta charset="utf-8">', '<meta charset="utf-8">' + POLICY, 1)
-        copy.write_text(text.replace("</body>", MEASURE + "</body>"))
-        frame = self.folder / "frame.html"  # a window of Chromium has at least 500 pixels, a frame in it as few as wanted
-        frame.write_text(f'<iframe src="{copy.name}" style="border: 0; width: {width}px; height: 900px"></iframe>')
-        dom, console = self(frame, "--dump-dom", "--allow-file-access-from-files")
-        return json.loads(html.unescape(re.search(r'<pre id="measured">(.*?)</pre>', dom, re.S)[1])), console
-
+class Printer(Browser):
     def printed(self, page):
         """Sizes of the pages of a print, and the marks on them: name to list of (page, xMin, yMin, xMax, yMax)."""
         copy, pdf = self.folder / "copy.html", self.folder / "print.pdf"
@@ -93,7 +73,7 @@ class Page(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix="graincrack-page."))
         cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
-        cls.browser = Browser(cls.folder)
+        cls.browser = Printer(cls.folder)
         size = "--edge 4mm --material augig-granite-triangles --quiet"
         solve = "--material augig-granite-triangles --rate-tolerance 0.006 --quiet"
         script = f"""
@@ -131,7 +111,7 @@ class Page(unittest.TestCase):
     def test_no_report_is_wider_than_its_window_or_writes_to_the_console_or_asks_for_another_file(self):
         for page in self.reports:
             for width in (400, 800, 1200):
-                found, console = self.browser.measured(page, width)
+                found, console = self.browser.measured(page, width, MEASURE)
                 self.assertEqual(found["window"], width)
                 self.assertLessEqual(found["width"], width, page)
                 self.assertEqual(console, [], page)
@@ -143,7 +123,7 @@ class Page(unittest.TestCase):
 
     def test_tables_sort_by_a_click_and_by_enter(self):
         for page in self.reports:
-            found, _ = self.browser.measured(page, 1200)
+            found, _ = self.browser.measured(page, 1200, MEASURE)
             self.assertGreater(len(found["sorted"]), 3)
             for column in (column for table in found["sorted"] for column in table):
                 self.expect_sorted(column, page)
@@ -172,7 +152,7 @@ class Page(unittest.TestCase):
         figure = '<figure style="break-inside: auto; height: 400mm; max-width: none; width: 300mm">tall</figure>'
         page.write_text(self.reports[1].read_text().replace("</body>", f'{figure}<img src="https://graincrack.invalid/a.png">'
                                                                        "<script>nothing.there();</script></body>"))
-        found, console = self.browser.measured(page, 400)
+        found, console = self.browser.measured(page, 400, MEASURE)
         self.assertGreater(found["width"], 400)
         self.assertEqual(found["broken"], 1)
         self.assertIn("Content Security Policy", "".join(console))
@@ -183,8 +163,5 @@ class Page(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    for program, package in (("chromium", "chromium"), ("pdftotext", "poppler-utils")):
-        if not shutil.which(program):
-            print(f"report_page: skipped: {program} is not here (package {package})")
-            sys.exit(77)
+    skip_without("report_page", ("chromium", "chromium"), ("pdftotext", "poppler-utils"))
     unittest.main(argv=sys.argv[:1])
