@@ -5,7 +5,7 @@
 build_packages=(
     cmake g++ ninja-build
     libcairo2-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libhdf5-dev libopenmpi-dev
-    libpango1.0-dev libpng-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libvtk9-dev nlohmann-json3-dev pkg-config
+    libpango1.0-dev libpng-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libvtk9-dev nlohmann-json3-dev pkg-config zlib1g-dev
     fonts-liberation
 )
 # What the tests add: their framework, and what share/python and its examples need.

@@ -54,6 +54,7 @@ class Graincrack(CMakePackage):
     depends_on("tomlplusplus@3.3:")
     depends_on("vtk@9.1:")
     depends_on("vtk~mpi", when="~mpi")
+    depends_on("zlib-api")
 
     conflicts("%gcc@:11", msg="C++20 as of GCC 12")
 
