@@ -133,6 +133,7 @@ class DrivesThePrograms(unittest.TestCase):
         self.assertGreater(picture.save("copy.png").stat().st_size, 10000)
         self.assertIn("<svg", self.disc.plot(output="disc.svg")._repr_svg_())
         self.assertIn("<iframe sandbox=", graincrack.report(self.runs)._repr_html_())
+        self.assertIn("DecompressionStream", self.runs[0].view()._repr_html_())
         self.assertIsNone(graincrack.cracks(self.runs[0], output="cracks")._repr_html_())
         film = self.runs[0].film(duration="200ms", size="320x240", output="film")
         self.assertEqual(film._repr_png_()[:4], b"\x89PNG")
