@@ -9,6 +9,7 @@
 #include "post/plot/plots.hpp"
 #include "post/report/report.hpp"
 #include "post/view/view_page.hpp"
+#include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
 #include "share/base/text.hpp"
 #include "share/file/h5_file.hpp"
@@ -18,6 +19,7 @@
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +50,7 @@ Command report_command() {
         ReportOptions report;
         std::string material;
         std::string page;
+        std::string view;
     };
     return make_command<Options>(
         "report", "report of one test or of a set of tests as a self-contained HTML page",
@@ -57,12 +60,22 @@ Command report_command() {
                      "material with the laboratory values and targets to compare with; default: that of the first run, if it "
                      "is found where the run names it");
             add_crack_label(set, options.report.label);
+            add_text(set, "--view", options.view, "write the page of view too, and link to it: .html").type_name("FILE");
             add_output(set, options.page, "page: .html");
         },
         [](const Options& options, const Call& call) {
             require_ending(options.page, ".html");
             ReportOptions report = options.report;
             if (!options.material.empty()) report.material = read_material(options.material);
+            if (!options.view.empty()) {
+                require_ending(options.view, ".html");
+                if (options.view == options.page) {
+                    throw UsageError("--view " + options.view + ": is the report; another name is needed");
+                }
+                write_whole_file(options.view, make_view(call.files, {report.label}, call.verbosity));
+                report.view =
+                    std::filesystem::proximate(options.view, std::filesystem::absolute(options.page).parent_path()).string();
+            }
             write_whole_file(options.page, make_report(call.files, report, call.verbosity, call.diagnostics()));
         });
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "post/chart/page.hpp"
 #include "post/chart/picture.hpp"
@@ -182,6 +184,15 @@ std::string section(const std::string& id, const std::string& heading, const std
 
 std::string paragraph(const std::string& text, const std::string& kind) {
     return (kind.empty() ? "<p>" : "<p class=\"" + kind + "\">") + escaped(text) + "</p>\n";
+}
+
+std::string link(const std::string& path, const std::string& text) {
+    std::string address;
+    for (const unsigned char c : path) {
+        const bool is_plain = (std::isalnum(c) != 0 && c < 0x80) || std::strchr("-_.~/", c) != nullptr;
+        address += is_plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
+    }
+    return "<p><a href=\"" + address + "\">" + escaped(text) + "</a></p>\n";
 }
 
 std::string details(const std::string& summary, const std::string& content) {

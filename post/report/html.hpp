@@ -91,6 +91,8 @@ private:
 std::string section(const std::string& id, const std::string& heading, const std::string& content);
 /// \param kind for the style sheet; "" for none
 std::string paragraph(const std::string& text, const std::string& kind = "");
+/// A paragraph that leads to a file. \param path relative to the page
+std::string link(const std::string& path, const std::string& text);
 /// Content that is shown when its summary is clicked, and in a print.
 std::string details(const std::string& summary, const std::string& content);
 

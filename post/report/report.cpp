@@ -475,6 +475,7 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
                        html::escaped(header.contact_law) +
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
     if (!content.other_material.empty()) body += html::paragraph("Note: " + content.other_material + ".", "lead");
+    if (!options.view.empty()) body += html::link(options.view, "The tests in each of their states, to turn over");
     body += first_figures(content, options);
     body += html::section("laboratory", material ? "Against the laboratory" : "Properties",
                           comparison(content.groups, content.envelopes, material, caveat_paragraph(content)));

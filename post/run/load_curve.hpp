@@ -87,7 +87,7 @@ struct LoadCourse {
 /// or y, whose ranges of both have the largest product; without any axial stress over time.
 LoadCourse load_course(const RunReader& run, const RunData& data);
 
-/// The row of the history in which a time (s) is reached; the last if it is later.
+/// The row of the history in which a time (s) is reached; the last if it is later. \pre it has rows
 std::size_t row_at(const History& history, double time);
 
 /// A point between two rows: share 0 is `row`, share 1 is `row + 1`.

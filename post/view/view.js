@@ -191,9 +191,9 @@ class Pane {
 
   bar() {
     const length = niceBelow(0.3 * this.canvas.width / this.scale), [x, y] = [10 * ratio, this.canvas.height - 12 * ratio];
-    Object.assign(this.context, {fillStyle: "#1e1e1e", font: `${12 * ratio}px sans-serif`});
+    Object.assign(this.context, {fillStyle: "#1e1e1e", strokeStyle: "#fff", lineWidth: 4 * ratio, font: `${12 * ratio}px sans-serif`});
     this.context.fillRect(x, y, length * this.scale, 3 * ratio);
-    this.context.fillText(`${Number((1e3 * length).toPrecision(2))} mm`, x, y - 4 * ratio);
+    for (const draw of ["strokeText", "fillText"]) this.context[draw](`${Number((1e3 * length).toPrecision(2))} mm`, x, y - 4 * ratio);
   }
 
   // The contact at a place in pixels of the screen: that by whose line the detour from end to end over the place is least.

@@ -100,6 +100,7 @@ public:
           data_(run_data(run, options.label)),
           curve_(load_curve_if_any(data_)),
           course_(load_course(run, data_)) {
+        if (data_.history.size() == 0) throw InputError(run.name() + ": has no history; a run that has begun is needed");
         std::stable_sort(cracks_.begin(), cracks_.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
         frames_ = evenly_chosen(run.n_frames(), static_cast<std::size_t>(options.frames),
                                 choose_frame(run, curve_ ? "peak" : "last", std::nullopt));
@@ -191,6 +192,7 @@ private:
         const std::size_t row = row_at(data_.history, frame.time);
         for (const auto& [xx, yy, xy, zz] : frame.element_stress) {
             const double radius = std::hypot((xx - yy) / 2, xy);
+            if (!std::isfinite(xx + yy + radius)) continue;
             most_.push_back(std::abs((xx + yy) / 2 + radius));
             least_.push_back(std::abs((xx + yy) / 2 - radius));
         }
@@ -214,6 +216,7 @@ private:
     }
     /// The magnitude of stress that only the hundredth part of elements and frames exceeds, MPa.
     static double limit(std::vector<double>& magnitudes) {
+        if (magnitudes.empty()) return 1;
         const auto place = magnitudes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(magnitudes.size()));
         std::nth_element(magnitudes.begin(), place, magnitudes.end());
         return std::max(1e-6 * *place, 1e-6);

@@ -191,6 +191,7 @@ def main():
             specimen: [[solve, "uniaxial", damaged, *TEST, "--dry-run"], [post, "info", "--check", damaged], [post, "info", damaged]],
             run: [[post, "info", "--check", damaged], [post, "strength", damaged], [post, "info", damaged, "--digest"],
                   [post, "cracks", damaged, "-o", folder / "cracks"], [post, "history", damaged],
+                  [post, "view", damaged, "-o", folder / "view.html"],
                   [post, "film", damaged, "--size", "320x240", "--duration", "0.2s", "-o", folder / "film"]],
             kept: [[solve, "uniaxial", specimen, *TEST, "--restart", damaged, "-o", folder / "again.h5"], [post, "info", "--check", damaged]],
         }

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "post/view/packed_array.hpp"
-#include "share/base/error.hpp"
+#include "share/file/probe_file.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -116,6 +116,26 @@ TEST_F(ViewPage, HoldsTheSpecimenTheFramesAndTheCracksOfEach) {
     EXPECT_EQ(std::count(shear.begin(), shear.end(), 1),
               std::count_if(cracks.begin(), cracks.end(), [](const Crack& crack) { return crack.mode == CrackMode::shear; }));
     EXPECT_NEAR(run["curve"]["marks"].back()["y"].get<double>(), run["frames"][1]["y"].get<double>(), 1e-9);  // of the peak
+}
+
+TEST_F(ViewPage, OfAProgramHasForceOverDisplacementOfTheBoundaryThatWorksMost) {
+    recipe_.test = "program";
+    History history = test::synthetic_history(recipe_);
+    for (const auto column : {HistoryColumn::axial_stress, HistoryColumn::force_top, HistoryColumn::force_bottom}) {
+        history[column].assign(history.size(), 0);
+    }
+    std::vector<double> way(history.size()), nothing(history.size());
+    for (std::size_t row = 0; row < way.size(); ++row) way[row] = 1e-6 * static_cast<double>(row);
+    const std::vector<ProbeColumn> columns{{"displacement_y", Dimension::length, ""}, {"force_y", Dimension::force, ""}};
+    RunWriter writer(H5Output(folder_.file("program.h5"), "run"), recipe_.specimen, test::synthetic_header(recipe_));
+    writer.append_history(history);
+    writer.add_frame(test::synthetic_frame(recipe_.specimen, 1, 0.005, 0), FrameRole::kept);
+    append_probes(writer.file(), {{"base", columns, {nothing, way}}, {"push", columns, {way, way}}}, 0);
+    writer.finish(test::synthetic_header(recipe_), {}, {});
+    const nlohmann::json curve = runs_of(make_view({folder_.file("program.h5")}, {}, Verbosity::quiet))[0]["curve"];
+    EXPECT_EQ(curve["across"], "displacement of push along y, mm");
+    EXPECT_NEAR(curve["x"]["step"].get<double>(), 1e3 * way.back() / 65535, 1e-12);
+    EXPECT_TRUE(curve["marks"].empty());
 }
 
 TEST_F(ViewPage, KeepsTheNameOfAMaterialAsText) {
