@@ -211,7 +211,7 @@ class Pane {
     redraw();
   }
 
-  // What happened to a contact, line by line.
+  // What happened to a contact.
   story(c) {
     const {frame, run: {cracks, curve: {marks, unit}}} = this, peak = marks.at(-1), events = [];
     for (let i = 0; i < frame.cracks; ++i) {
@@ -223,8 +223,8 @@ class Pane {
     const digits = values => Math.max(0, Math.min(4, -Math.floor(Math.log10(values.step || 1))));
     const both = values => [c, this.within.length + c].map(i => values[i].toFixed(digits(values))).join(" and ");
     const kind = this.broken[c] ? "broken from the start" : this.within[c] ? "within a crystal" : "between crystals";
-    return [`Contact ${c}: ${this.classes[this.class[c]].name}, ${kind}.`, `${events.join("; ") || "Not cracked"}.`,
-            `Opening ${both(frame.opening)} µm, sliding ${both(frame.sliding)} µm at its ends.`];
+    return `Contact ${c}: ${this.classes[this.class[c]].name}, ${kind}.\n${events.join("; ") || "Not cracked"}.\n` +
+           `Opening ${both(frame.opening)} µm, sliding ${both(frame.sliding)} µm at its ends.`;
   }
 }
 
@@ -296,8 +296,8 @@ function redraw() {
   for (const pane of panes) pane.draw(pane.frame);
   drawLegend();
   drawCurve();
-  const {picked} = seen, lines = picked ? picked.pane.story(picked.contact) : [element("contact").dataset.hint];
-  element("contact").replaceChildren(...lines.flatMap(line => [line, made("br")]));
+  const {picked} = seen, contact = element("contact"), text = picked ? picked.pane.story(picked.contact) : contact.dataset.hint;
+  if (contact.textContent != text) contact.textContent = text;  // what stays is not read aloud again
 }
 
 // Shows a position of the slider; of several that are asked for while frames are unpacked, the last.

@@ -134,7 +134,7 @@ class Page(unittest.TestCase):
         self.assertGreater(found["stresses"], found["colours"])
         last = found["states"][-1][0]
         self.assertLess(sum(int(found["pair"][0][mode]) for mode in ("tensile", "shear")), int(last["tensile"]) + int(last["shear"]))
-        self.assertRegex(found["contact"], r"^Contact \d+: [\w-]+.*end cracked in (tension|shear) at [\d.]+ MPa, \d+ % of the (peak|largest stress).*"
+        self.assertRegex(found["contact"], r"(?s)^Contact \d+: [\w-]+.*end cracked in (tension|shear) at [\d.]+ MPa, \d+ % of the (peak|largest stress).*"
                                            r"Opening -?[\d.]+ and -?[\d.]+ µm, sliding -?[\d.]+ and -?[\d.]+ µm")
 
     def test_names_stay_text_and_no_page_is_wider_than_its_window(self):
