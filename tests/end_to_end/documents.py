@@ -4,8 +4,9 @@
 Usage: documents.py BIN [--whole-tests] [--only NAME]
 
 BIN is the folder of the tools. The commands are the indented lines of README.md, CONTRIBUTING.md, share/doc/*.md and share/studies/*/README.md that call
-a tool, a script, make or printf, with the pipelines that they begin and the lines that a \\ joins to them, and the lines in the heads of share/programs/*.toml. Those of one document run one after
-the other in one folder, which has links to what is called by a path from the top. A command fails the test if its exit code is not 0.
+a tool, a script, make or printf, with the pipelines that they begin and the lines that a \\ joins to them, and the lines in the heads of share/programs/*.toml;
+behind them the blocks of Python that begin with the import of graincrack. Those of one document run one after the other in one folder, which has links to what
+is called by a path from the top. A command fails the test if its exit code is not 0.
 
 Studies are printed and not made (make -n; tests/studies/run makes them on tiny specimens; STAND_INS are what later commands read of them),
 share/quickstart has QUICK=1, and tests have a larger tolerance of the loading rate, those of LARGER_GRAINS larger grains too, unless
@@ -32,6 +33,7 @@ NOT_HERE = {
     "share/studies/large-run": "needs Slurm: tests/slurm/run",
     "sbatch": "needs Slurm: tests/slurm/run",
 }
+PYTHON = "/usr/bin/python3 - <<'end'\n"
 PLACEHOLDER = re.compile(r"(?<![\w$=/])[A-Z]{3,}(\.\w+)?(?![\w=])|…|►|\[")
 # A rock of one's own, as README says: one of a kind, and its values entered.
 INIT = "graincrack-post material init my-rock --kind granite"
@@ -49,8 +51,10 @@ STAND_INS = {
         "--set ratios.cohesion=4.73 --set 'contact.friction_angle=29.9 deg' --set 'contact.residual_friction_angle=21.1 deg' >results/calibrate/marble/calibrated.toml",
 }
 LARGER_GRAINS = {
-    "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "disc --diameter 68mm --slit 17mm": "disc --diameter 40mm --slit 10mm",
+    "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"', "disc --diameter 68mm --slit 17mm": "disc --diameter 40mm --slit 10mm",
                   "disc --diameter 68mm": "disc --diameter 24mm"},
+    "file-format.md": {'diameter="68mm"': 'diameter="24mm"'},
+    "from-udec-and-pfc.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"'},
     "loading.md": {"--edge 3mm": "--edge 5mm"},
     "specimens.md": {"--edge 3mm": "--edge 5mm", "--grains 300": "--grains 80", "--element-size 2.5mm": "--element-size 5mm"},
     "tutorial.md": {"--width 30mm --height 60mm": "--width 12mm --height 24mm"},
@@ -91,6 +95,11 @@ def inline_commands(text):
             yield command
 
 
+def python_blocks(text):
+    """Code that drives the programs, as commands."""
+    return [f"{PYTHON}{code}end" for code in re.findall(r"^```python\n((?:import|from) graincrack\b.*?)^```", text, re.M | re.S)]
+
+
 def with_larger_grains(command, document):
     for small, large in LARGER_GRAINS.get(document, {}).items():
         command = command.replace(small, large)
@@ -110,7 +119,7 @@ def reason_not_to_run(command):
     for start, reason in NOT_HERE.items():
         if command.startswith(start):
             return reason
-    return "is a form" if PLACEHOLDER.search(command) else ""
+    return "is a form" if PLACEHOLDER.search(command) and not command.startswith(PYTHON) else ""
 
 
 def run(command, folder, environment):
@@ -137,14 +146,16 @@ def check(path, bin_folder, whole_tests):
     ran, failed = 0, []
     with tempfile.TemporaryDirectory(prefix="graincrack-documents-") as folder, tempfile.TemporaryDirectory() as own:
         write_solver(pathlib.Path(own), bin_folder, [] if whole_tests else ["rate-tolerance = 0.02"])
-        environment |= {"PATH": f"{own}:{bin_folder}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
+        for program in ("graincrack-mesh", "graincrack-post"):
+            os.symlink(bin_folder / program, pathlib.Path(own, program))
+        environment |= {"PATH": f"{own}:{os.environ['PATH']}", "GRAINCRACK_BIN": own, "PYTHONPATH": str(TOP / "share" / "python"), "LC_ALL": "C.UTF-8"}
         for name in ("share", "tests"):
             os.symlink(TOP / name, pathlib.Path(folder, name))
         for program in (TOP / "share" / "programs").glob("*.toml"):
             os.symlink(program, pathlib.Path(folder, program.name))
         commands = list(commands_of(path))
         if path.suffix == ".md":
-            commands = list(inline_commands(path.read_text())) + commands
+            commands = [*inline_commands(path.read_text()), *commands, *python_blocks(path.read_text())]
         if not any(command == INIT for command in commands) and any("my-rock" in command for command in commands):
             run(INIT + "; " + ENTER_VALUES, folder, environment)
         for command in commands:
