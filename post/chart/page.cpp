@@ -1,5 +1,7 @@
 #include "post/chart/page.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
