@@ -13,10 +13,13 @@
 namespace graincrack {
 namespace {
 
-constexpr double near_growth = 1.25;          // of the jumps, under which an intact point that would fail is near it
-constexpr double near_friction = 0.5;         // of its limit, from which on a point is near sliding: friction gives no other sign
-constexpr double scattered_fraction = 0.035;  // of all points: so many intact ones may be near failure and are scattered still
-constexpr double involving_share = 0.5;       // of the width: a chain as long as that involves the section
+constexpr double near_growth = 1.25;         // of the jumps, under which an intact point that would fail is near it
+constexpr double scattered_fraction = 0.06;  // of all points: so many intact ones may be near failure and are scattered still
+constexpr double involving_share = 0.5;      // of the width: a chain as long as that involves the section
+
+/// Whether a point without cohesion is near sliding: friction, of which there is no other sign, from half its limit up to it. At
+/// the limit the point bears what it can, and no more is to come.
+bool is_near_sliding(double shear, double limit) { return std::abs(shear) >= 0.5 * limit && std::abs(shear) < 0.999 * limit; }
 
 /// Vertex clusters that sliding contacts join, with the rectangle that each chain of them fills.
 class SlidingChains {
@@ -44,38 +47,60 @@ private:
     std::vector<std::int32_t> nodes_;
 };
 
+using NodePairs = std::vector<std::array<std::int32_t, 2>>;
+
+struct ChunkFailure {
+    std::int64_t intact = 0;  // points that are near failure
+    NodePairs joined;         // nodes of contacts that are near sliding
+};
+
+template <class Law>
+ChunkFailure failure_of(const Assemblage& a, const ContactLaws& laws, std::int32_t index, const State& s) {
+    const ContactChunk& chunk = a.contact_chunks[index];
+    const ContactLaw& law = laws[chunk.contact_class];
+    ChunkFailure found;
+    for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) {
+        bool slides = false;
+        for (const std::size_t i : points_of(c)) {
+            const double opening = s.opening[i];
+            const double sliding = s.sliding[i];
+            if (s.failed[i] == 0) {
+                const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
+                found.intact += Law::intact(law, grown).holds == 0 ? 1 : 0;
+                continue;
+            }
+            const bool softens = law.softens_in_shear && s.residual[i] == 0 && s.integrity[i] > 0;
+            if (!softens && opening < 0 && s.contact_pairs.released[c] == 0) {
+                const double limit = contact_law::residual_limit(law, -law.kt * opening);
+                slides = slides || is_near_sliding(law.ks * (sliding - s.slip[i]), limit);
+            }
+        }
+        if (slides) found.joined.push_back({a.contacts[c].nodes[0], a.contacts[c].nodes[1]});
+    }
+    return found;
+}
+
 }  // namespace
 
-double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s, double width) {
-    std::array<std::int64_t, 1> intact{};
-    std::vector<std::array<std::int32_t, 2>> joined;  // nodes that sliding contacts of this rank's own join
+double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s, double width, ThreadTeam& team) {
+    const std::vector<std::int32_t>& own = a.part.contacts.own;
+    std::vector<ChunkFailure> found(own.size());
     contact_law::with_law(laws.variant(), [&](auto kind) {
-        for_each_own_contact(a, [&](std::int32_t c, std::int32_t contact_class) {
-            const ContactLaw& law = laws[contact_class];
-            bool slides = false;
-            for (const std::size_t i : points_of(c)) {
-                const double opening = s.opening[i];
-                const double sliding = s.sliding[i];
-                if (s.failed[i] == 0) {
-                    const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
-                    intact.front() += decltype(kind)::intact(law, grown).holds == 0 ? 1 : 0;
-                } else if (law.softens_in_shear && s.residual[i] == 0 && s.integrity[i] > 0) {
-                    slides = true;  // it loses cohesion as it slides on
-                } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
-                    const double limit = contact_law::residual_limit(law, -law.kt * opening);
-                    slides = slides || std::abs(law.ks * (sliding - s.slip[i])) >= near_friction * limit;
-                }
-            }
-            if (slides) joined.push_back({a.contacts[c].nodes[0], a.contacts[c].nodes[1]});
-        });
+        for_each_of_team(team, own.size(), [&](std::size_t i) { found[i] = failure_of<decltype(kind)>(a, laws, own[i], s); });
     });
+    std::array<std::int64_t, 1> intact{};
+    NodePairs joined;  // of this rank's own contacts
+    for (const ChunkFailure& of_chunk : found) {
+        intact.front() += of_chunk.intact;
+        joined.insert(joined.end(), of_chunk.joined.begin(), of_chunk.joined.end());
+    }
     const ContactPairList& list = s.contact_pairs;
     for (std::size_t i = 0; i < list.contacts.size(); ++i) {
         const NodeEdgeContact& contact = list.contacts[i];
         if (contact.active && contact.overlap > 0 && a.part.owns(list.pairs[i].node)) {
             const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
             const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
-            if (std::abs(law.shear_stiffness * contact.elastic_slip) >= near_friction * limit) {
+            if (is_near_sliding(law.shear_stiffness * contact.elastic_slip, limit)) {
                 const auto& [first, second] = a.surface.edges[list.pairs[i].edge].nodes;
                 joined.insert(joined.end(), {{list.pairs[i].node, first}, {list.pairs[i].node, second}});
             }

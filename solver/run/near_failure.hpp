@@ -4,17 +4,19 @@
 #include "solver/law/contact_law.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/state.hpp"
+#include "solver/step/thread_team.hpp"
 
 namespace graincrack {
 
 /// How far failure involves a section of the specimen, 0 to 1; the larger of two ratios:
-/// - length of the longest chain of contacts that slide, over half the width of the specimen: one joint that slides lets the
-///   whole specimen move. Contacts slide that have failed, are closed and whose friction has reached half its limit, or that
-///   soften as they slide; so do node–edge contacts. Chains meet at vertices of the mesh, and their length is the diagonal of
-///   the rectangle that holds them in the reference.
-/// - number of intact points that would fail if their jumps grew by a quarter, over 3.5 % of all points (over half the root of
-///   their number, if that is more: fewer than 100 grains): fewer than that are scattered, and fail one by one.
+/// - length of the longest chain of contacts that are near sliding, over half the width of the specimen: one joint that slides
+///   lets the whole specimen move. Contacts are near sliding that have no cohesion, are closed and whose friction is between half
+///   its limit and the limit; so are node–edge contacts. Chains meet at vertices of the mesh, and their length is the diagonal
+///   of the rectangle that holds them in the reference. Contacts that bear their limit already, or soften beside others that
+///   hold, do not make failure sudden.
+/// - number of intact points that would fail if their jumps grew by a quarter, over 6 % of all points (over half the root of
+///   their number, if that is more: fewer than 35 grains): fewer than that are scattered, and fail one by one.
 /// \param width of the specimen, m
-double near_failure(const Assemblage& assemblage, const ContactLaws& laws, const State& state, double width);
+double near_failure(const Assemblage& assemblage, const ContactLaws& laws, const State& state, double width, ThreadTeam& team);
 
 }  // namespace graincrack

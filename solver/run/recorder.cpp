@@ -49,7 +49,7 @@ Feedback Recorder::record(double platen_speed, ThreadTeam& team, State& state) {
     feedback.stored_energy = m.energies.stored();
     feedback.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
     feedback.damping_load = state.damping_load.fraction();
-    feedback.near_failure = near_failure(a, setup_.parameters.laws, state, specimen_.width);
+    feedback.near_failure = near_failure(a, setup_.parameters.laws, state, specimen_.width, team);
     return feedback;
 }
 

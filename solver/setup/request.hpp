@@ -52,7 +52,9 @@ struct SimulationRequest {
     const Ranks* ranks = &Ranks::alone();       ///< that share the work
     int threads = 1;                            ///< of each rank, at most
     std::optional<VectorTarget> vector_target;  ///< `widest_vector_target` unless given
-    std::size_t elements_per_thread = 250;      ///< at least: some 15 µs a step, against two barriers of up to 1 µs each
+    /// At least: some 5 µs a step, against two barriers of up to 1 µs each. With 140 a step took half the time of 280 (sixteen
+    /// processors, `share/results/benchmark`).
+    std::size_t elements_per_thread = 150;
 
     /// Why the run is not quasi-static, so that mass scaling would falsify it: it has no damping, or its program makes waves
     /// (`Program::why_dynamic`); "" for what is quasi-static, as all standard tests with damping are.
