@@ -40,9 +40,10 @@ TEST(Install, BelowUsrLocalItIsWhereZshAndPythonLook) {
     shell.must("cmake --install " GRAINCRACK_BIN "/.. --prefix $PWD/usr/local >/dev/null");
     EXPECT_NE(content_of(shell.file("usr/local/share/zsh/site-functions/_graincrack-solve")), "");
     // The folders below /usr/local that Python itself names, below this prefix.
-    EXPECT_EQ(shell.must("/usr/bin/python3 -c \"import sys, os; print(sum(os.path.exists('.' + p + '/graincrack/__init__.py') for p in "
-                         "sys.path if p))\""),
-              "1\n");
+    EXPECT_EQ(
+        shell.must("/usr/bin/python3 -c \"import sys, os; print(sum(os.path.exists('.' + p + '/graincrack/__init__.py') for p in "
+                   "sys.path if p))\""),
+        "1\n");
 }
 
 // "not-installed" is what dpkg says of a package that another one mentions.
