@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include "share/base/error.hpp"
@@ -13,9 +14,9 @@ namespace graincrack {
 
 namespace {
 
-std::vector<std::string> history_columns() {
+std::vector<std::string> history_columns(const History& history) {
     std::vector<std::string> columns;
-    for (const HistoryDataset& dataset : history_datasets) {
+    for (const HistoryDataset& dataset : std::span(history_datasets).first(history.n_columns())) {
         std::string name(dataset.name);
         if (dataset.dimension != Dimension::one) name.append("_").append(si_unit(dataset.dimension));
         columns.push_back(std::move(name));
@@ -42,11 +43,12 @@ std::optional<History> peek(const std::string& part) {
 
 }  // namespace
 
-HistoryTable::HistoryTable(std::ostream& out, TableFormat format) : table_(out, history_columns(), format) {}
+HistoryTable::HistoryTable(std::ostream& out, TableFormat format, const History& history)
+    : table_(out, history_columns(history), format) {}
 
 void HistoryTable::row(const History& history, std::size_t index) {
     std::vector<Cell> cells;
-    for (std::size_t c = 0; c < history_datasets.size(); ++c) {
+    for (std::size_t c = 0; c < history.n_columns(); ++c) {
         const double value = history.columns[c][index];
         cells.push_back(c == static_cast<std::size_t>(HistoryColumn::step) ? count_cell(value) : Cell(value));
     }
@@ -55,7 +57,7 @@ void HistoryTable::row(const History& history, std::size_t index) {
 
 void write_history(std::ostream& out, const RunReader& run, TableFormat format) {
     const History history = run.history();
-    HistoryTable table(out, format);
+    HistoryTable table(out, format, history);
     for (std::size_t i = 0; i < history.size(); ++i) table.row(history, i);
 }
 
@@ -63,10 +65,11 @@ void follow_history(std::ostream& out, const std::string& name, TableFormat form
     const std::string part = name + ".part";
     const auto there = [](const std::string& file) { return std::filesystem::exists(file); };
     if (!there(name) && !there(part)) throw InputError(name + ": no such file, nor " + part + " of a run in progress");
-    HistoryTable table(out, format);
+    std::optional<HistoryTable> table;
     std::size_t written = 0;
     const auto write = [&](const History& history) {
-        for (; written < history.size(); ++written) table.row(history, written);
+        if (!table && history.size() > 0) table.emplace(out, format, history);
+        for (; written < history.size(); ++written) table->row(history, written);
         out.flush();
     };
     // A file NAME beside NAME.part is an older run that is about to be replaced: NAME.part is read first.

@@ -13,7 +13,7 @@ namespace graincrack {
 /// Every column of /history, names with SI units, tension positive as in the file.
 class HistoryTable {
 public:
-    HistoryTable(std::ostream& out, TableFormat format);
+    HistoryTable(std::ostream& out, TableFormat format, const History& history);
     void row(const History& history, std::size_t index);
 
 private:

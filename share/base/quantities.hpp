@@ -28,6 +28,8 @@ enum class Dimension {
     density,          ///< kg/m3
     acceleration,     ///< m/s2
     frequency,        ///< Hz
+    temperature,      ///< K, a difference
+    expansion,        ///< 1/K
 };
 
 /// A unit a user may write, with its factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
@@ -44,7 +46,7 @@ struct DimensionRow {
     std::array<std::string_view, 5> shown;  ///< units in which values are shown, smallest first
 };
 // clang-format off
-inline constexpr std::array<DimensionRow, 15> dimension_rows{{
+inline constexpr std::array<DimensionRow, 17> dimension_rows{{
     {"pure number", "NUMBER", {{{"1"}, {"%", 1e-2}}}, {"1"}},
     {"length", "LENGTH", {{{"m"}, {"mm", 1e-3}, {"cm", 1e-2}, {"um", 1e-6}, {"km", 1e3}}}, {"um", "mm", "m", "km"}},
     {"surface", "AREA", {{{"m2"}, {"mm2", 1e-6}, {"cm2", 1e-4}}}, {"mm2", "m2"}},
@@ -60,6 +62,8 @@ inline constexpr std::array<DimensionRow, 15> dimension_rows{{
     {"mass density", "DENSITY", {{{"kg/m3"}, {"g/cm3", 1e3}, {"t/m3", 1e3}}}, {"kg/m3"}},
     {"acceleration", "ACCELERATION", {{{"m/s2"}, {"mm/s2", 1e-3}}}, {"m/s2"}},
     {"frequency", "FREQUENCY", {{{"Hz"}, {"kHz", 1e3}, {"MHz", 1e6}}}, {"Hz", "kHz", "MHz"}},
+    {"temperature difference", "TEMPERATURE", {{{"K"}}}, {"K"}},
+    {"thermal expansion", "EXPANSION", {{{"1/K"}}}, {"1/K"}},
 }};
 // clang-format on
 /// The row of a dimension: rows stand in the order of `Dimension`.
@@ -92,6 +96,11 @@ inline constexpr double right_angle = 1.57079632679489661923;
 inline constexpr Quantity young_modulus{"young_modulus", Dimension::stress, 0, 1e13, "Young's modulus of the rock", true};
 inline constexpr Quantity poisson_ratio{"poisson_ratio", Dimension::one, 0, 0.49, "Poisson's ratio of the rock"};
 inline constexpr Quantity density{"density", Dimension::density, 0, 1e5, "mass density of the rock", true};
+inline constexpr Quantity thermal_expansion{"thermal_expansion", Dimension::expansion, -1e-3, 1e-3,
+                                            "linear thermal expansion of a phase"};
+/// Up to 500 deg C where the state without stress is at 20: beyond, quartz nears its change at 573 deg C.
+inline constexpr Quantity temperature{"temperature", Dimension::temperature, -290, 480,
+                                      "temperature above that of the state without stress"};
 inline constexpr Quantity mode_i_toughness{
     "mode_i_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IC of the rock", true};
 inline constexpr Quantity mode_ii_toughness{

@@ -80,7 +80,7 @@ GivenContact given_between(const Material& material, PlaneCondition plane, const
 Phase phase_of(const PhaseMaterial& phase, const Material& material) {
     const Rock& rock = material.rock;
     return {young_modulus_of_grains(phase, material.fabric, rock), phase.poisson_ratio.value_or(rock.poisson_ratio),
-            phase.density.value_or(rock.density)};
+            phase.density.value_or(rock.density), phase.thermal_expansion.value_or(0)};
 }
 
 }  // namespace

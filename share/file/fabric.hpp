@@ -15,7 +15,8 @@ namespace graincrack {
 struct Phase {
     double young_modulus = 0;  ///< Pa
     double poisson_ratio = 0;
-    double density = 0;  ///< kg/m³
+    double density = 0;            ///< kg/m³
+    double thermal_expansion = 0;  ///< 1/K
     friend bool operator==(const Phase&, const Phase&) = default;
 };
 inline Phase phase_of(const Rock& rock) { return {rock.young_modulus, rock.poisson_ratio, rock.density}; }

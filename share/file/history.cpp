@@ -41,12 +41,11 @@ const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)>
     {"platen_speed", Dimension::speed, "speed of each platen, approach positive"},
     {"damping_load", Dimension::one, "load that damping carries by holding the mean motion back, over that of the platens"},
     {"energy_numerical", Dimension::energy, "lost by mass scaling where clusters of nodes meet or leave platens"},
+    {"temperature", Dimension::temperature, "temperature of the specimen above that of the state without stress"},
 }};
 // clang-format on
 
 namespace {
-
-constexpr std::size_t n_history_columns = static_cast<std::size_t>(HistoryColumn::count);
 
 std::string history_path(std::size_t column) {
     return std::string(schema::history_group) + "/" + std::string(history_datasets[column].name);
@@ -56,7 +55,7 @@ std::string history_path(std::size_t column) {
 
 void append_rows(H5Output& file, const History& history, std::size_t first) {
     const std::size_t n = history.size() - first;
-    for (std::size_t i = 0; i < n_history_columns; ++i) {
+    for (std::size_t i = 0; i < history.n_columns(); ++i) {
         const std::span<const double> rows(history.columns[i].data() + first, n);
         file.append<double>(history_path(i), rows, {n}, si_unit(history_datasets[i].dimension), history_datasets[i].description);
     }
@@ -65,7 +64,9 @@ void append_rows(H5Output& file, const History& history, std::size_t first) {
 History read_history(const H5Input& file) {
     History history;
     const std::size_t rows = rows_of(file, history_path(0));
-    for (std::size_t i = 0; i < n_history_columns; ++i) history.columns[i] = read_finite(file, history_path(i), {rows});
+    history[HistoryColumn::temperature].resize(rows);
+    history.has_temperature = file.has(history_path(static_cast<std::size_t>(HistoryColumn::temperature)));
+    for (std::size_t i = 0; i < history.n_columns(); ++i) history.columns[i] = read_finite(file, history_path(i), {rows});
     const std::vector<double>& time = history[HistoryColumn::time];
     if (!std::is_sorted(time.begin(), time.end())) {
         throw InputError(fmt::format("{}: the times of {} do not ascend", file.name(), history_path(0)));

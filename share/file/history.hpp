@@ -40,6 +40,7 @@ enum class HistoryColumn : std::size_t {
     platen_speed,
     damping_load,
     energy_numerical,
+    temperature,
     count
 };
 struct HistoryDataset {
@@ -52,8 +53,11 @@ extern const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::
 /// The history: equally long columns. Tension and elongation positive. Crack columns count contacts (points ÷ 2).
 struct History {
     std::array<std::vector<double>, static_cast<std::size_t>(HistoryColumn::count)> columns;
+    bool has_temperature = false;  ///< files have the column of it only then; else it is 0
     [[nodiscard]] const std::vector<double>& operator[](HistoryColumn c) const { return columns[static_cast<std::size_t>(c)]; }
     [[nodiscard]] std::vector<double>& operator[](HistoryColumn c) { return columns[static_cast<std::size_t>(c)]; }
+    /// Of a file or table: the temperature, the last of them, may be missing.
+    [[nodiscard]] std::size_t n_columns() const { return columns.size() - (has_temperature ? 0 : 1); }
     [[nodiscard]] std::size_t size() const { return columns[0].size(); }
 };
 

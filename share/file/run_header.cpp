@@ -23,9 +23,11 @@ struct Property {
     Dimension dimension;
     bool may_lack = false;  ///< files may have none: it is 0 then
 };
-constexpr std::array<Property<Phase>, 3> phase_properties{{{"young_modulus", &Phase::young_modulus, Dimension::stress},
-                                                           {"poisson_ratio", &Phase::poisson_ratio, Dimension::one},
-                                                           {"density", &Phase::density, Dimension::density}}};
+constexpr std::array<Property<Phase>, 4> phase_properties{
+    {{"young_modulus", &Phase::young_modulus, Dimension::stress},
+     {"poisson_ratio", &Phase::poisson_ratio, Dimension::one},
+     {"density", &Phase::density, Dimension::density},
+     {"thermal_expansion", &Phase::thermal_expansion, Dimension::expansion, true}}};
 const std::vector<Property<ContactParameters>>& contact_properties() {
     static const std::vector<Property<ContactParameters>> all = [] {
         std::vector<Property<ContactParameters>> rows;
@@ -157,7 +159,11 @@ void read_properties(const H5Input& file, const std::string& group, const Proper
 void write_fabric(H5Output& file, const RunHeader& header, const Specimen& specimen) {
     const Fabric fabric =
         header.fabric.phases.empty() ? uniform_fabric(header.rock, header.contact, specimen.phase_names.size()) : header.fabric;
-    write_properties(file, schema::phases_group, specimen.phase_names, phase_properties, fabric.phases);
+    const bool expands =
+        std::any_of(fabric.phases.begin(), fabric.phases.end(), [](const Phase& phase) { return phase.thermal_expansion != 0; });
+    write_properties(file, schema::phases_group, specimen.phase_names,
+                     std::span(phase_properties).first(expands ? phase_properties.size() : phase_properties.size() - 1),
+                     fabric.phases);
     write_properties(file, schema::classes_group, contact_class_names(specimen), contact_properties(), fabric.contacts);
 }
 

@@ -43,7 +43,8 @@ struct PhaseValue {
 constexpr PhaseValue phase_values[] = {{"young_modulus", quantity::young_modulus, &PhaseMaterial::young_modulus},
                                        {"relative_young_modulus", relative_modulus, &PhaseMaterial::relative_young_modulus},
                                        {"poisson_ratio", quantity::poisson_ratio, &PhaseMaterial::poisson_ratio},
-                                       {"density", quantity::density, &PhaseMaterial::density}};
+                                       {"density", quantity::density, &PhaseMaterial::density},
+                                       {"thermal_expansion", quantity::thermal_expansion, &PhaseMaterial::thermal_expansion}};
 
 std::vector<TomlKey> phase_keys(PhaseMaterial& phase) {
     std::vector<TomlKey> keys{{"fraction", fraction, to(phase.fraction), true}};

@@ -33,8 +33,9 @@ struct PhaseMaterial {
     std::optional<double> young_modulus;           ///< Pa
     std::optional<double> relative_young_modulus;  ///< r, over the rock's; one of the two at most
     std::optional<double> poisson_ratio;
-    std::optional<double> density;  ///< kg/m³
-    GivenContact contact;           ///< [phases.NAME.contact]: of its side of a contact
+    std::optional<double> density;            ///< kg/m³
+    std::optional<double> thermal_expansion;  ///< 1/K; none: 0
+    GivenContact contact;                     ///< [phases.NAME.contact]: of its side of a contact
 };
 
 /// How a value of a contact follows from those of its two sides.

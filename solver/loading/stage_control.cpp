@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "share/base/error.hpp"
+#include "solver/program/keys.hpp"
 
 namespace graincrack {
 namespace {
@@ -38,8 +39,9 @@ double value_of(const NamedNumbers& numbers, const std::string& name) {
     throw InputError(fmt::format("the saved state of the loading lacks \"{}\"; only a run's own checkpoint has it", name));
 }
 
-std::string name_of_amplitude(const BoundaryCondition& condition, std::size_t action) {
-    return condition.name + "." + std::string(name_of(static_cast<Action>(action)));
+std::string name_of_amplitude(const Program& program, std::size_t condition, std::size_t action) {
+    if (condition == program.boundary_conditions.size()) return program_keys::temperature;
+    return program.boundary_conditions[condition].name + "." + std::string(name_of(static_cast<Action>(action)));
 }
 
 }  // namespace
@@ -62,6 +64,16 @@ void StageController::for_each_amplitude(Act&& act) const {
             if (numbers_[c][i] != no_amplitude) act(c, i, static_cast<std::size_t>(numbers_[c][i]));
         }
     }
+    if (program_.has_temperature()) act(program_.boundary_conditions.size(), n_actions, amplitudes_.size() - 1);
+}
+
+std::optional<TimeFunction> StageController::written_at(int place, std::size_t condition, std::size_t action) const {
+    const bool is_temperature = condition == program_.boundary_conditions.size();
+    if (place == at_start) return is_temperature ? std::nullopt : program_.boundary_conditions[condition].start[action];
+    const Stage& stage = program_.stages[place];
+    if (is_temperature) return stage.temperature;
+    const auto settings = stage.settings.find(program_.boundary_conditions[condition].name);
+    return settings == stage.settings.end() ? std::nullopt : settings->second[action];
 }
 
 // --- what a run resumes with -------------------------------------------------------------------------------------------------
@@ -100,7 +112,7 @@ void StageController::visit_state(Self& self, Visit&& visit) {
 
 void StageController::take_over(const StageControllerState& state) {
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
-        const std::string name = name_of_amplitude(program_.boundary_conditions[condition], action);
+        const std::string name = name_of_amplitude(program_, condition, action);
         const double* const value = find_value(state.boundary_conditions, name);
         if (value != nullptr) amplitudes_[amplitude].function.value = *value;
     });
@@ -113,11 +125,8 @@ void StageController::resume(const StageControllerState& state) {
     for (std::size_t i = 0; i < at_; ++i) records_.push_back({program_.order[i], 0, 0, state.stages_end_by[i]});
     offsets_.resize(finished() ? 0 : now().until.size());
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
-        const BoundaryCondition& c = program_.boundary_conditions[condition];
         origins_[i] = index_of(fmt::format("amplitude{}.origin", i));
-        if (origins_[i] == nowhere) return;
-        amplitudes_[i].function =
-            origins_[i] == at_start ? *c.start[action] : *program_.stages[origins_[i]].settings.at(c.name)[action];
+        if (origins_[i] != nowhere) amplitudes_[i].function = written_at(origins_[i], condition, action).value();
     });
     platens_origin_ = index_of("platens.origin");
     platens_.take_over(state.platen_speed, state.mean_compression);
@@ -130,7 +139,7 @@ void StageController::resume(const StageControllerState& state) {
 StageControllerState StageController::state() const {
     StageControllerState state;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t amplitude) {
-        state.boundary_conditions.names.push_back(name_of_amplitude(program_.boundary_conditions[condition], action));
+        state.boundary_conditions.names.push_back(name_of_amplitude(program_, condition, action));
         state.boundary_conditions.values.push_back(amplitudes_[amplitude].at(feedback_.time));
     });
     state.platen_speed = platens_.speed();
@@ -155,32 +164,28 @@ std::vector<double> StageController::values(double time) const {
 
 void StageController::begin(const Feedback& feedback, const Rows& rows) {
     feedback_ = feedback;
-    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
-        if (const auto& function = program_.boundary_conditions[condition].start[action]) {
-            amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(feedback_.time)), feedback_.time,
-                              amplitudes_[i].of_velocity};
-            origins_[i] = at_start;
-        }
-    });
+    start_functions(at_start);
     start_stage(rows);
+}
+
+void StageController::start_functions(int place) {
+    functions_end_ = 0;
+    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
+        const std::optional<TimeFunction> function = written_at(place, condition, action);
+        if (!function) return;
+        amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(feedback_.time)), feedback_.time,
+                          amplitudes_[i].of_velocity};
+        origins_[i] = place;
+        functions_end_ = std::max(functions_end_, feedback_.time + function->end());
+    });
 }
 
 void StageController::start_stage(const Rows& rows) {
     const Stage& stage = now();
     stage_begin_ = feedback_.time;
-    functions_end_ = 0;
     rows_at_rest_ = 0;
     highest_ = 0;
-    for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
-        const auto settings = stage.settings.find(program_.boundary_conditions[condition].name);
-        if (settings != stage.settings.end() && settings->second[action]) {
-            const TimeFunction& function = *settings->second[action];
-            amplitudes_[i] = {starting_from(function, amplitudes_[i].at(feedback_.time)), feedback_.time,
-                              amplitudes_[i].of_velocity};
-            origins_[i] = number_of(stage);
-            functions_end_ = std::max(functions_end_, feedback_.time + function.end());
-        }
-    });
+    start_functions(number_of(stage));
     if (stage.platens) {
         platens_.set(*stage.platens, feedback_.time);
         platens_origin_ = number_of(stage);
@@ -252,6 +257,7 @@ void StageController::close(const std::string& reason) {
 IntervalLoading StageController::next(double duration) {
     IntervalLoading interval;
     interval.amplitudes = &amplitudes_;
+    if (program_.has_temperature()) interval.temperature = static_cast<std::int32_t>(amplitudes_.size()) - 1;
     if (program_.platens) {
         const PlatenSpeeds speeds = platens_.next(feedback_, duration);
         interval.velocity_begin = {speeds.begin, -speeds.begin};

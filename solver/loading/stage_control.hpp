@@ -27,7 +27,7 @@ struct NamedNumbers {
 
 /// The position of a program: another program takes it over, the same program resumes with it.
 struct StageControllerState {
-    NamedNumbers boundary_conditions;        ///< "boundary.action"; NaN for a free velocity
+    NamedNumbers boundary_conditions;        ///< "boundary.action"; NaN for a free velocity; "temperature"
     double platen_speed = 0;                 ///< m/s
     double mean_compression = 0;             ///< as the servo sees it, Pa
     NamedNumbers progress;                   ///< everything that changes
@@ -78,13 +78,18 @@ public:
 private:
     /// The place in which the present function of an amplitude is written: in a stage, at the start of the program, or nowhere.
     static constexpr int nowhere = -2, at_start = -1;
-    /// Calls `act(condition, action, amplitude)` with the places of each.
+    /// Calls `act(condition, action, amplitude)` with the places of each; the last is that of the temperature, whose condition is
+    /// behind the others.
     template <class Act>
     void for_each_amplitude(Act&& act) const;
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit&& visit);
     [[nodiscard]] const Stage& now() const { return program_.stage(program_.order[at_]); }
     [[nodiscard]] int number_of(const Stage& stage) const { return static_cast<int>(&stage - program_.stages.data()); }
+    /// The function of an amplitude that is written at a place, if there is one.
+    [[nodiscard]] std::optional<TimeFunction> written_at(int place, std::size_t condition, std::size_t action) const;
+    /// Starts the functions that are written at a place.
+    void start_functions(int place);
     void start_stage(const Rows& rows);
     /// True if the load is below an axial stress (absolute, Pa), and without damping has been for longer than a wave would make
     /// it.

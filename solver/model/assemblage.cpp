@@ -9,6 +9,7 @@ namespace {
 void add_elements(Assemblage& a, const Specimen& s, const std::vector<Phase>& phases, PlaneCondition plane) {
     a.mass.assign(s.n_nodes(), 0.0);
     a.phase_of_node.assign(s.n_nodes(), 0);
+    const bool expands = std::any_of(phases.begin(), phases.end(), [](const Phase& p) { return p.thermal_expansion != 0; });
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
         const std::uint8_t phase_index = s.grain_phase[s.element_grain[e]];
         const Phase& phase = phases.at(phase_index);
@@ -19,6 +20,9 @@ void add_elements(Assemblage& a, const Specimen& s, const std::vector<Phase>& ph
         const TriangleGeometry g = make_triangle_geometry(a.position[n[0]], a.position[n[1]], a.position[n[2]]);
         a.element_geometry.push_back(g);
         a.elasticity.push_back(make_plane_elasticity(phase.young_modulus, phase.poisson_ratio, plane));
+        if (expands) {
+            a.expansion.push_back(make_plane_expansion(phase.thermal_expansion, phase.young_modulus, phase.poisson_ratio, plane));
+        }
         a.element_mass.push_back(phase.density * g.area);
         for (const std::int32_t node : n) {
             a.mass[node] += a.element_mass.back() / 3;

@@ -79,6 +79,17 @@ struct ElasticityTable {
     }
 };
 
+/// Expansion of all triangles, side by side.
+struct ExpansionTable {
+    std::vector<double> in_plane, stress_zz, stiffness_zz;  ///< as in `PlaneExpansion`
+    [[nodiscard]] bool empty() const { return in_plane.empty(); }
+    void push_back(const PlaneExpansion& x) {
+        in_plane.push_back(x.in_plane);
+        stress_zz.push_back(x.stress_zz);
+        stiffness_zz.push_back(x.stiffness_zz);
+    }
+};
+
 /// Geometry of all triangles, side by side.
 struct TriangleTable {
     std::vector<double> gradient1_x, gradient1_y, gradient2_x, gradient2_y, area;
@@ -105,6 +116,7 @@ struct Assemblage {
     std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e]
     TriangleTable element_geometry;                          ///< [e]
     ElasticityTable elasticity;                              ///< [e]
+    ExpansionTable expansion;                                ///< [e] none if no phase expands
     std::vector<double> element_mass;                        ///< [e] of rock, kg per metre of thickness
     std::vector<ContactGeometry> contacts;                   ///< [c] by place; empty places have no area
     SlotsOfNodes<2> contact_slots;                           ///< further ones where the outline of a grain meets itself

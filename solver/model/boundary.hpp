@@ -101,6 +101,7 @@ struct StepLoading {
     std::array<double, 2> increment_before{};     ///< of the step that led here, m
     std::array<double, 2> increment_after{};      ///< of the step that leads on, m
     std::vector<double> amplitudes;               ///< velocities of the step that leads on, loads now
+    double temperature = 0;                       ///< now, K above that of the state without stress
 };
 
 /// Loading over an interval of steps: the speeds change linearly from its first step to its last.
@@ -108,6 +109,7 @@ struct IntervalLoading {
     std::array<double, 2> velocity_begin{};  ///< of the platens along their axis, m/s
     std::array<double, 2> velocity_end{};
     const std::vector<Amplitude>* amplitudes = nullptr;  ///< of the prescribed conditions, if there are any
+    std::int32_t temperature = no_amplitude;             ///< that of the temperature; none: it stays as it is
 };
 
 /// Platens with the nodes that may meet them (within `reach` of the face); nothing else is prescribed.

@@ -23,6 +23,17 @@ inline PlaneElasticity make_plane_elasticity(double young_modulus, double poisso
     return {lambda + 2 * mu, lambda, mu, plane == PlaneCondition::strain ? poisson_ratio : 0.0};
 }
 
+/// What a temperature does to a phase in the plane, by its linear expansion α.
+struct PlaneExpansion {
+    double in_plane;      ///< strain that is free in the plane, per K: (1 + ν) α in plane strain, α in plane stress
+    double stress_zz;     ///< E α in plane strain, 0 in plane stress: σzz = czz (σxx + σyy) − E α T
+    double stiffness_zz;  ///< E α² likewise: ½ E α² T² is stored across the plane besides ½ T : (U − I − in_plane T)
+};
+inline PlaneExpansion make_plane_expansion(double expansion, double young_modulus, double poisson_ratio, PlaneCondition plane) {
+    if (plane == PlaneCondition::stress) return {expansion, 0, 0};
+    return {(1 + poisson_ratio) * expansion, young_modulus * expansion, young_modulus * expansion * expansion};
+}
+
 /// Reference geometry: rows of the inverse edge matrix are the gradients of the shape functions of nodes 1 and 2.
 struct TriangleGeometry {
     Vector2 gradient1, gradient2;  ///< 1/m; that of node 0 is −(gradient1 + gradient2)
@@ -35,14 +46,16 @@ inline TriangleGeometry make_triangle_geometry(const Vector2& p0, const Vector2&
     return {{d2.y / det, -d2.x / det}, {-d1.y / det, d1.x / det}, 0.5 * det};
 }
 
-/// Polar decomposition F = R U of a triangle and its Biot stress T = C : (U − I).
+/// Polar decomposition F = R U of a triangle and its Biot stress T = C : (U − I − ε0).
 struct TriangleState {
     double cosine, sine;   ///< of the rigid rotation R
-    double exx, eyy, exy;  ///< Biot strain U − I
+    double exx, eyy, exy;  ///< Biot strain U − I less the free strain ε0
     double txx, tyy, txy;  ///< Biot stress in the unrotated frame, Pa
 };
 /// \param a,b displacements of nodes 1 and 2 less that of node 0, m
-inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasticity& c, const Vector2& a, const Vector2& b) {
+/// \param free_strain by which it is longer in every direction without stress
+inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasticity& c, const Vector2& a, const Vector2& b,
+                                    double free_strain = 0) {
     // H = ∇u = F − I
     const double hxx = a.x * g.gradient1.x + b.x * g.gradient2.x;
     const double hxy = a.x * g.gradient1.y + b.x * g.gradient2.y;
@@ -57,8 +70,8 @@ inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasti
     // cos θ − 1 without cancellation for small rotations.
     const double cosine_less_1 = p > 0 ? -sine * sine / (1 + cosine) : cosine - 1;
     TriangleState s{cosine, sine, 0, 0, 0, 0, 0, 0};
-    s.exx = cosine_less_1 + cosine * hxx + sine * hyx;
-    s.eyy = cosine_less_1 + cosine * hyy - sine * hxy;
+    s.exx = cosine_less_1 + cosine * hxx + sine * hyx - free_strain;
+    s.eyy = cosine_less_1 + cosine * hyy - sine * hxy - free_strain;
     s.exy = 0.5 * (cosine * (hxy + hyx) + sine * (hyy - hxx));
     s.txx = c.c11 * s.exx + c.c12 * s.eyy;
     s.tyy = c.c12 * s.exx + c.c11 * s.eyy;
@@ -83,7 +96,7 @@ inline TriangleForces triangle_forces(const TriangleGeometry& g, const TriangleS
     return {f1, f2};
 }
 
-/// Strain energy ½ A T : (U − I), J per metre of thickness.
+/// Strain energy ½ A T : (U − I − ε0), J per metre of thickness.
 inline double triangle_energy(const TriangleGeometry& g, const TriangleState& s) {
     return 0.5 * g.area * (s.txx * s.exx + s.tyy * s.eyy + 2 * s.txy * s.exy);
 }

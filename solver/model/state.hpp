@@ -60,6 +60,19 @@ struct NodeSums {
     using IsSum = void;
 };
 
+/// What the temperature does to a chunk of elements: as a motion, whose force is the change of the stored energy with it.
+struct ThermalState {
+    double temperature = 0;  ///< K
+    double force = 0;        ///< Σ −σ : α V, J/K
+    double work = 0;         ///< of the temperature since the start, over the mean of the forces before and after a step, J
+    /// Goes to a temperature at which the force is another.
+    void go_to(double new_temperature, double new_force) {
+        work += 0.5 * (force + new_force) * (new_temperature - temperature);
+        temperature = new_temperature;
+        force = new_force;
+    }
+};
+
 /// Histories of contact points beyond what `State` keeps in arrays. They exist for chunks of contacts of which a point has needed
 /// the full law; all other points have the history of a new contact.
 class PointHistories {
@@ -110,6 +123,7 @@ struct State {
     std::vector<NodeSums> node_sums;                ///< by chunk of nodes
     std::vector<ContactSums> contact_sums;          ///< by chunk of contacts
     std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected; see `max_events_per_chunk`
+    std::vector<ThermalState> thermal;              ///< by chunk of elements; none where there is no temperature
     StepLoading loading;                            ///< at `time`
     ClusterState clusters;                          ///< with mass scaling
     PrescribedState prescribed;
@@ -162,11 +176,21 @@ GRAINCRACK_INLINE void store_point(const ContactHistory& history, bool is_residu
 /// The state at rest; pre-existing cracks start broken.
 State make_state(const Assemblage& assemblage, const Boundary& boundary, const Specimen& specimen);
 
-/// Strain and stress of an element at the present displacements.
+/// Gives a specimen a temperature, that of the state without stress unless it has one.
+inline void take_temperature(const Assemblage& a, State& s) { s.thermal.resize(a.element_chunks.size()); }
+
+/// Strain and stress of an element at the present displacements and temperature.
 inline TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) {
     const auto [n0, n1, n2] = a.element_nodes[e];
     return triangle_state(a.element_geometry[e], a.elasticity[e], s.displacement[n1] - s.displacement[n0],
-                          s.displacement[n2] - s.displacement[n0]);
+                          s.displacement[n2] - s.displacement[n0],
+                          s.thermal.empty() ? 0 : a.expansion.in_plane[e] * s.loading.temperature);
+}
+/// Stress in the present directions: xx yy xy zz, Pa.
+inline std::array<double, 4> element_stress(const Assemblage& a, std::size_t e, const State& s) {
+    std::array<double, 4> stress = triangle_stress(a.elasticity[e], element_state(a, e, s));
+    if (!s.thermal.empty()) stress[3] -= a.expansion.stress_zz[e] * s.loading.temperature;
+    return stress;
 }
 
 }  // namespace graincrack

@@ -31,6 +31,7 @@ inline constexpr Quantity duration = positive("duration", Dimension::time);
 
 inline constexpr const char* platen_speed = "platen_speed";
 inline constexpr const char* platen_pressure = "platen_pressure";
+inline constexpr const char* temperature = "temperature";
 inline constexpr const char* until = "until";
 inline constexpr const char* must_end_by = "must_end_by";
 inline constexpr Quantity speed_of_platens = any(platen_speed, Dimension::speed);

@@ -56,6 +56,10 @@ const Stage& Program::stage(const std::string& stage_name) const {
     return *std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == stage_name; });
 }
 
+bool Program::has_temperature() const {
+    return std::any_of(stages.begin(), stages.end(), [](const Stage& s) { return s.temperature.has_value(); });
+}
+
 double Program::longest_time() const {
     double sum = 0;
     for (const std::string& stage_name : order) sum += stage(stage_name).longest_time;
@@ -64,6 +68,9 @@ double Program::longest_time() const {
 
 std::string Program::why_dynamic() const {
     if (!initial_velocities.empty()) return "it starts in motion";
+    for (const Stage& s : stages) {
+        if (s.temperature && s.temperature->is_wave()) return "the temperature of stage." + s.name + " makes waves";
+    }
     for (const BoundaryCondition& condition : boundary_conditions) {
         if (condition.is_set[0] || condition.is_set[1]) return "boundary." + condition.name + " drives nodes";
         if (waves(condition.start)) return "boundary." + condition.name + " makes waves";
@@ -82,6 +89,7 @@ Program at_half_the_rate(Program program) {
     for (Stage& stage : program.stages) {
         stage.longest_time *= 2;
         for (auto& [condition, settings] : stage.settings) slow_down(settings);
+        if (stage.temperature) slow_down(*stage.temperature, false);
         if (stage.platens) std::visit(SlowDown{}, *stage.platens);
     }
     if (program.row_interval) *program.row_interval *= 2;

@@ -123,6 +123,7 @@ struct Stage {
     std::string name;
     std::optional<PlatenMotion> platens;       ///< missing: they continue as they did
     std::map<std::string, Settings> settings;  ///< by boundary condition
+    std::optional<TimeFunction> temperature;   ///< of all grains, K above that of the state without stress
     double longest_time =
         std::numeric_limits<double>::infinity();  ///< s; infinite where only the strain limit of the platens ends it
     std::optional<double> rest;       ///< unbalanced ratio, and relative error of a servo's pressure, below which it is at rest
@@ -147,6 +148,7 @@ struct Program {
     std::string start_from;              ///< run file with a saved state, or ""
 
     [[nodiscard]] const Stage& stage(const std::string& stage_name) const;
+    [[nodiscard]] bool has_temperature() const;  ///< whether a stage prescribes it
     /// The longest it can take, s; infinite where the strain limit of the platens ends a stage.
     [[nodiscard]] double longest_time() const;
     /// Why mass scaling would falsify it: it prescribes velocities of nodes, makes waves or starts in motion; "" for a

@@ -201,6 +201,9 @@ Stage read_stage(Program& program, TomlTable& table) {
     stage.name = table.name();
     stage.platens = read_platen_motion(table);
     if (!program.platens && stage.platens) table.refuse("", "there are no platens to move; add a table [platens]");
+    if (table.has(program_keys::temperature)) {
+        stage.temperature = read_function(table, program_keys::temperature, quantity::temperature, false);
+    }
     for (BoundaryCondition& condition : program.boundary_conditions) {
         if (auto own = table.table(condition.name)) {
             const Settings settings = read_settings(*own);
@@ -322,6 +325,7 @@ std::string stage_text(const Stage& stage) {
     for (const auto& [condition, settings] : stage.settings) text += settings_lines(toml::key(condition) + ".", settings);
     TomlEntries entries;
     if (stage.platens) std::visit(AddMotion{entries}, *stage.platens);
+    if (stage.temperature) entries.add(program_keys::temperature, function_text(*stage.temperature, quantity::temperature));
     TomlEntries until;
     program_keys::visit_until(until, stage);
     for (const Condition& condition : stage.until) until.add(condition.name, toml::number(condition.value));

@@ -52,6 +52,10 @@ template <Is<CandidatePair> T, class Act>
 void visit_members(T& p, Act&& act) {
     visit_all(act, p.node, p.edge);
 }
+template <Is<ThermalState> T, class Act>
+void visit_members(T& t, Act&& act) {
+    visit_all(act, t.temperature, t.force, t.work);
+}
 template <Is<PlatenPoint> T, class Act>
 void visit_members(T& p, Act&& act) {
     visit_all(act, p.node, p.platen, p.tributary, p.gap, p.anchor, p.shear, p.on_boundary);
@@ -97,6 +101,15 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("next_mark", s.next_level);
     visit("cluster_near_platen", s.clusters.near_platen);
     visit("cluster_energies", s.clusters.sums);
+}
+
+/// Continues the temperature that a state has.
+void resume_temperature(State& s, NamedNumbers& amplitudes) {
+    if (s.thermal.empty()) return;
+    s.loading.temperature = s.thermal.front().temperature;
+    if (std::find(amplitudes.names.begin(), amplitudes.names.end(), "temperature") != amplitudes.names.end()) return;
+    amplitudes.names.emplace_back("temperature");
+    amplitudes.values.push_back(s.loading.temperature);
 }
 
 /// And every single number.
@@ -235,6 +248,7 @@ void visit_content(Io& io, AnyState& state, Histories& histories, Loading& loadi
     visit_numbers(state, [&](const char* name, auto& value) { io.number(name, value); });
     visit_arrays(state, [&](const char* name, auto& items) { io.array(name, items); });
     io.array("history", histories);
+    if (!state.thermal.empty()) io.array("thermal", state.thermal);
     io.attribute("amplitudes", loading.boundary_conditions.names);
     io.attribute("amplitude_values", loading.boundary_conditions.values);
     io.attribute("platen_speed", loading.platen_speed);
@@ -338,10 +352,12 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     std::vector<PlatenPoint> platen_points = std::move(s.platen_points);
     s.platen_points.clear();
     std::vector<ContactHistory> histories(s.failed.size());
+    if (run.file().has(std::string(group) + "/thermal")) take_temperature(setup.assemblage, s);
     StateReader reader(run.file());
     visit_content(reader, s, histories, saved.loading, saved.energy_balance_error);
     if (is_checkpoint(run)) visit_frames(reader, saved.frames);
     reader.finish();
+    resume_temperature(s, saved.loading.boundary_conditions);
     group_pairs(s.contact_pairs);
     group_watched(setup.assemblage, s.contact_pairs);
     for (std::size_t point = 0; point < histories.size(); ++point) {

@@ -120,6 +120,7 @@ State gather_state(const Assemblage& a, const State& state) {
     gather_chunks(part, part.nodes, 1, s.contact_pairs.friction);
     gather_chunks(part, part.nodes, 1, s.clusters.sums);
     gather_chunks(part, part.contacts, 1, s.contact_sums);
+    if (!s.thermal.empty()) gather_chunks(part, part.elements, 1, s.thermal);
     std::vector<std::int32_t> owner_of_cluster(a.n_clusters());
     for (std::int32_t chunk = 0; chunk < part.nodes.count; ++chunk) {
         const Range clusters = a.node_chunks[chunk].clusters;

@@ -49,7 +49,7 @@ Frame make_frame(const Assemblage& a, const ContactLaws& laws, const State& s, T
     for_each_of_team(team, a.part.elements.own.size(), [&](std::size_t i) {
         const Range elements = a.element_chunks[a.part.elements.own[i]];
         for (std::int32_t e = elements.begin; e < elements.end; ++e) {
-            frame.element_stress[e] = triangle_stress(a.elasticity[e], element_state(a, static_cast<std::size_t>(e), s));
+            frame.element_stress[e] = element_stress(a, static_cast<std::size_t>(e), s);
         }
     });
     contact_law::with_law(laws.variant(), [&](auto kind) {

@@ -106,19 +106,28 @@ Measurement sum_over_nodes(const Assemblage& a, const Boundary& boundary, const 
     });
 }
 
-/// Strain energy (J) and Σ |force on a node| over the nodes (N) of elements.
+/// Strain energy (J), Σ |force on a node| over the nodes (N) and work of the temperature (J) of elements.
 struct ElementSums {
-    double energy = 0, force = 0;
+    double energy = 0, force = 0, thermal_work = 0;
     using IsSum = void;
 };
 ElementSums sum_over_elements(const Assemblage& a, ThreadTeam& team, const State& s) {
     return sum_of_team(team, a.part, a.part.elements, [&](std::int32_t chunk) {
-        return sum_over(a.element_chunks[chunk], [&](std::int32_t e) {
+        const Range elements = a.element_chunks[chunk];
+        ElementSums sums = sum_over(elements, [&](std::int32_t e) {
             const TriangleGeometry g = a.element_geometry[e];
             const TriangleState t = element_state(a, e, s);
             const TriangleForces f = triangle_forces(g, t);
             return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
         });
+        if (!s.thermal.empty()) {
+            const double temperature = s.loading.temperature;
+            sums.thermal_work = s.thermal[chunk].work;
+            sums.energy += 0.5 * temperature * temperature * sum_over(elements, [&](std::int32_t e) {
+                               return a.element_geometry.area[e] * a.expansion.stiffness_zz[e];
+                           });
+        }
+        return sums;
     });
 }
 
@@ -141,6 +150,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     const ElementSums elements = sum_over_elements(a, team, s);
     m.energies += energies_of_contacts(a, parameters.laws, team, s);
     m.energies.strain = elements.energy;
+    m.energies.external += elements.thermal_work;
     m.unbalanced_ratio = elements.force > 0 ? m.unbalanced_ratio / elements.force : 0;
     return m;
 }

@@ -71,8 +71,7 @@ struct StressSum {
 std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
     const auto elements_of = [&a](std::int32_t chunk) { return a.element_chunks[chunk]; };
     const StressSum sum = sum_over_listed(a.part, a.part.elements, elements_of, elements, [&](std::int32_t e) {
-        StressSum of_element{triangle_stress(a.elasticity[e], element_state(a, static_cast<std::size_t>(e), s)),
-                             a.element_geometry[e].area};
+        StressSum of_element{element_stress(a, static_cast<std::size_t>(e), s), a.element_geometry[e].area};
         for (double& component : of_element.stress) component *= of_element.area;
         return of_element;
     });

@@ -101,6 +101,8 @@ void Recorder::push_row(const Measurement& m, double strain, double speed_of_pla
     push(platen_speed, speed_of_platens);
     push(damping_load, state.damping_load.fraction());
     push(energy_numerical, e.numerical);
+    push(temperature, state.loading.temperature);
+    history_.has_temperature = !state.thermal.empty();
 }
 
 }  // namespace graincrack

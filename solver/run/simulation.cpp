@@ -69,6 +69,7 @@ public:
           team_(request.threads_for(specimen.n_elements())) {
         set_initial_velocities(program_, setup_.assemblage, specimen, state_);
         if (!request.restart.empty()) restart();
+        if (program_.has_temperature()) take_temperature(setup_.assemblage, state_);
     }
 
     /// Writes the run to an output as it goes; to be called before `run`.

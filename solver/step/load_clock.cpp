@@ -36,6 +36,7 @@ void LoadingClock::prepare() {
         const Amplitude& amplitude = (*interval_.amplitudes)[i];
         now_.amplitudes[i] = amplitude.at(amplitude.of_velocity ? time + 0.5 * time_step_ : time);
     }
+    if (interval_.temperature != no_amplitude) now_.temperature = now_.amplitudes[interval_.temperature];
 }
 
 }  // namespace graincrack

@@ -36,7 +36,7 @@ struct ThreadSteps {
     /// Before the first step: what follows from displacements and time alone.
     void begin() {
         for (const auto& elements : {share.inner_elements, share.outer_elements}) {
-            for (const std::int32_t chunk : elements) find_element_forces(a, chunk, s);
+            for (const std::int32_t chunk : elements) find_element_forces(a, clock.now().temperature, chunk, s);
         }
         for (const std::int32_t chunk : share.loaded) find_edge_loads(a, boundary.prescribed, clock.now(), chunk, s);
         team.wait();
@@ -71,7 +71,7 @@ struct ThreadSteps {
         if (detects_contacts) complete_detection();
     }
     void evaluate(StepShare::Chunks elements, StepShare::Chunks contacts, std::int64_t step) {
-        for (const std::int32_t chunk : elements) find_element_forces(a, chunk, s);
+        for (const std::int32_t chunk : elements) find_element_forces(a, clock.now().temperature, chunk, s);
         for (const std::int32_t chunk : contacts) advance_contacts(a, parameters.laws, chunk, step, s);
     }
     /// The ranks agree on the areas of new contacts wherever they may begin.

@@ -23,9 +23,7 @@ ContactLaws stiff_contacts(std::size_t n_phases, double stiffness) {
     law.kt = stiffness;
     law.ks = stiffness / 10;
     law.stiffest_shear = law.ks;
-    ContactLaws laws;
-    laws.of_class.assign(n_contact_classes(n_phases), law);
-    return laws;
+    return test::same_of_every_class(law, n_phases);
 }
 
 constexpr int layers = 50;  // 62, 32 and 6 % of them feldspar, quartz and mica
@@ -58,25 +56,56 @@ TEST(Minerals, ALaminateInSeriesHasTheModulusOfReuss) {
            0.005, "Reuss");
 }
 
-TEST(Minerals, ALaminateInParallelHasTheModulusOfVoigt) {
-    const SmallRun run(laminate(false), minerals, stiff_contacts(3, 1e4 * 60e9 / 0.01), PlaneCondition::stress);
+/// The load that strains all layers of a laminate in parallel alike, along x, N, and its sum on one end.
+struct LoadOfLayers {
+    Eigen::VectorXd load;
+    double force = 0;
+};
+LoadOfLayers load_of_layers(const SmallRun& run, double strain) {
     // Ends that are held plane: each layer is pulled by its share of the load.
     const Assemblage& a = run.assemblage;
-    constexpr double strain = 1e-5;
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(a.position.size()));
-    double force = 0;
+    LoadOfLayers pull{Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(a.position.size()))};
     for (const auto& edge : run.specimen.boundary_edges) {
         const std::int32_t i = a.node_of_specimen[static_cast<std::size_t>(edge[0])];
         const std::int32_t j = a.node_of_specimen[static_cast<std::size_t>(edge[1])];
         const double outwards = a.position[static_cast<std::size_t>(j)].y - a.position[static_cast<std::size_t>(i)].y;
         const double traction = strain * minerals[a.phase_of_node[static_cast<std::size_t>(i)]].young_modulus;
-        load(2 * i) += 0.5 * traction * outwards;
-        load(2 * j) += 0.5 * traction * outwards;
-        force += outwards > 0 ? traction * outwards : 0;
+        pull.load(2 * i) += 0.5 * traction * outwards;
+        pull.load(2 * j) += 0.5 * traction * outwards;
+        pull.force += outwards > 0 ? traction * outwards : 0;
     }
+    return pull;
+}
+
+TEST(Minerals, ALaminateInParallelHasTheModulusOfVoigt) {
+    const SmallRun run(laminate(false), minerals, stiff_contacts(3, 1e4 * 60e9 / 0.01), PlaneCondition::stress);
+    const auto [load, force] = load_of_layers(run, 1e-5);
     const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), load);
     verify("phases: laminate of 62/32/6 % in parallel, modulus (GPa)", 1e-9 * force / 0.5 / mean_strain(run, u).xx, 65.55, 0.005,
            "Voigt");
+}
+
+// Free laminates expand by means of their expansions: by fractions in series; by fractions times moduli in parallel, which the
+// work of the load tells that strains all layers alike.
+TEST(Minerals, LaminatesExpandByMeansOfTheirMinerals) {
+    const std::array<double, 3> f = fractions();
+    const std::array<double, 3> alpha{6e-6, 13e-6, 9e-6};
+    std::vector<Phase> warm = minerals;
+    for (std::size_t p = 0; p < 3; ++p) warm[p].thermal_expansion = alpha[p];
+    constexpr double temperature = 1e-3;  // K, so that displacements are small
+    const auto warmed = [&](const SmallRun& run) {
+        return equilibrium(run, tangent_stiffness(run), load_of_temperature(run, temperature));
+    };
+    const ContactLaws stiff = stiff_contacts(3, 1e4 * 60e9 / 0.01);
+    const SmallRun series(laminate(true), warm, stiff, PlaneCondition::stress);
+    verify("phases: laminate in series, expansion (1e-6/K)", 1e6 * mean_strain(series, warmed(series)).xx / temperature,
+           1e6 * (f[0] * alpha[0] + f[1] * alpha[1] + f[2] * alpha[2]), 1e-6, "mean by fractions");
+    const SmallRun parallel(laminate(false), warm, stiff, PlaneCondition::stress);
+    const auto [load, force] = load_of_layers(parallel, 1);
+    const double stiffness = f[0] * 60 + f[1] * 83.1 + f[2] * 29.3;
+    verify("phases: laminate in parallel, expansion (1e-6/K)", 1e6 * load.dot(warmed(parallel)) / force / 0.04 / temperature,
+           1e6 * (f[0] * 60 * alpha[0] + f[1] * 83.1 * alpha[1] + f[2] * 29.3 * alpha[2]) / stiffness, 1e-6,
+           "mean by fractions and moduli");
 }
 
 // A pulse of stress from quartz into biotite: 2 Z2/(Z1 + Z2) goes on and (Z2 − Z1)/(Z1 + Z2) comes back, Z = √(E ρ).

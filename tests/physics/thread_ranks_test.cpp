@@ -155,6 +155,7 @@ platen_pressure = { to = "2 MPa", over = "0.03 ms" }
 until.time = "0.04 ms"
 [stage.press]
 platen_speed = { to = "4 m/s", over = "0.02 ms" }
+temperature = { to = "30 K", over = "0.04 ms" }
 until = { peak_drop = 0.1, time = "0.2 ms" }
 )";
 const std::string stages_after_peak = R"(
@@ -164,6 +165,7 @@ platen_speed = { to = "-1 m/s", over = "0.02 ms" }
 until.time = "0.05 ms"
 [stage.crush]
 membrane.pressure = "keep"
+temperature = { to = "10 K", over = "0.1 ms" }
 platen_speed = { to = "4 m/s", over = "0.02 ms" }
 until.time = "0.25 ms"
 )";
@@ -171,6 +173,7 @@ SimulationRequest program_for_ranks(const std::string& stages, const std::string
     SimulationRequest r = request_for_ranks(TestKind::program, LawVariant::consistent, true);
     r.program = parse_program("stages = [" + stages + "]\n" + head_of_programs + tables, "cycle.toml");
     r.material = test::granite_of_phases();
+    r.material.fabric.phases["quartz"].thermal_expansion = 13e-6;
     return r;
 }
 

@@ -163,6 +163,23 @@ inline Eigen::VectorXd equilibrium(const SmallRun& run, Eigen::SparseMatrix<doub
     return u;
 }
 
+/// Gives a state a temperature, K.
+inline void warm(const Assemblage& a, double temperature, State& state) {
+    take_temperature(a, state);
+    state.loading.temperature = temperature;
+}
+/// What the elements of an undisplaced specimen push with at a temperature, N.
+inline Eigen::VectorXd load_of_temperature(const SmallRun& run, double temperature) {
+    State state = run.state;
+    warm(run.assemblage, temperature, state);
+    const std::vector<Vector2> forces = forces_at(run, state, state.displacement);
+    Eigen::VectorXd load(2 * static_cast<Eigen::Index>(forces.size()));
+    for (Eigen::Index i = 0; i < load.size(); ++i) {
+        load(i) = i % 2 == 0 ? forces[static_cast<std::size_t>(i / 2)].x : forces[static_cast<std::size_t>(i / 2)].y;
+    }
+    return load;
+}
+
 inline Vector2 displacement_of(const Eigen::VectorXd& u, std::int32_t node) { return {u(2 * node), u(2 * node + 1)}; }
 
 /// Small-strain stress of each element, Pa.

@@ -16,14 +16,17 @@ class ProgramRun {
 public:
     ProgramRun(Specimen specimen, const std::string& text, const ContactLaw& law, PlaneCondition plane = PlaneCondition::strain,
                double damping = 0, double fraction = 0.5, const Rock& rock = augig_granite().rock,
-               const ContactParameters& contact = augig_contact(), double platen_friction = 0)
+               const ContactParameters& contact = augig_contact(), double platen_friction = 0,
+               const std::vector<Phase>& phases = {})
         : program(parse_program(text, "test.toml")),
-          run(std::move(specimen), law, plane, fraction, rock),
+          run(phases.empty() ? SmallRun(std::move(specimen), law, plane, fraction, rock)
+                             : SmallRun(std::move(specimen), phases, same_of_every_class(law, phases.size()), plane, fraction)),
           probes(program, run.assemblage, run.specimen),
           stage_controller(program, run.specimen, rock) {
         run.set_boundary(make_program_boundary(run.assemblage, run.specimen, program, contact, platen_friction), fraction);
         run.parameters.damping = damping;
         set_initial_velocities(program, run.assemblage, run.specimen, run.state);
+        if (program.has_temperature()) take_temperature(run.assemblage, run.state);
     }
     /// Runs to the end of the program. \param steps time steps between two rows of the history
     void go(std::int64_t steps, int threads = 1) {
@@ -85,6 +88,7 @@ private:
         set(HistoryColumn::axial_strain, (platens[top_platen] - platens[bottom_platen]) / run.specimen.height);
         set(HistoryColumn::unbalanced_ratio, m.unbalanced_ratio);
         set(HistoryColumn::confining_pressure, m.confining_force / run.specimen.height);
+        set(HistoryColumn::temperature, run.state.loading.temperature);
         set(HistoryColumn::tensile_cracks, 0.5 * static_cast<double>(run.failed_points()));
         probes.record(run.assemblage, run.boundary, run.state);
     }

@@ -95,6 +95,13 @@ private:
     std::vector<Amplitude> amplitudes_;
 };
 
+/// Contacts alike, of whatever phases.
+inline ContactLaws same_of_every_class(const ContactLaw& law, std::size_t n_phases) {
+    ContactLaws laws;
+    laws.of_class.assign(n_contact_classes(n_phases), law);
+    return laws;
+}
+
 struct SmallRun {
     Specimen specimen;
     Assemblage assemblage;

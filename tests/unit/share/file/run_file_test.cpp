@@ -68,6 +68,7 @@ RunHeader header() {
 /// `rows` rows in which every value is different.
 History history(std::size_t rows) {
     History h;
+    h.has_temperature = true;
     for (std::size_t c = 0; c < h.columns.size(); ++c) {
         for (std::size_t i = 0; i < rows; ++i) h.columns[c].push_back(static_cast<double>(c) + 100.0 * static_cast<double>(i));
     }
@@ -203,6 +204,11 @@ TEST(RunFile, HistoryInPieces) {
         EXPECT_EQ(read.columns[c], expected.columns[c]) << history_datasets[c].name;
     }
     EXPECT_EQ(read[HistoryColumn::platen_speed][1], 100.0 + static_cast<double>(HistoryColumn::platen_speed));
+    History cold = expected;
+    cold.has_temperature = false;
+    write_run(folder.file("cold.h5"), [&](RunWriter& w) { w.append_history(cold); });
+    EXPECT_FALSE(RunReader(folder.file("cold.h5")).file().has("/history/temperature"));
+    EXPECT_EQ(RunReader(folder.file("cold.h5")).history()[HistoryColumn::temperature], std::vector<double>(700, 0.0));
 }
 
 TEST(RunFile, ColumnsHaveDifferentNamesAndStandUnderThem) {

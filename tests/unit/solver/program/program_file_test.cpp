@@ -132,6 +132,8 @@ TEST(ProgramFile, WhatIsWrongIsOneLine) {
     refuse(least + "[probe.a]\ncircle = [0, 0, 0]", {"probe.a.circle", "radius"});
     refuse(least + "[boundary.a]\non = \"top\"\npressure = 1\n[probe.a]\npoint = [0, 0]", {"probe.a", "another name"});
     refuse(least + "[initial.a]\non = \"top\"", {"initial.a.velocity", "missing"});
+    refuse(least + "stage.run.temperature = \"600 K\"", {"stage.run.temperature", "out of bounds", "480 K"});
+    refuse(least + "stage.run.temperature = \"20 m\"", {"stage.run.temperature", "length", "units that fit: K"});
     refuse(least + "damping = 2", {"damping", "out of bounds"});
     refuse(least + "row_every = [1]", {"row_every", "no quantity"});
     refuse("name = ", {"not TOML"});

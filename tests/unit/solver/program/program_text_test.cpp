@@ -69,6 +69,7 @@ velocity = [0.001, 0.0]
 a.velocity_x = { sine = 1.0, frequency = 1000.0, phase = 0.5, cycles = 2.0 }
 a.pressure = { times = [0.0, 0.001], values = [0.0, 1000000.0] }
 platen_pressure = "keep"
+temperature = { to = 100.0, over = 0.002 }
 until = { time = 0.003, rest = 0.001, axial_stress = -2000000.0, c.stress_yy = -1000000.0 }
 must_end_by = "rest"
 
