@@ -47,6 +47,20 @@ TEST(NearFailure, AJointInvolvesTheSectionByTheLengthThatSlides) {
     EXPECT_EQ(share(), 1);
 }
 
+TEST(NearFailure, AContactThatLosesItsCohesionCountsWhileItIsOpen) {
+    constexpr double width = 0.06;
+    ThreadTeam team(2);
+    SmallRun run(test::jointed_rectangle(4, 2, width, 0.2, 0, test::Blocks::of_one_grain), test::augig_law());
+    ContactLaw law = run.parameters.laws[0];
+    law.softens_in_shear = true;
+    const std::int32_t contact = run.assemblage.contact_of_specimen[0];
+    slide(run, contact, 0.9);
+    for (const std::size_t p : points_of(contact)) run.state.integrity[p] = 0.5;
+    EXPECT_EQ(near_failure(run.assemblage, law, run.state, width, team), 0);  // friction takes over
+    for (const std::size_t p : points_of(contact)) run.state.opening[p] = law.dct;
+    expect_close(near_failure(run.assemblage, law, run.state, width, team), 0.5, 1e-12, 1);
+}
+
 TEST(NearFailure, IntactPointsCountOverAShareOfAllPoints) {
     constexpr double width = 0.12;
     ThreadTeam team(2);
