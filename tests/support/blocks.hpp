@@ -35,21 +35,23 @@ inline Specimen separate_blocks(const std::vector<Block>& blocks) {
     std::vector<Triangle> triangles;
     std::vector<int> grain;
     for (std::size_t r = 0; r < blocks.size(); ++r) {
-        const auto& [nx, ny, left, bottom, width, height, turn] = blocks[r];
+        const Block& block = blocks[r];
+        const int nx = block.nx;
+        const int ny = block.ny;
         const auto add = [&](double x, double y) {  // from the lower right corner
-            points.push_back(
-                {left + width + x * std::cos(turn) - y * std::sin(turn), bottom + x * std::sin(turn) + y * std::cos(turn)});
+            points.push_back({block.left + block.width + x * std::cos(block.turn) - y * std::sin(block.turn),
+                              block.bottom + x * std::sin(block.turn) + y * std::cos(block.turn)});
         };
         const auto first = static_cast<int>(points.size());
         for (int j = 0; j <= ny; ++j) {
-            for (int i = 0; i <= nx; ++i) add(width * (static_cast<double>(i) / nx - 1), height * j / ny);
+            for (int i = 0; i <= nx; ++i) add(block.width * (static_cast<double>(i) / nx - 1), block.height * j / ny);
         }
         for (int j = 0; j < ny; ++j) {
             for (int i = 0; i < nx; ++i) {
                 const int a = first + j * (nx + 1) + i;
                 const std::array<int, 4> corner{a, a + 1, a + nx + 2, a + nx + 1};
                 const auto centre = static_cast<int>(points.size());
-                add(width * ((i + 0.5) / nx - 1), height * (j + 0.5) / ny);
+                add(block.width * ((i + 0.5) / nx - 1), block.height * (j + 0.5) / ny);
                 for (std::size_t k = 0; k < 4; ++k) {
                     triangles.push_back({corner[k], corner[(k + 1) % 4], centre});
                     grain.push_back(static_cast<int>(r));
