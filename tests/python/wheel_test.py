@@ -63,7 +63,7 @@ class Wheel(unittest.TestCase):
         second, bare = self.folder / "second", self.folder / "bare"
         run("/usr/bin/python3", "-m", "venv", second)
         run(second / "bin/pip", *self.pip, wheel)
-        for name in ("proc", "environment", "work"):
+        for name in ("proc", "environment", "results"):
             (bare / name).mkdir(parents=True)
         loaded, _ = run("ldd", second / "bin/graincrack-post")
         needed = [line.split()[-2] for line in loaded.splitlines() if "/" in line and str(second) not in line]
@@ -73,12 +73,12 @@ class Wheel(unittest.TestCase):
             (bare / each[1:]).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(each, bare / each[1:])
         hide = f"mount --rbind /proc {bare}/proc; mount --bind {second} {bare}/environment\n"
-        places = {"RUN": f"chroot {bare}", "BIN": "/environment/bin", "WORK": "/work", "HOME": "/work"}
+        places = {"RUN": f"chroot {bare}", "BIN": "/environment/bin", "WORK": "/results", "HOME": "/results"}
         strength, said = run(*NAMESPACE, "bash", "-c", f"set -e\n{hide}{TEST}", **places)
-        self.assertEqual(strength.replace("/work/", f"{self.folder}/").split(), self.strength.split())
+        self.assertEqual(strength.replace("/results/", f"{self.folder}/").split(), self.strength.split())
         self.assertNotIn("ontconfig", said)
-        self.assertIn(b"LiberationSans", (bare / "work/cracks.pdf").read_bytes())
-        pictures = [hashlib.sha256((folder / "cracks.png").read_bytes()).hexdigest() for folder in (self.folder, bare / "work")]
+        self.assertIn(b"LiberationSans", (bare / "results/cracks.pdf").read_bytes())
+        pictures = [hashlib.sha256((folder / "cracks.png").read_bytes()).hexdigest() for folder in (self.folder, bare / "results")]
         self.assertEqual(pictures[0], pictures[1])
         licences = [path.parent.name for path in second.glob("lib/python*/site-packages/*.dist-info/licenses/*/copyright")]
         self.assertLessEqual({"libcgal-dev", "libgsl27", "libhdf5-103-1", "libvtk9.1", "libpango-1.0-0", "fonts-liberation"}, set(licences))
