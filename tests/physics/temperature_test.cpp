@@ -281,12 +281,12 @@ TEST(Temperature, AClampedPairOfMineralsOpens) {
                               {"free sides, contact soft in shear", 7e-6, 13e-6, 0, false}};
     for (const Pair& pair : pairs) {
         const std::vector<Phase> phases{{60e9, 0, 2600, pair.feldspar}, {83.1e9, 0, 2650, pair.quartz}};
-        const double mismatch = pair.sides_are_held ? 0 : pair.quartz - pair.feldspar;
+        const double difference = pair.sides_are_held ? 0 : pair.quartz - pair.feldspar;
         Specimen s = test::crossed_blocks(10, 1, 2 * half, height, [](int i, int) { return i / 5; });
         s.phase_names = {"feldspar", "quartz"};
         s.grain_phase = {0, 1};
         ContactParameters contact = test::augig_contact(PlaneCondition::stress);
-        if (mismatch > 0) {
+        if (difference > 0) {
             contact.shear_stiffness = 0.01 * phases[0].young_modulus / height;
             contact.open_shear_strength = contact.shear_stiffness * 2.5e-6 / std::numbers::e;  // sliding of 2.5 µm
         }
@@ -306,9 +306,9 @@ TEST(Temperature, AClampedPairOfMineralsOpens) {
         const double gives_way = contact.tensile_strength * half * (1 / phases[0].young_modulus + 1 / phases[1].young_modulus) +
                                  contact.critical_opening;
         const double expected = -1 / std::hypot((pair.feldspar + pair.quartz - 2 * pair.frame) * half / gives_way,
-                                                0.5 * mismatch * height * law.inv_dso);
+                                                0.5 * difference * height * law.inv_dso);
         verify("phases: clamped pair of minerals, " + std::string(pair.what) + ", cracks at (K)",
-               bar[HistoryColumn::temperature].back(), expected, mismatch > 0 ? 5e-3 : 2e-3,
+               bar[HistoryColumn::temperature].back(), expected, difference > 0 ? 5e-3 : 2e-3,
                "tc on its bars and its contact; waves of the cooling");
     }
 }
