@@ -39,11 +39,11 @@ struct Standing {
     bool before = false;      ///< the peak
     double axial_strain = 0;  ///< elongation positive
     std::string peak;         ///< what the largest stress is called
-    [[nodiscard]] bool at_peak() const { return share > 0.9995; }
-    [[nodiscard]] std::string share_label() const {
-        if (at_peak()) return peak;
-        if (std::abs(share) < 0.0005) return "before loading";
-        return fmt::format("{}, {:.0f} %", before ? "before" : "after", 100 * share);
+    /// \param of what stands behind the share
+    [[nodiscard]] std::string share_label(const std::string& of = "") const {
+        if (share > 0.9995) return peak;
+        if (before && std::abs(share) < 0.0005) return "before loading";
+        return fmt::format("{}, {:.0f} %{}", before ? "before" : "after", std::round(100 * share) + 0.0, of);  // no "-0"
     }
 };
 
@@ -61,7 +61,7 @@ Standing standing(const RunData& run, const LoadCurve& curve, double time) {
 std::string standing_label(const Standing& now, const std::string& stress, double magnification) {
     std::string label =
         fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, stress == "axial stress" ? "stress" : stress,
-                    now.stress * 1e-6, now.at_peak() ? now.peak : now.share_label() + " of the " + now.peak);
+                    now.stress * 1e-6, now.share_label(" of the " + now.peak));
     if (magnification != 1) label += fmt::format("; displacements × {:.3g}", magnification);
     return label;
 }
