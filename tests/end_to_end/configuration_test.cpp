@@ -38,12 +38,16 @@ TEST(DryRun, TellsCountsAndLeavesNothing) {
 
 TEST(DryRun, StepsOfATestAreForeseenWithinAFactorOfThree) {
     const Shell shell;
-    shell.must("graincrack-mesh disc --diameter 80mm --grains 300 --quiet -o specimen.h5");
-    const std::string command = "graincrack-solve brazilian specimen.h5 --material augig-granite ";
-    const double foreseen = std::stod(shell.must(command + "--dry-run | sed -n 's/^usual_steps\t//p'"));
-    shell.must(command + "--quiet -o run.h5");
-    const double steps = std::stod(cell(shell.must("graincrack-post strength run.h5"), "steps"));
-    EXPECT_LT(std::abs(std::log(foreseen / steps)), std::log(3.0)) << foreseen << " foreseen, " << steps << " made";
+    shell.must("graincrack-mesh disc --diameter 80mm --grains 300 --quiet -o brazilian.h5");
+    shell.must("graincrack-mesh rectangle --width 30mm --height 60mm --grains 300 --quiet -o tension.h5");
+    for (const std::string test : {"brazilian", "tension"}) {
+        const std::string command = "graincrack-solve " + test + " " + test + ".h5 --material augig-granite ";
+        const double foreseen = std::stod(shell.must(command + "--dry-run | sed -n 's/^usual_steps\t//p'"));
+        shell.must(command + "--quiet -o " + test + "-run.h5");
+        const double steps = std::stod(cell(shell.must("graincrack-post strength " + test + "-run.h5"), "steps"));
+        EXPECT_LT(std::abs(std::log(foreseen / steps)), std::log(3.0))
+            << test << ": " << foreseen << " foreseen, " << steps << " made";
+    }
 }
 
 }  // namespace
