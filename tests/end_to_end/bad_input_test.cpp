@@ -230,6 +230,8 @@ const std::vector<BadInput> postprocessor{
     {"MaterialMissesAProperty", "graincrack-post plot law --material no-density.toml -o law.png", 3, "density"},
     {"RockWithoutAModulus", "printf 'name = \"x\"' | graincrack-post fpz --material /dev/stdin", 3, "young_modulus"},
     {"TemplateOverAFile", "graincrack-post material init no-density", 5, "no-density.toml: exists"},
+    {"ValueNotThere", "graincrack-post material value contact.residual_cohesion augig-granite", 3, "augig-granite.toml: has no"},
+    {"ValueInMillimetres", "graincrack-post material value contact.cohesion augig-granite --unit mm", 2, "stress; one of Pa"},
     {"MissingFolder", "graincrack-post plot cracks run.h5 -o nowhere/out.png", 5, "nowhere"},
     {"AFileForAFolder", "graincrack-post cracks run.h5 -o text.h5", 5, "text.h5"},
     {"UnknownPicture", "graincrack-post plot cracks run.h5 -o out.gif", 2, "out.gif"},

@@ -47,8 +47,8 @@ STAND_INS = {
     "make -C share/studies calibrate ROCK=my-rock.toml":
         "mkdir -p results/calibrate/my-rock; cp my-rock.toml results/calibrate/my-rock/calibrated.toml",
     "make -C share/studies calibrate ROCK=marble.toml":
-        "mkdir -p results/calibrate/marble; graincrack-post material with marble.toml --set 'contact.tensile_strength=6.78 MPa' "
-        "--set ratios.cohesion=4.73 --set 'contact.friction_angle=29.9 deg' --set 'contact.residual_friction_angle=21.1 deg' >results/calibrate/marble/calibrated.toml",
+        "mkdir -p results/calibrate/marble; graincrack-post material with marble.toml --set 'contact.tensile_strength=7.13838 MPa' "
+        "--set ratios.cohesion=4.10362 --set 'contact.friction_angle=32.13 deg' --set 'contact.residual_friction_angle=20.8213 deg' >results/calibrate/marble/calibrated.toml",
 }
 LARGER_GRAINS = {
     "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"', "disc --diameter 68mm --slit 17mm": "disc --diameter 40mm --slit 10mm",

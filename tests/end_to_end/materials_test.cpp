@@ -30,7 +30,8 @@ TEST(Kinds, EachIsWrittenAndTestedWithWhatFollowsFromTheStrength) {
     for (const std::string kind : {"granite", "gabbro", "marble", "quartzite"}) {
         EXPECT_NE(list.find("\n" + kind + " "), std::string::npos) << list;
         shell.must("graincrack-post material init " + kind + " --kind " + kind + values +
-                   "\ngraincrack-mesh rectangle --width 16mm --height 32mm --material " + kind +
+                   "\ngrep -q '; numbers behind a # are' " + kind +
+                   ".toml\ngraincrack-mesh rectangle --width 16mm --height 32mm --material " + kind +
                    ".toml --quiet -o s.h5\n"
                    "graincrack-solve uniaxial s.h5 --material " +
                    kind + ".toml --rate 50mm/s --max-strain 0.0003 --quiet -o " + kind + ".h5");
@@ -64,12 +65,6 @@ TEST(Materials, GiveTheirValuesToScripts) {
     EXPECT_EQ(shell.must("graincrack-post material with augig-granite --set 'contact.cohesion=71 MPa' >other.toml\n" + value +
                          "contact.cohesion other.toml"),
               "71\n");
-    const Outcome without = shell.run(value + "contact.residual_cohesion augig-granite");
-    EXPECT_EQ(without.exit_code, 3);
-    EXPECT_NE(without.err.find("augig-granite.toml: has no contact.residual_cohesion"), std::string::npos) << without.err;
-    const Outcome unit = shell.run(value + "contact.cohesion augig-granite --unit mm");
-    EXPECT_EQ(unit.exit_code, 2);
-    EXPECT_NE(unit.err.find("--unit mm: contact.cohesion is a stress; one of Pa"), std::string::npos) << unit.err;
 }
 
 // Else what is computed of the run would count bridges that it did not have.
