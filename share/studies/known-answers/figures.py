@@ -2,6 +2,7 @@
 import math
 
 import matplotlib.pyplot as plt
+from matplotlib.collections import PolyCollection
 from matplotlib.patches import Circle, Polygon
 
 GRAIN, EXACT, COMPUTED = "#d9d4c7", "black", ["#c0392b", "#2471a3", "#1e8449", "#b9770e", "#6c3483"]
@@ -70,6 +71,49 @@ def box(axes, left, bottom, width, height, angle=0, about=(0, 0), **options):
 def view(axes, left, right, bottom, top):
     axes.set_xlim(left, right)
     axes.set_ylim(bottom, top)
+
+
+def stress_of_strip(y):
+    """Along the strip at a height (mm), MPa: that of strain minus free strain, which is the mean by modulus at the middle, less what bending adds there."""
+    modulus, free, bending = (66845, 85573), (7.92e-4, 1.521e-3), 1.0893e-3  # feldspar below, quartz above, in plane strain; κ h
+    middle = (modulus[0] * free[0] + modulus[1] * free[1] + (modulus[0] - modulus[1]) * bending / 4) / sum(modulus)
+    return modulus[y > 0] * (middle + bending * y / 10 - free[y > 0])
+
+
+@figure("temperature")
+def temperature(sketch, plot, curves):
+    """Stress of three problems as the programs leave it, above, and along a line beside the closed form, below."""
+    fig = sketch.figure
+    fig.clear()
+    fig.set_size_inches(8.6, 5.2)
+    maps, lines = fig.subplots(2, 3, height_ratios=[1.2, 1])
+    closed = {"strip": (stress_of_strip, [k / 10 - 5 for k in range(101)], "$y$ (mm)", r"strip of two layers, $\sigma_x$"),
+              "ring": (lambda r: 46.166 * (1 - math.log(20 / r) - (1 + (20 / r) ** 2) * math.log(2) / 3), [10 + k / 10 for k in range(101)], "$r$ (mm)", r"ring, warmer inside, $\sigma_\theta$"),
+              "inclusion": (lambda r: -23.296 if r <= 5 else 23.296 * (5 / r) ** 2, [k / 10 for k in range(251)], "$r$ (mm)", r"quartz in feldspar, $\sigma_\theta$")}
+    for map_, line, (name, (exact, places, label, title)) in zip(maps, lines, closed.items()):
+        c = curves(f"temperature-{name}")
+        corners = list(zip(*(c[f"{axis}{k}"] for k in range(3) for axis in "xy")))
+        middles = list(zip(c["x"], c["y"]))
+        if name == "strip":
+            at, stress = c["y"], c["xx"]
+            kept = [abs(x) < 0.4 for x in c["x"]]
+        else:
+            at = [math.hypot(x, y) for x, y in middles]
+            stress = [(xx * y * y + yy * x * x - 2 * xy * x * y) / (x * x + y * y) for xx, yy, xy, (x, y) in zip(c["xx"], c["yy"], c["xy"], middles)]
+            kept = [abs(math.atan2(y, x)) < 0.07 and r < 25 for r, (x, y) in zip(at, middles)]
+        largest = max(abs(exact(place)) for place in places)
+        map_.add_collection(PolyCollection([list(zip(row[0::2], row[1::2])) for row in corners], array=stress, cmap="RdBu_r", linewidth=0,
+                                           antialiased=False, clim=(-largest, largest)))
+        half = {"strip": 36, "ring": 26, "inclusion": 15}[name]
+        view(map_, -half, half, -half * 0.8, half * 0.8)
+        map_.set_aspect("equal")
+        map_.axis("off")
+        map_.set_title(title, fontsize=9)
+        line.plot([place for place, keep in zip(at, kept) if keep], [s for s, keep in zip(stress, kept) if keep], ".", color=COMPUTED[0], label="computed")
+        line.plot(places, [exact(place) for place in places], color=EXACT, lw=1, label="exact")
+        line.set_xlabel(label)
+        line.set_ylabel("stress (MPa)")
+    lines[2].legend(frameon=False)
 
 
 @figure("shear-wave")
