@@ -4,20 +4,12 @@
 #include <cstdint>
 #include <random>
 
+#include "share/base/random_bits.hpp"
+
 namespace graincrack::mesher {
 
-/// Spreads seed and stream over 64 bits, so that neighbouring seeds start far apart (finaliser of splitmix64).
-constexpr std::uint64_t mixed_bits(std::uint64_t seed, std::uint64_t stream) {
-    std::uint64_t z = seed + 0x9e3779b97f4a7c15ULL * (stream + 1);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31U);
-}
-
-/// A number inside (0, 1) from 64 bits.
-constexpr double uniform_of(std::uint64_t bits) { return (static_cast<double>(bits >> 12U) + 0.5) * 0x1.0p-52; }
-
 /// Streams of a seed; those of the attempts at a mesh are numbered from 0.
+/// 999'998 is that of the axes of crystals (share/file/fabric.hpp).
 inline constexpr std::uint64_t open_stream = 999'999;  ///< before the others, since joint sets count upwards
 inline constexpr std::uint64_t phase_stream = 1'000'000;
 inline constexpr std::uint64_t strength_stream = 1'000'001;

@@ -13,6 +13,7 @@ std::vector<NamedValue> datasets_of(const std::string& kind) {
     };
     visit_specimen_datasets(add_to(""));
     if (kind == "specimen") return all;
+    add_to("")(schema::grain_axis);
     for (const HistoryDataset& column : history_datasets) {
         add_to(schema::history_group + std::string("/"))({column.name.data(), si_unit(column.dimension), column.description});
     }

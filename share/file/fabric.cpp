@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 
 #include "share/base/error.hpp"
+#include "share/base/random_bits.hpp"
+#include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
 namespace {
@@ -79,11 +82,29 @@ GivenContact given_between(const Material& material, PlaneCondition plane, const
 
 Phase phase_of(const PhaseMaterial& phase, const Material& material) {
     const Rock& rock = material.rock;
-    return {young_modulus_of_grains(phase, material.fabric, rock), phase.poisson_ratio.value_or(rock.poisson_ratio),
-            phase.density.value_or(rock.density), phase.thermal_expansion.value_or(0)};
+    Phase made{young_modulus_of_grains(phase, material.fabric, rock), phase.poisson_ratio.value_or(rock.poisson_ratio),
+               phase.density.value_or(rock.density), phase.thermal_expansion.value_or(phase.expansion_along.value_or(0))};
+    if (phase.expansion_across && phase.expansion_across != phase.expansion_along) {
+        made.expansion_across_axis = phase.expansion_across;
+    }
+    return made;
 }
 
 }  // namespace
+
+std::vector<Phase> without_expansion(const std::vector<Phase>& phases) {
+    std::vector<Phase> cold;
+    for (const Phase& phase : phases) cold.push_back({phase.young_modulus, phase.poisson_ratio, phase.density});
+    return cold;
+}
+
+std::vector<double> crystal_axes(const Specimen& specimen) {
+    constexpr std::uint64_t stream = 999'998;
+    const std::uint64_t key = mixed_bits(specimen.seed, stream);
+    std::vector<double> angles(number_of_crystals(specimen));
+    for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = std::numbers::pi * uniform_of(mixed_bits(key, i));
+    return angles;
+}
 
 Fabric fabric_of(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice,
                  const std::vector<std::string>& phase_names) {

@@ -156,18 +156,47 @@ void read_properties(const H5Input& file, const std::string& group, const Proper
 
 }  // namespace
 
+namespace {
+
+const std::string across_axis = std::string(schema::phases_group) + "/thermal_expansion_across";
+
+/// How phases expand across the axes of their crystals, and the axes.
+void write_axes(H5Output& file, const Fabric& fabric, const Specimen& specimen) {
+    std::vector<double> across;
+    for (const Phase& phase : fabric.phases) across.push_back(phase.expansion_across());
+    file.write<double>(across_axis, std::span<const double>(across), {across.size()}, si_unit(Dimension::expansion),
+                       "across the axis of crystals; thermal_expansion is along it");
+    const std::vector<double> of_crystal = crystal_axes(specimen);
+    std::vector<double> of_grain = of_crystal;
+    for (std::size_t g = 0; g < specimen.grain_crystal.size(); ++g) of_grain[g] = of_crystal[specimen.grain_crystal[g]];
+    write_rows(file, schema::grain_axis, of_grain);
+}
+
+}  // namespace
+
 void write_fabric(H5Output& file, const RunHeader& header, const Specimen& specimen) {
     const Fabric fabric =
         header.fabric.phases.empty() ? uniform_fabric(header.rock, header.contact, specimen.phase_names.size()) : header.fabric;
-    const bool expands =
-        std::any_of(fabric.phases.begin(), fabric.phases.end(), [](const Phase& phase) { return phase.thermal_expansion != 0; });
+    const std::size_t n_cold = phase_properties.size() - 1;
     write_properties(file, schema::phases_group, specimen.phase_names,
-                     std::span(phase_properties).first(expands ? phase_properties.size() : phase_properties.size() - 1),
-                     fabric.phases);
+                     std::span(phase_properties).first(fabric.expands() ? phase_properties.size() : n_cold), fabric.phases);
+    if (fabric.has_axes()) write_axes(file, fabric, specimen);
     write_properties(file, schema::classes_group, contact_class_names(specimen), contact_properties(), fabric.contacts);
 }
 
 namespace {
+
+void read_axes(const H5Input& file, std::vector<Phase>& phases) {
+    if (!file.has(across_axis)) return;
+    const std::vector<double> across = file.read<double>(across_axis, {phases.size()});
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+        if (!std::isfinite(across[p])) {
+            throw InputError(
+                fmt::format("{}: {} has the value {}; a finite number is needed", file.name(), across_axis, across[p]));
+        }
+        if (across[p] != phases[p].thermal_expansion) phases[p].expansion_across_axis = across[p];
+    }
+}
 
 Fabric read_fabric(const H5Input& file) {
     const std::size_t n_phases = rows_of(file, std::string(schema::phases_group) + "/young_modulus");
@@ -182,6 +211,7 @@ Fabric read_fabric(const H5Input& file) {
     }
     Fabric fabric{std::vector<Phase>(n_phases), std::vector<ContactParameters>(n_classes)};
     read_properties(file, schema::phases_group, phase_properties, fabric.phases);
+    read_axes(file, fabric.phases);
     read_properties(file, schema::classes_group, contact_properties(), fabric.contacts);
     return fabric;
 }

@@ -36,6 +36,7 @@ inline constexpr Dataset element_grain{"/elements/grain", "1", "grain of the ele
 inline constexpr Dataset grain_phase{"/grains/phase", "1", "mineral, index into the attribute names"};
 inline constexpr Dataset grain_area{"/grains/area", "m2", "area of the grain"};
 inline constexpr Dataset grain_crystal{"/grains/crystal", "1", "crystal of the grain; absent: each grain is one"};
+inline constexpr Dataset grain_axis{"/grains/axis", "rad", "direction of the axis of the crystal from x, counter-clockwise, in (0, pi); of runs with a temperature whose crystals have axes"};
 inline constexpr Dataset contact_nodes{"/contacts/nodes", "1", "a1 a2 b1 b2: a1 to a2 counter-clockwise around grain a, a1 on b1, a2 on b2"};
 inline constexpr Dataset contact_grain_boundary{"/contacts/grain_boundary", "1", "groups the contacts of one grain-to-grain edge"};
 inline constexpr Dataset contact_class{"/contacts/class", "1", "pair of phases of the two grains, or class of flaws; index into the attribute names; absent: one class"};

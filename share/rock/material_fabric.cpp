@@ -52,6 +52,13 @@ std::vector<TomlKey> phase_keys(PhaseMaterial& phase) {
     return keys;
 }
 
+/// Expansion along the axis of a crystal and across it.
+constexpr const char* expansion_axes = "thermal_expansion_axes";
+std::vector<TomlKey> axes_keys(PhaseMaterial& phase) {
+    return {{"along", quantity::thermal_expansion, to(phase.expansion_along)},
+            {"across", quantity::thermal_expansion, to(phase.expansion_across)}};
+}
+
 std::vector<TomlKey> rule_keys(MaterialFabric& fabric) {
     TomlKey rule{"rule", {}, {}};
     rule.words = {"mean", "minimum"};
@@ -97,6 +104,26 @@ void require_pairs(const MaterialFabric& fabric, const std::string& where) {
 
 }  // namespace
 
+PhaseMaterial overlay(PhaseMaterial phase, const PhaseMaterial& of_file) {
+    const auto take = [&](auto member) {
+        if (!(phase.*member)) phase.*member = of_file.*member;
+    };
+    take(&PhaseMaterial::fraction);
+    take(&PhaseMaterial::poisson_ratio);
+    take(&PhaseMaterial::density);
+    if (!phase.young_modulus && !phase.relative_young_modulus) {
+        take(&PhaseMaterial::young_modulus);
+        take(&PhaseMaterial::relative_young_modulus);
+    }
+    if (!phase.expansion_along && !phase.expansion_across) take(&PhaseMaterial::thermal_expansion);
+    if (!phase.thermal_expansion) {
+        take(&PhaseMaterial::expansion_along);
+        take(&PhaseMaterial::expansion_across);
+    }
+    phase.contact = overlay(phase.contact, of_file.contact);
+    return phase;
+}
+
 std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<std::string>& path) {
     const std::string name = fmt::format("{}", fmt::join(path, "."));
     const std::string& first = path.front();
@@ -113,6 +140,9 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
     if (first == "phases" && path.size() == 2) return TomlKeys{name, phase_keys(fabric.phases[path[1]])};
     if (first == "phases" && path.size() == 3 && path[2] == "contact") {
         return TomlKeys{name, optional_contact_keys(fabric.phases[path[1]].contact)};
+    }
+    if (first == "phases" && path.size() == 3 && path[2] == expansion_axes) {
+        return TomlKeys{name, axes_keys(fabric.phases[path[1]])};
     }
     if (first == "pairs" && path.size() == 1) return TomlKeys{name, rule_keys(fabric)};
     if (first == "pairs" && path.size() == 2) {
@@ -182,6 +212,10 @@ std::string fabric_text(const MaterialFabric& fabric) {
         for (const PhaseValue& row : phase_values) {
             if (phase.*row.value) text += fabric_line(row.key, *(phase.*row.value));
         }
+        if (phase.expansion_along) {
+            text += fmt::format("\n[phases.{}.{}]\n{}{}", name, expansion_axes, fabric_line("along", *phase.expansion_along),
+                                fabric_line("across", *phase.expansion_across));
+        }
         text += contact_table(fmt::format("phases.{}.contact", name), phase.contact);
     }
     if (!fabric.phases.empty()) {
@@ -213,6 +247,14 @@ void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const 
         if (phase.young_modulus && phase.relative_young_modulus) {
             throw InputError(
                 fmt::format("{}: [phases.{}] has young_modulus and relative_young_modulus; give one of them", where, name));
+        }
+        if (phase.expansion_along.has_value() != phase.expansion_across.has_value()) {
+            throw InputError(fmt::format("{}: [phases.{}.{}] has {} alone; give along and across, or thermal_expansion instead",
+                                         where, name, expansion_axes, phase.expansion_along ? "along" : "across"));
+        }
+        if (phase.thermal_expansion && phase.expansion_along) {
+            throw InputError(
+                fmt::format("{}: [phases.{}] has thermal_expansion and {}; give one of them", where, name, expansion_axes));
         }
         if (rock.young_modulus > 0 && !(young_modulus_of_grains(phase, fabric, rock) > 0)) {
             throw InputError(

@@ -33,10 +33,14 @@ struct PhaseMaterial {
     std::optional<double> young_modulus;           ///< Pa
     std::optional<double> relative_young_modulus;  ///< r, over the rock's; one of the two at most
     std::optional<double> poisson_ratio;
-    std::optional<double> density;            ///< kg/m³
-    std::optional<double> thermal_expansion;  ///< 1/K; none: 0
-    GivenContact contact;                     ///< [phases.NAME.contact]: of its side of a contact
+    std::optional<double> density;                            ///< kg/m³
+    std::optional<double> thermal_expansion;                  ///< 1/K; none: 0
+    std::optional<double> expansion_along, expansion_across;  ///< [phases.NAME.thermal_expansion_axes], in place of it, 1/K
+    GivenContact contact;                                     ///< [phases.NAME.contact]: of its side of a contact
 };
+
+/// A phase of a material, with what it does not give from the same phase of a file of phases.
+PhaseMaterial overlay(PhaseMaterial phase, const PhaseMaterial& of_file);
 
 /// How a value of a contact follows from those of its two sides.
 enum class SideRule { mean, minimum };
@@ -44,7 +48,7 @@ enum class SideRule { mean, minimum };
 enum class StiffnessRule { rock, sides };
 
 struct MaterialFabric {
-    std::string from;  ///< [phases] from: file of share/materials/phases whose phases it has, unless it gives them itself
+    std::string from;  ///< [phases] from: file of share/materials/phases whose phases it has, unless it gives their values itself
     std::map<std::string, PhaseMaterial> phases;
     double contrast = 1;                        ///< h: E of a grain = E of the rock × (1 + h (r − 1))
     std::map<std::string, GivenContact> pairs;  ///< [pairs.A-B]

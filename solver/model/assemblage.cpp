@@ -9,7 +9,6 @@ namespace {
 void add_elements(Assemblage& a, const Specimen& s, const std::vector<Phase>& phases, PlaneCondition plane) {
     a.mass.assign(s.n_nodes(), 0.0);
     a.phase_of_node.assign(s.n_nodes(), 0);
-    const bool expands = std::any_of(phases.begin(), phases.end(), [](const Phase& p) { return p.thermal_expansion != 0; });
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
         const std::uint8_t phase_index = s.grain_phase[s.element_grain[e]];
         const Phase& phase = phases.at(phase_index);
@@ -20,9 +19,6 @@ void add_elements(Assemblage& a, const Specimen& s, const std::vector<Phase>& ph
         const TriangleGeometry g = make_triangle_geometry(a.position[n[0]], a.position[n[1]], a.position[n[2]]);
         a.element_geometry.push_back(g);
         a.elasticity.push_back(make_plane_elasticity(phase.young_modulus, phase.poisson_ratio, plane));
-        if (expands) {
-            a.expansion.push_back(make_plane_expansion(phase.thermal_expansion, phase.young_modulus, phase.poisson_ratio, plane));
-        }
         a.element_mass.push_back(phase.density * g.area);
         for (const std::int32_t node : n) {
             a.mass[node] += a.element_mass.back() / 3;
@@ -32,6 +28,20 @@ void add_elements(Assemblage& a, const Specimen& s, const std::vector<Phase>& ph
     a.rock_mass = a.mass;
     a.inverse_mass.resize(a.mass.size());
     std::transform(a.mass.begin(), a.mass.end(), a.inverse_mass.begin(), [](double m) { return m > 0 ? 1 / m : 0.0; });
+}
+
+Expansion make_expansion(const Specimen& s, const std::vector<Phase>& phases, PlaneCondition plane) {
+    Expansion x;
+    if (std::none_of(phases.begin(), phases.end(), [](const Phase& phase) { return phase.expands(); })) return x;
+    for (const Phase& p : phases) {
+        x.of_phase.push_back({p.thermal_expansion, p.expansion_across(), p.young_modulus, p.poisson_ratio, plane});
+    }
+    const std::vector<double> angles = crystal_axes(s);
+    for (const std::int32_t grain : s.element_grain) {
+        x.phase.push_back(s.grain_phase[grain]);
+        x.axis.push_back(make_crystal_axis(angles[s.grain_crystal.empty() ? grain : s.grain_crystal[grain]]));
+    }
+    return x;
 }
 
 ContactGeometry geometry_of(const Assemblage& a, const Specimen& s, std::int32_t contact) {
@@ -126,6 +136,7 @@ Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& p
         a.position[a.node_of_specimen[i]] = {specimen.node_position[i][0], specimen.node_position[i][1]};
     }
     add_elements(a, specimen, phases, plane);
+    a.expansion = make_expansion(specimen, phases, plane);
     a.n_phase_classes = static_cast<std::int32_t>(n_contact_classes(phases.size()));
     add_contacts(a, specimen);
     add_contact_slots(a);

@@ -79,14 +79,27 @@ struct ElasticityTable {
     }
 };
 
-/// Expansion of all triangles, side by side.
-struct ExpansionTable {
-    std::vector<double> in_plane, stress_zz, stiffness_zz;  ///< as in `PlaneExpansion`
-    [[nodiscard]] bool empty() const { return in_plane.empty(); }
-    void push_back(const PlaneExpansion& x) {
-        in_plane.push_back(x.in_plane);
-        stress_zz.push_back(x.stress_zz);
-        stiffness_zz.push_back(x.stiffness_zz);
+/// How the elements of an assemblage expand.
+struct Expansion {
+    std::vector<PhaseExpansion> of_phase;  ///< none if no phase expands, then nor have elements
+    std::vector<std::uint8_t> phase;       ///< [e]
+    std::vector<CrystalAxis> axis;         ///< [e]
+    [[nodiscard]] bool empty() const { return of_phase.empty(); }
+    /// What a temperature (K) does to an element.
+    [[nodiscard]] PlaneWarmth of_element(std::size_t e, double temperature) const {
+        return plane_warmth(of_phase[phase[e]], temperature);
+    }
+};
+
+/// What a temperature does to the phases: found once for all elements.
+struct Warmth {
+    double temperature = 0;             ///< K
+    std::vector<PlaneWarmth> of_phase;  ///< none before a temperature was given
+    void go_to(double new_temperature, const Expansion& expansion) {
+        if (new_temperature == temperature && !of_phase.empty()) return;
+        temperature = new_temperature;
+        of_phase.clear();
+        for (const PhaseExpansion& x : expansion.of_phase) of_phase.push_back(plane_warmth(x, temperature));
     }
 };
 
@@ -116,11 +129,11 @@ struct Assemblage {
     std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e]
     TriangleTable element_geometry;                          ///< [e]
     ElasticityTable elasticity;                              ///< [e]
-    ExpansionTable expansion;                                ///< [e] none if no phase expands
-    std::vector<double> element_mass;                        ///< [e] of rock, kg per metre of thickness
-    std::vector<ContactGeometry> contacts;                   ///< [c] by place; empty places have no area
-    SlotsOfNodes<2> contact_slots;                           ///< further ones where the outline of a grain meets itself
-    SlotsOfNodes<1> element_slots;                           ///< further ones where elements of a grain meet
+    Expansion expansion;
+    std::vector<double> element_mass;       ///< [e] of rock, kg per metre of thickness
+    std::vector<ContactGeometry> contacts;  ///< [c] by place; empty places have no area
+    SlotsOfNodes<2> contact_slots;          ///< further ones where the outline of a grain meets itself
+    SlotsOfNodes<1> element_slots;          ///< further ones where elements of a grain meet
     std::vector<NodeChunk> node_chunks;
     std::vector<Range> rows;                    ///< of nodes, in chunks of nodes
     std::vector<std::int32_t> cluster_of_node;  ///< [n] its vertex cluster

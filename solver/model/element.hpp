@@ -23,15 +23,50 @@ inline PlaneElasticity make_plane_elasticity(double young_modulus, double poisso
     return {lambda + 2 * mu, lambda, mu, plane == PlaneCondition::strain ? poisson_ratio : 0.0};
 }
 
-/// What a temperature does to a phase in the plane, by its linear expansion α.
-struct PlaneExpansion {
-    double in_plane;      ///< strain that is free in the plane, per K: (1 + ν) α in plane strain, α in plane stress
-    double stress_zz;     ///< E α in plane strain, 0 in plane stress: σzz = czz (σxx + σyy) − E α T
-    double stiffness_zz;  ///< E α² likewise: ½ E α² T² is stored across the plane besides ½ T : (U − I − in_plane T)
+/// How a phase expands, linearly: by a along the axis of a crystal, which lies in the plane, by b across it.
+struct PhaseExpansion {
+    double along, across;  ///< a, b, 1/K
+    double young_modulus, poisson_ratio;
+    PlaneCondition plane;
 };
-inline PlaneExpansion make_plane_expansion(double expansion, double young_modulus, double poisson_ratio, PlaneCondition plane) {
-    if (plane == PlaneCondition::stress) return {expansion, 0, 0};
-    return {(1 + poisson_ratio) * expansion, young_modulus * expansion, young_modulus * expansion * expansion};
+
+/// What a temperature T does to the elements of a phase.
+struct PlaneWarmth {
+    double across;       ///< free strain across the axis: (1 + ν) b T in plane strain, b T in plane stress
+    double more_along;   ///< free strain along it less that: (a − b) T
+    double across_rate;  ///< what T changes of these, 1/K
+    double more_along_rate;
+    double stress_zz;       ///< E b T in plane strain, 0 in plane stress: σzz = czz (σxx + σyy) − E b T
+    double energy_zz;       ///< ½ E b² T² likewise, stored besides ½ T : (U − I − ε0), J/m³
+    double energy_zz_rate;  ///< E b² T, J/(m³ K)
+};
+inline PlaneWarmth plane_warmth(const PhaseExpansion& x, double temperature) {
+    const bool is_held = x.plane == PlaneCondition::strain;
+    const double free = x.across * temperature;
+    const double in_plane = is_held ? 1 + x.poisson_ratio : 1;
+    const double stress_zz = is_held ? x.young_modulus * free : 0;
+    return {in_plane * free,     (x.along - x.across) * temperature,
+            in_plane * x.across, x.along - x.across,
+            stress_zz,           0.5 * stress_zz * free,
+            stress_zz * x.across};
+}
+
+/// The axis of a crystal at an angle φ from x.
+struct CrystalAxis {
+    double cosine_squared = 0, cosine_sine = 0;  ///< cos² φ, cos φ sin φ
+};
+inline CrystalAxis make_crystal_axis(double angle) {
+    const double cosine = std::cos(angle);
+    return {cosine * cosine, cosine * std::sin(angle)};
+}
+
+/// Strain in the plane without stress, ε0.
+struct FreeStrain {
+    double xx = 0, yy = 0, xy = 0;
+};
+inline FreeStrain free_strain(double across, double more_along, const CrystalAxis& axis) {
+    return {across + more_along * axis.cosine_squared, across + more_along * (1 - axis.cosine_squared),
+            more_along * axis.cosine_sine};
 }
 
 /// Reference geometry: rows of the inverse edge matrix are the gradients of the shape functions of nodes 1 and 2.
@@ -53,9 +88,9 @@ struct TriangleState {
     double txx, tyy, txy;  ///< Biot stress in the unrotated frame, Pa
 };
 /// \param a,b displacements of nodes 1 and 2 less that of node 0, m
-/// \param free_strain by which it is longer in every direction without stress
+/// \param free ε0
 inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasticity& c, const Vector2& a, const Vector2& b,
-                                    double free_strain = 0) {
+                                    const FreeStrain& free = {}) {
     // H = ∇u = F − I
     const double hxx = a.x * g.gradient1.x + b.x * g.gradient2.x;
     const double hxy = a.x * g.gradient1.y + b.x * g.gradient2.y;
@@ -70,9 +105,9 @@ inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasti
     // cos θ − 1 without cancellation for small rotations.
     const double cosine_less_1 = p > 0 ? -sine * sine / (1 + cosine) : cosine - 1;
     TriangleState s{cosine, sine, 0, 0, 0, 0, 0, 0};
-    s.exx = cosine_less_1 + cosine * hxx + sine * hyx - free_strain;
-    s.eyy = cosine_less_1 + cosine * hyy - sine * hxy - free_strain;
-    s.exy = 0.5 * (cosine * (hxy + hyx) + sine * (hyy - hxx));
+    s.exx = cosine_less_1 + cosine * hxx + sine * hyx - free.xx;
+    s.eyy = cosine_less_1 + cosine * hyy - sine * hxy - free.yy;
+    s.exy = 0.5 * (cosine * (hxy + hyx) + sine * (hyy - hxx)) - free.xy;
     s.txx = c.c11 * s.exx + c.c12 * s.eyy;
     s.tyy = c.c12 * s.exx + c.c11 * s.eyy;
     s.txy = 2 * c.mu * s.exy;

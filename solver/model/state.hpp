@@ -63,7 +63,7 @@ struct NodeSums {
 /// What the temperature does to a chunk of elements: as a motion, whose force is the change of the stored energy with it.
 struct ThermalState {
     double temperature = 0;  ///< K
-    double force = 0;        ///< Σ −σ : α V, J/K
+    double force = 0;        ///< Σ V ∂W/∂T, of the stored energy W: −σ : ∂ε0/∂T and what is across the plane, J/K
     double work = 0;         ///< of the temperature since the start, over the mean of the forces before and after a step, J
     /// Goes to a temperature at which the force is another.
     void go_to(double new_temperature, double new_force) {
@@ -182,14 +182,18 @@ inline void take_temperature(const Assemblage& a, State& s) { s.thermal.resize(a
 /// Strain and stress of an element at the present displacements and temperature.
 inline TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) {
     const auto [n0, n1, n2] = a.element_nodes[e];
+    FreeStrain free;
+    if (!s.thermal.empty()) {
+        const PlaneWarmth warmth = a.expansion.of_element(e, s.loading.temperature);
+        free = free_strain(warmth.across, warmth.more_along, a.expansion.axis[e]);
+    }
     return triangle_state(a.element_geometry[e], a.elasticity[e], s.displacement[n1] - s.displacement[n0],
-                          s.displacement[n2] - s.displacement[n0],
-                          s.thermal.empty() ? 0 : a.expansion.in_plane[e] * s.loading.temperature);
+                          s.displacement[n2] - s.displacement[n0], free);
 }
 /// Stress in the present directions: xx yy xy zz, Pa.
 inline std::array<double, 4> element_stress(const Assemblage& a, std::size_t e, const State& s) {
     std::array<double, 4> stress = triangle_stress(a.elasticity[e], element_state(a, e, s));
-    if (!s.thermal.empty()) stress[3] -= a.expansion.stress_zz[e] * s.loading.temperature;
+    if (!s.thermal.empty()) stress[3] -= a.expansion.of_element(e, s.loading.temperature).stress_zz;
     return stress;
 }
 

@@ -286,7 +286,8 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
         refuse("has a saved state of another version of graincrack-solve; make it again with this one");
     }
     if (!same_mesh(run.specimen(), specimen)) refuse("is a run of another specimen; give the one it was made from, or itself");
-    if (old.plane != request.plane || old.fabric.phases != setup.fabric.phases) {
+    const std::vector<Phase>& phases = setup.fabric.phases;
+    if (old.plane != request.plane || old.fabric.phases != (old.fabric.expands() ? phases : without_expansion(phases))) {
         refuse("has other phases, another rock or another plane condition; they must be the same");
     }
     if (old.contact_law != name_of(request.law)) {

@@ -121,11 +121,10 @@ ElementSums sum_over_elements(const Assemblage& a, ThreadTeam& team, const State
             return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
         });
         if (!s.thermal.empty()) {
-            const double temperature = s.loading.temperature;
             sums.thermal_work = s.thermal[chunk].work;
-            sums.energy += 0.5 * temperature * temperature * sum_over(elements, [&](std::int32_t e) {
-                               return a.element_geometry.area[e] * a.expansion.stiffness_zz[e];
-                           });
+            sums.energy += sum_over(elements, [&](std::int32_t e) {
+                return a.element_geometry.area[e] * a.expansion.of_element(e, s.loading.temperature).energy_zz;
+            });
         }
         return sums;
     });

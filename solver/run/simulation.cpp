@@ -70,6 +70,7 @@ public:
         set_initial_velocities(program_, setup_.assemblage, specimen, state_);
         if (!request.restart.empty()) restart();
         if (program_.has_temperature()) take_temperature(setup_.assemblage, state_);
+        if (state_.thermal.empty()) header_.fabric.phases = without_expansion(header_.fabric.phases);
     }
 
     /// Writes the run to an output as it goes; to be called before `run`.

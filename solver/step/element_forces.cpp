@@ -40,26 +40,40 @@ void gather_elements(const Assemblage& a, Range elements, const State& s, Elemen
     }
 }
 
-/// The temperature of elements side by side.
-struct Warmth {
-    double temperature;      ///< K
-    const double* in_plane;  ///< expansion, 1/K
-    double* trace;           ///< σxx + σyy that comes out, Pa
+/// Warm elements of a chunk, side by side: their free strain, and the stress that comes out.
+struct WarmLanes {
+    static constexpr std::int32_t n = elements_per_chunk;
+    alignas(64) double free_xx[n], free_yy[n], free_xy[n], txx[n], tyy[n], txy[n];
 };
+void gather_warmth(const Expansion& expansion, Range elements, const Warmth& warmth, WarmLanes& w) {
+    for (std::int32_t i = 0; i < elements.size(); ++i) {
+        const std::int32_t e = elements.begin + i;
+        const PlaneWarmth& phase = warmth.of_phase[expansion.phase[e]];
+        const FreeStrain free = free_strain(phase.across, phase.more_along, expansion.axis[e]);
+        w.free_xx[i] = free.xx;
+        w.free_yy[i] = free.yy;
+        w.free_xy[i] = free.xy;
+    }
+}
 
 /// \param force [6][n] x, y on the three nodes
 template <bool has_temperature>
 GRAINCRACK_INLINE void find_forces_of_triangles(const Triangles& triangles, std::int32_t count, const ElementLanes& b,
-                                                double* __restrict force, const Warmth& warmth = {}) {
+                                                double* __restrict force, WarmLanes* __restrict w = nullptr) {
     constexpr std::int32_t n = ElementLanes::n;
     const Triangles t = triangles;
     for (std::int32_t i = 0; i < count; ++i) {
         const TriangleGeometry g{{t.gradient1_x[i], t.gradient1_y[i]}, {t.gradient2_x[i], t.gradient2_y[i]}, t.area[i]};
         const PlaneElasticity c{t.c11[i], t.c12[i], t.mu[i], 0};
-        const double free_strain = has_temperature ? warmth.in_plane[i] * warmth.temperature : 0;
-        const TriangleState state = triangle_state(g, c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]}, free_strain);
+        FreeStrain free;
+        if constexpr (has_temperature) free = {w->free_xx[i], w->free_yy[i], w->free_xy[i]};
+        const TriangleState state = triangle_state(g, c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]}, free);
         const TriangleForces f = triangle_forces(g, state);
-        if constexpr (has_temperature) warmth.trace[i] = state.txx + state.tyy;
+        if constexpr (has_temperature) {
+            w->txx[i] = state.txx;
+            w->tyy[i] = state.tyy;
+            w->txy[i] = state.txy;
+        }
         force[i] = -(f.on_node1.x + f.on_node2.x);
         force[n + i] = -(f.on_node1.y + f.on_node2.y);
         force[2 * n + i] = f.on_node1.x;
@@ -70,27 +84,29 @@ GRAINCRACK_INLINE void find_forces_of_triangles(const Triangles& triangles, std:
 }
 
 /// Where elements have a temperature: also the work that it does.
-void find_forces_of_warm_elements(const Assemblage& a, double temperature, std::int32_t chunk, State& s) {
+void find_forces_of_warm_elements(const Assemblage& a, const Warmth& warmth, std::int32_t chunk, State& s) {
     const Range elements = a.element_chunks[chunk];
     const Triangles triangles = triangles_from(a, elements.begin);
-    const ExpansionTable& x = a.expansion;
     double* const force = &s.element_force[element_slot_stride * static_cast<std::size_t>(chunk)];
-    alignas(64) double trace[elements_per_chunk];
-    const Warmth warmth{temperature, &x.in_plane[elements.begin], trace};
+    WarmLanes w;
+    gather_warmth(a.expansion, elements, warmth, w);
     ElementLanes b;
     gather_elements(a, elements, s, b);
     run_on(a.vector_target,
-           [&]() GRAINCRACK_KERNEL { find_forces_of_triangles<true>(triangles, elements.size(), b, force, warmth); });
-    s.thermal[chunk].go_to(temperature, sum_over(elements, [&](std::int32_t e) {
+           [&]() GRAINCRACK_KERNEL { find_forces_of_triangles<true>(triangles, elements.size(), b, force, &w); });
+    s.thermal[chunk].go_to(warmth.temperature, sum_over(elements, [&](std::int32_t e) {
+                               const std::int32_t i = e - elements.begin;
+                               const PlaneWarmth& phase = warmth.of_phase[a.expansion.phase[e]];
+                               const FreeStrain rate = free_strain(phase.across_rate, phase.more_along_rate, a.expansion.axis[e]);
                                return a.element_geometry.area[e] *
-                                      (x.stiffness_zz[e] * temperature - x.in_plane[e] * trace[e - elements.begin]);
+                                      (phase.energy_zz_rate - rate.xx * w.txx[i] - rate.yy * w.tyy[i] - 2 * rate.xy * w.txy[i]);
                            }));
 }
 
 }  // namespace
 
-void find_element_forces(const Assemblage& a, double temperature, std::int32_t chunk, State& s) {
-    if (!s.thermal.empty()) return find_forces_of_warm_elements(a, temperature, chunk, s);
+void find_element_forces(const Assemblage& a, const Warmth& warmth, std::int32_t chunk, State& s) {
+    if (!s.thermal.empty()) return find_forces_of_warm_elements(a, warmth, chunk, s);
     const Range elements = a.element_chunks[chunk];
     const Triangles triangles = triangles_from(a, elements.begin);
     ElementLanes b;

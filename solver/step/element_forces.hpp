@@ -9,7 +9,7 @@
 namespace graincrack {
 
 /// Sets the slots of `state.element_force` of a chunk of elements, and books what the temperature has worked since it was last
-/// there. \param temperature K; without a meaning where `state.thermal` is empty
-void find_element_forces(const Assemblage& assemblage, double temperature, std::int32_t chunk, State& state);
+/// there. \param warmth without a meaning where `state.thermal` is empty
+void find_element_forces(const Assemblage& assemblage, const Warmth& warmth, std::int32_t chunk, State& state);
 
 }  // namespace graincrack

@@ -106,9 +106,10 @@ GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const 
 }  // namespace
 
 void sum_nodal_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, ThreadTeam& team, State& s) {
+    Warmth warmth;
+    if (!s.thermal.empty()) warmth.go_to(loading.temperature, a.expansion);
     for (const auto* chunks : {&a.part.evaluated_elements.inner, &a.part.evaluated_elements.outer}) {
-        for_each_of_team(team, chunks->size(),
-                         [&](std::size_t i) { find_element_forces(a, loading.temperature, (*chunks)[i], s); });
+        for_each_of_team(team, chunks->size(), [&](std::size_t i) { find_element_forces(a, warmth, (*chunks)[i], s); });
     }
     for (const std::int32_t chunk : a.part.loaded_chunks) find_edge_loads(a, boundary.prescribed, loading, chunk, s);
     for_each_of_team(team, a.part.nodes.own.size(), [&](std::size_t i) {

@@ -32,11 +32,16 @@ struct ThreadSteps {
     ThreadTeam& team;
     LoadingClock clock;
     State& s;
+    Warmth warmth = {};
 
+    void warm() {
+        if (!s.thermal.empty()) warmth.go_to(clock.now().temperature, a.expansion);
+    }
     /// Before the first step: what follows from displacements and time alone.
     void begin() {
+        warm();
         for (const auto& elements : {share.inner_elements, share.outer_elements}) {
-            for (const std::int32_t chunk : elements) find_element_forces(a, clock.now().temperature, chunk, s);
+            for (const std::int32_t chunk : elements) find_element_forces(a, warmth, chunk, s);
         }
         for (const std::int32_t chunk : share.loaded) find_edge_loads(a, boundary.prescribed, clock.now(), chunk, s);
         team.wait();
@@ -56,6 +61,7 @@ struct ThreadSteps {
         }
         team.wait();
         clock.tick();
+        warm();
         if (s.ghosts && is_first) send_motion(s);
         evaluate(share.inner_elements, share.inner_contacts, step);
         if (s.ghosts) {
@@ -71,7 +77,7 @@ struct ThreadSteps {
         if (detects_contacts) complete_detection();
     }
     void evaluate(StepShare::Chunks elements, StepShare::Chunks contacts, std::int64_t step) {
-        for (const std::int32_t chunk : elements) find_element_forces(a, clock.now().temperature, chunk, s);
+        for (const std::int32_t chunk : elements) find_element_forces(a, warmth, chunk, s);
         for (const std::int32_t chunk : contacts) advance_contacts(a, parameters.laws, chunk, step, s);
     }
     /// The ranks agree on the areas of new contacts wherever they may begin.

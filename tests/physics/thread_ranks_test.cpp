@@ -173,7 +173,8 @@ SimulationRequest program_for_ranks(const std::string& stages, const std::string
     SimulationRequest r = request_for_ranks(TestKind::program, LawVariant::consistent, true);
     r.program = parse_program("stages = [" + stages + "]\n" + head_of_programs + tables, "cycle.toml");
     r.material = test::granite_of_phases();
-    r.material.fabric.phases["quartz"].thermal_expansion = 13e-6;
+    r.material.fabric.phases["quartz"].expansion_along = 7.7e-6;
+    r.material.fabric.phases["quartz"].expansion_across = 13.3e-6;
     return r;
 }
 

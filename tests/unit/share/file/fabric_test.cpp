@@ -131,6 +131,9 @@ TEST(Fabric, TextOfAFabricReadsBackAsTheSame) {
     const std::string own = R"(
 [phases.mica.contact]
 friction_angle = "20 deg"
+[phases.mica.thermal_expansion_axes]
+along = "20e-6 1/K"
+across = 9e-6
 [pairs]
 rule = "minimum"
 stiffness = "sides"
@@ -154,6 +157,7 @@ correlation = "10 mm"
     const Fabric a = fabric_of(first, PlaneCondition::strain, std::nullopt, phase_names);
     const Fabric b = fabric_of(second, PlaneCondition::strain, std::nullopt, phase_names);
     EXPECT_EQ(a.phases, b.phases);
+    EXPECT_TRUE(b.has_axes());
     for (std::size_t k = 0; k < a.contacts.size(); ++k) {
         for (const ContactParameter& row : all_contact_parameters()) {
             EXPECT_EQ(a.contacts[k].*row.value, b.contacts[k].*row.value) << row.key();
@@ -350,6 +354,10 @@ TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
     expect_refused("[pairs.within]\ncohesoin = 2\n", {"pairs.within.cohesoin", "did you mean cohesion"});
     expect_refused(phases + "[pairs]\nrule = \"max\"\n", {"pairs.rule", "unknown word \"max\"", "mean or minimum fits"});
     expect_refused(phases + "[pairs.\"quartz-mica\"]\ncohesoin = 1\n", {"pairs.quartz-mica.cohesoin", "did you mean cohesion"});
+    expect_refused("[phases.mica]\nfraction = 1\nthermal_expansion_axes = { along = 1e-5 }\n", {"mica", "along alone", "across"});
+    expect_refused(
+        "[phases.mica]\nfraction = 1\nthermal_expansion = 1e-5\nthermal_expansion_axes = { along = 1e-5, across = 0 }\n",
+        {"phases.mica", "give one of them"});
     expect_refused("[strength]\ncorrelation = \"10 mm\"\n", {"correlation and no modulus"});
     expect_refused("[phases]\nfrom = \"basalt\"\n", {"phases.from", "phases/basalt.toml"});
     const Material granite = material_of(granite_text + phases);
