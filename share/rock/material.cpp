@@ -265,8 +265,9 @@ void read_table(TomlTable table, IncompleteMaterial& read) {
     if (table.path() == toughness_table) finish_toughness(table, read);
 }
 
-/// Adds the phases of a file of phases to those that a material gives itself.
-void add_phases_of(const std::string& name, Material& material) {
+/// Gives a material the phases of a file of phases, but for the values that it gives itself.
+void add_phases_of(const std::string& name, IncompleteMaterial& to) {
+    Material& material = to.material;
     const fs::path file = materials().below(fmt::format("phases/{}.toml", name));
     if (file.empty()) {
         throw InputError(
@@ -276,7 +277,12 @@ void add_phases_of(const std::string& name, Material& material) {
     IncompleteMaterial read;
     if (const auto phases = toml.table("phases")) read_table(*phases, read);
     toml.refuse_others();
-    material.fabric.phases.merge(read.material.fabric.phases);
+    for (auto& [phase, of_file] : read.material.fabric.phases) {
+        const auto own = material.fabric.phases.find(phase);
+        if (own != material.fabric.phases.end()) of_file = overlay(own->second, of_file);
+        material.fabric.phases[phase] = of_file;
+        std::erase(to.missing, fmt::format("phases.{}.fraction", phase));
+    }
 }
 
 /// The needed keys that are not there, in the order of tables_of, before those of phases.
@@ -311,7 +317,7 @@ IncompleteMaterial read_material_file(const fs::path& path) {
     }
     if (material.name.empty()) throw InputError(fmt::format("{}: name is missing; give the material a name", toml.file));
     find_missing(read);
-    if (!material.fabric.from.empty()) add_phases_of(material.fabric.from, material);
+    if (!material.fabric.from.empty()) add_phases_of(material.fabric.from, read);
     require_sound_grains(material.grains, toml.file);
     require_sound_fabric(material.fabric, material.rock, toml.file);
     return read;

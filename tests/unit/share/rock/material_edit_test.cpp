@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <tuple>
 
@@ -53,6 +54,26 @@ TEST_F(MaterialWith, AddsATableThatOnlyTablesBelowItHave) {
     const std::string stone = "name = \"stone\"\n[phases.quartz]\nfraction = 1\n";
     EXPECT_EQ(material_with(file(stone), {{"phases.contrast", "0.75"}}),
               stone + "\n[phases]\ncontrast = 0.75                         # added\n");
+}
+
+// What a material gives of a phase of a file of phases stands beside what it does not give.
+TEST_F(MaterialWith, ChangesPhasesOfAFile) {
+    const std::string granite = file("name = \"stone\"\n[phases]\nfrom = \"granite\"\n");
+    const auto before = read_incomplete_material(granite).material.fabric.phases;
+    const auto after = read_incomplete_material(file(material_with(granite, {{"phases.quartz.thermal_expansion", "9e-6 1/K"},
+                                                                             {"phases.mica.density", "3000"},
+                                                                             {"phases.mica.contact.cohesion", "9 MPa"}})));
+    EXPECT_TRUE(std::none_of(after.missing.begin(), after.missing.end(), [](auto& key) { return key.starts_with("phases"); }));
+    const auto& phases = after.material.fabric.phases;
+    ASSERT_EQ(phases.size(), before.size());
+    EXPECT_TRUE(before.at("quartz").expansion_along && before.at("quartz").expansion_across);
+    EXPECT_EQ(phases.at("quartz").thermal_expansion, 9e-6);
+    EXPECT_EQ(phases.at("quartz").expansion_along, std::nullopt);
+    EXPECT_EQ(phases.at("quartz").fraction, before.at("quartz").fraction);
+    EXPECT_EQ(phases.at("mica").density, 3000);
+    EXPECT_EQ(phases.at("mica").contact.cohesion, 9e6);
+    EXPECT_EQ(phases.at("mica").relative_young_modulus, before.at("mica").relative_young_modulus);
+    EXPECT_EQ(phases.at("plagioclase").fraction, before.at("plagioclase").fraction);
 }
 
 TEST_F(MaterialWith, TakesThePlaceOfAnExample) {
