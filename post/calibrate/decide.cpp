@@ -50,14 +50,6 @@ private:
     [[nodiscard]] const Study& study() const { return problem_.study; }
     [[nodiscard]] const Target* target(const char* name) const;
     [[nodiscard]] DesignPoint first() const { return calibrate::first_guess(problem_.parameters); }
-    /// The number of specimens of a test at each point of a design.
-    [[nodiscard]] std::size_t specimens_at_point(const Test& test) const {
-        return test.loading() == Loading::splitting ? study().discs : 1;
-    }
-    /// Of how many specimens a value of its surface is the mean.
-    [[nodiscard]] std::size_t specimens_of(const Response& response) const {
-        return response.surface->is_of_kind() ? 1 : specimens_at_point({response.target.test()});
-    }
     void record(std::string stage, std::string what, std::string result) {
         decision.steps.push_back({std::move(stage), std::move(what), std::move(result)});
     }
@@ -71,20 +63,14 @@ private:
     void find_elasticity(const Point& contacts);
     [[nodiscard]] std::string expected_text() const;
     void begin_with_kind();
-    void add_value(std::size_t r, const std::vector<const Measures*>& runs);
     void begin_design(const Box& box);
     void make_design(const Box& box);
-    void fit();
     void optimise();
     [[nodiscard]] bool meets_targets(double deviations) const;
     bool leave_edge();
     void find_design_point();
     bool correct(const DesignPoint& at);
     void correct_elasticity();
-    [[nodiscard]] std::size_t most_specimens(const Test& test) const;
-    [[nodiscard]] std::size_t specimens_for(const Test& test) const;
-    [[nodiscard]] std::size_t more_specimens_for(const Test& test, const std::vector<const Measures*>& runs,
-                                                 bool until_decided) const;
     [[nodiscard]] RequestedRun run_at_optimum(std::size_t t, std::string reason) const;
     std::string confirm(bool until_decided);
     void learn(const std::vector<const Measures*>& runs, const Test& test);
@@ -105,8 +91,6 @@ private:
     double widest_prior_ = 2;
     Box all_;  ///< holds the boxes of all designs
     Fit fit_;
-    std::vector<Logistic> shares_;                         ///< of tests with a first peak, where not all have one
-    std::vector<std::vector<std::optional<bool>>> peaks_;  ///< of each response, whether a test has it; empty: there is none
     std::vector<std::pair<Test, std::vector<const Measures*>>> confirmed_runs_;  ///< of the last confirmation
 };
 
@@ -185,16 +169,6 @@ void Calibration::find_elasticity(const Point& contacts) {
     }
 }
 
-/// Adds what the specimens of a point have of a response.
-void Calibration::add_value(std::size_t r, const std::vector<const Measures*>& runs) {
-    Response& response = fit_.responses[r];
-    const std::vector<double> values = values_of(response.target, runs);
-    response.values.push_back(values.empty() ? NAN : response.target.logarithm(sample(values).mean.value));
-    response.tests += runs.size();
-    response.measured += values.size();
-    peaks_[r].push_back(!values.empty());
-}
-
 /// Adds the points of one more design: a specimen of each test at each design point, three discs. The first point is made before
 /// the others, so that a rock that is far from its laboratory values shows early.
 void Calibration::make_design(const Box& box) {
@@ -211,9 +185,9 @@ void Calibration::make_design(const Box& box) {
             run.point = with_grains(point_at(problem_.parameters, points[i]), grain_modulus_, grain_ratio_);
             run.label = fmt::format("d{}p{:02}", designs_, i + 1);
             run.reason = fmt::format("design {}, point {} of {}", designs_, i + 1, n);
-            const auto runs = get(run, specimens_at_point(run.test));
-            for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
-                if (run.test.has(fit_.responses[r].target)) add_value(r, runs);
+            const auto runs = get(run, study().specimens_at_point(run.test));
+            for (Response& response : fit_.responses) {
+                if (run.test.has(response.target)) add_value(response, runs);
             }
         }
         if (i > 0 || designs_ > 1) continue;
@@ -259,40 +233,14 @@ void Calibration::begin_design(const Box& box) {
     corrections_ = 0;
     all_ = designs_ == 0 ? box : hull(all_, box);
     make_design(box);
-    fit();
-}
-
-void Calibration::fit() {
-    std::vector<DesignPoint> points;
-    std::vector<std::size_t> inside;
-    for (std::size_t i = 0; i < fit_.points.size(); ++i) {
-        if (!fit_.box.contains(fit_.points[i])) continue;
-        points.push_back(fit_.points[i]);
-        inside.push_back(i);
-    }
-    shares_.clear();
-    for (std::size_t r = 0; r < fit_.responses.size(); ++r) {
-        Response& response = fit_.responses[r];
-        std::vector<double> values;
-        for (const std::size_t i : inside) values.push_back(response.values[i]);
-        response.surface = LocalSurface::fit(fit_.box, points, values);
-        const Target& t = response.target;
-        if (t.use != Use::fit || !t.property.needs_first_peak || response.measured == response.tests) continue;
-        Eigen::MatrixXd factors(static_cast<Eigen::Index>(inside.size()), fit_.box.size());
-        Eigen::VectorXd happened(factors.rows());
-        for (std::size_t i = 0; i < inside.size(); ++i) {
-            factors.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
-            happened(static_cast<Eigen::Index>(i)) = *peaks_[r][inside[i]] ? 1 : 0;
-        }
-        shares_.push_back(fit_logistic(factors, happened));
-    }
-    record("fit", fmt::format("{} points of {} designs in the box", inside.size(), designs_), "surfaces");
+    const std::size_t inside = fit_surfaces(fit_);
+    record("fit", fmt::format("{} points of {} designs in the box", inside, designs_), "surfaces");
 }
 
 /// The design point where the surfaces meet the targets best.
 void Calibration::optimise() {
     std::vector<ProbabilityConstraint> constraints;
-    for (const Logistic& share : shares_) constraints.push_back({&share, study().first_peak_fraction});
+    for (const Logistic& share : fit_.shares) constraints.push_back({&share, study().first_peak_fraction});
     const std::vector<Residual> residuals = residuals_of(fit_.responses);
     if (residuals.empty()) {
         throw Ended{Ending::undecided, fmt::format("no target can be fitted from {} points", fit_.points.size()),
@@ -428,50 +376,6 @@ void Calibration::correct_elasticity() {
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.point), modulus, ratio);
 }
 
-std::size_t Calibration::most_specimens(const Test& test) const {
-    return test.loading() == Loading::splitting ? study().confirmation_discs : study().confirmation_rectangles;
-}
-
-/// Specimens of which, by the surfaces and their scatter, half of the 95 % interval of the mean is below the deviation of every
-/// target of a test, three at least; the most where a target has no surface. What a kind and earlier specimens say counts.
-std::size_t Calibration::specimens_for(const Test& test) const {
-    const std::size_t most = most_specimens(test);
-    std::size_t n = std::min<std::size_t>(3, most);
-    for (const Response& response : fit_.responses) {
-        const Target& t = response.target;
-        if (t.use != Use::fit || !test.has(t) || t.is_elastic()) continue;
-        if (!response.surface) return most;
-        const double scatter = std::pow(response.surface->scatter(), 2) * static_cast<double>(specimens_of(response));
-        const bool is_of_kind = response.surface->is_of_kind();
-        const double known = is_of_kind ? response.surface->variance(fit_.optimum.point) : INFINITY;
-        const auto half = [&] {
-            const double factor = is_of_kind ? deviations_of_95_percent : student_t_95(static_cast<int>(n) - 1);
-            return factor / std::sqrt(1 / known + static_cast<double>(n) / scatter);
-        };
-        while (n < most && !(n > 1 && half() <= t.log_deviation())) ++n;
-    }
-    return n;
-}
-
-/// How many specimens of a test there shall be where so many do not show every target within: twice as many as long as kind and
-/// specimens together expect it within, or until its verdict is decided; without a kind the most.
-std::size_t Calibration::more_specimens_for(const Test& test, const std::vector<const Measures*>& runs,
-                                            bool until_decided) const {
-    std::size_t n = runs.size();
-    for (const Target& t : problem_.targets) {
-        if (t.use != Use::fit || !test.has(t) || outcome_of(t, runs, study()).verdict == "within") continue;
-        const Response* const response = find_of(fit_.responses, t);
-        if (designs_ > 0) return most_specimens(test);
-        if (until_decided) n = 2 * runs.size();
-        if (until_decided || t.is_elastic()) continue;  // grains are scaled
-        LocalSurface expected = *response->surface;
-        for (const double value : values_of(t, runs)) expected.learn(fit_.optimum.point, t.logarithm(value), 1);
-        const double off = expected.value(fit_.optimum.point) - t.logarithm(t.value);
-        if (std::abs(off) <= t.log_deviation()) n = 2 * runs.size();
-    }
-    return std::min(n, most_specimens(test));
-}
-
 /// New specimens of a test at the optimum.
 RequestedRun Calibration::run_at_optimum(std::size_t t, std::string reason) const {
     RequestedRun run;
@@ -494,7 +398,7 @@ std::string Calibration::confirm(bool until_decided) {
         const bool is_fitted = std::any_of(problem_.targets.begin(), problem_.targets.end(), [&](const Target& target) {
             return target.use == Use::fit && confirmed_[t].has(target);
         });
-        if (is_fitted) n[t] = specimens_for(confirmed_[t]);
+        if (is_fitted) n[t] = specimens_for(confirmed_[t], fit_, study());
     }
     for (bool grows = true; grows;) {
         confirmed_runs_.clear();
@@ -507,7 +411,8 @@ std::string Calibration::confirm(bool until_decided) {
         grows = false;
         for (std::size_t t = 0, i = 0; t < confirmed_.size(); ++t) {
             if (n[t] == 0) continue;
-            const std::size_t more = more_specimens_for(confirmed_[t], confirmed_runs_[i++].second, until_decided);
+            const auto& runs = confirmed_runs_[i++].second;
+            const std::size_t more = more_specimens_for(confirmed_[t], runs, problem_.targets, fit_, study(), until_decided);
             grows = grows || more > n[t];
             n[t] = more;
         }
@@ -532,7 +437,7 @@ void Calibration::learn(const std::vector<const Measures*>& runs, const Test& te
         const Target& t = response.target;
         if (!test.has(t) || t.is_elastic() || !response.surface) continue;
         const std::vector<double> values = values_of(t, runs);
-        const auto specimens = static_cast<double>(specimens_of(response));
+        const auto specimens = static_cast<double>(specimens_of(response, study()));
         for (const double value : values) response.surface->learn(fit_.optimum.point, t.logarithm(value), specimens);
         if (!response.surface->is_of_kind()) continue;
         response.tests += runs.size();
@@ -594,7 +499,6 @@ void Calibration::run() {
             if (test.has(t) && property.peak_drop <= test.peak_drop) add_response(t);
         }
     }
-    peaks_.resize(fit_.responses.size());
     grain_modulus_ = problem_.young_modulus;
     grain_ratio_ = problem_.poisson_ratio;
     find_design_point();

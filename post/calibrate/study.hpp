@@ -78,6 +78,13 @@ struct Study {
     std::size_t confirmation_rectangles = 20;            ///< of every other test, at most
     std::size_t predicted = 3;                           ///< specimens of a test that only predictions need
     double first_peak_fraction = 0.5;                    ///< of tests that shall have a first peak, at least
+    /// Specimens of a test at each point of a design, and at most of a confirmation.
+    [[nodiscard]] std::size_t specimens_at_point(const Test& test) const {
+        return test.loading() == Loading::splitting ? discs : 1;
+    }
+    [[nodiscard]] std::size_t most_specimens(const Test& test) const {
+        return test.loading() == Loading::splitting ? confirmation_discs : confirmation_rectangles;
+    }
 };
 
 /// Reads [study]; without one, the defaults. \param settings values of keys instead of those of the file

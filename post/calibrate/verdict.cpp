@@ -32,6 +32,43 @@ std::vector<double> values_of(const Target& target, const std::vector<const Meas
     return values;
 }
 
+void add_value(Response& response, const std::vector<const Measures*>& runs) {
+    const std::vector<double> values = values_of(response.target, runs);
+    response.values.push_back(values.empty() ? NAN : response.target.logarithm(sample(values).mean.value));
+    response.tests += runs.size();
+    response.measured += values.size();
+}
+
+std::size_t fit_surfaces(Fit& fit) {
+    std::vector<DesignPoint> points;
+    std::vector<std::size_t> inside;
+    for (std::size_t i = 0; i < fit.points.size(); ++i) {
+        if (!fit.box.contains(fit.points[i])) continue;
+        points.push_back(fit.points[i]);
+        inside.push_back(i);
+    }
+    fit.shares.clear();
+    for (Response& response : fit.responses) {
+        std::vector<double> values;
+        for (const std::size_t i : inside) values.push_back(response.values[i]);
+        response.surface = LocalSurface::fit(fit.box, points, values);
+        const Target& t = response.target;
+        if (t.use != Use::fit || !t.property.needs_first_peak || response.measured == response.tests) continue;
+        Eigen::MatrixXd factors(static_cast<Eigen::Index>(inside.size()), fit.box.size());
+        Eigen::VectorXd happened(factors.rows());
+        for (Eigen::Index i = 0; i < factors.rows(); ++i) {
+            factors.row(i) = points[static_cast<std::size_t>(i)].transpose();
+            happened(i) = std::isnan(values[static_cast<std::size_t>(i)]) ? 0 : 1;
+        }
+        fit.shares.push_back(fit_logistic(factors, happened));
+    }
+    return inside.size();
+}
+
+std::size_t specimens_of(const Response& response, const Study& study) {
+    return response.surface->is_of_kind() ? 1 : study.specimens_at_point({response.target.test()});
+}
+
 namespace {
 
 std::string verdict_on(const Target& target, const Sample& ours) {
@@ -58,6 +95,42 @@ Outcome outcome_of(const Target& target, const std::vector<const Measures*>& run
         outcome.verdict = !caveat.empty() ? caveat : !outcome.ours || lacking ? "outside" : verdict_on(target, *outcome.ours);
     }
     return outcome;
+}
+
+std::size_t specimens_for(const Test& test, const Fit& fit, const Study& study) {
+    const std::size_t most = study.most_specimens(test);
+    std::size_t n = std::min<std::size_t>(3, most);
+    for (const Response& response : fit.responses) {
+        const Target& t = response.target;
+        if (t.use != Use::fit || !test.has(t) || t.is_elastic()) continue;
+        if (!response.surface) return most;
+        const double scatter = std::pow(response.surface->scatter(), 2) * static_cast<double>(specimens_of(response, study));
+        const bool is_of_kind = response.surface->is_of_kind();
+        const double known = is_of_kind ? response.surface->variance(fit.optimum.point) : INFINITY;
+        const auto half = [&] {
+            const double factor = is_of_kind ? deviations_of_95_percent : student_t_95(static_cast<int>(n) - 1);
+            return factor / std::sqrt(1 / known + static_cast<double>(n) / scatter);
+        };
+        while (n < most && !(n > 1 && half() <= t.log_deviation())) ++n;
+    }
+    return n;
+}
+
+std::size_t more_specimens_for(const Test& test, const std::vector<const Measures*>& runs, const std::vector<Target>& targets,
+                               const Fit& fit, const Study& study, bool until_decided) {
+    std::size_t n = runs.size();
+    for (const Target& t : targets) {
+        if (t.use != Use::fit || !test.has(t) || outcome_of(t, runs, study).verdict == "within") continue;
+        const Response* const response = find_of(fit.responses, t);
+        if (!fit.points.empty()) return study.most_specimens(test);
+        if (until_decided) n = 2 * runs.size();
+        if (until_decided || t.is_elastic()) continue;  // grains are scaled
+        LocalSurface expected = *response->surface;
+        for (const double value : values_of(t, runs)) expected.learn(fit.optimum.point, t.logarithm(value), 1);
+        const double off = expected.value(fit.optimum.point) - t.logarithm(t.value);
+        if (std::abs(off) <= t.log_deviation()) n = 2 * runs.size();
+    }
+    return std::min(n, study.most_specimens(test));
 }
 
 namespace {

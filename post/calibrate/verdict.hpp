@@ -1,4 +1,4 @@
-// What the runs of a calibration say: the fit of its responses, a target on new specimens, and the word with which it ends.
+// What the runs of a calibration say: the fit of its responses, a target on new specimens, how many these take, and how it ends.
 #pragma once
 
 #include <cstddef>
@@ -38,11 +38,18 @@ struct Fit {
     Box box;
     std::vector<DesignPoint> points;  ///< of all designs; none where the surfaces are of the kind
     std::vector<Response> responses;
+    std::vector<Logistic> shares;  ///< of tests with a first peak, where not all have one
     Optimum optimum;
 };
 
 /// Values of a target in the runs that have it, SI.
 std::vector<double> values_of(const Target& target, const std::vector<const Measures*>& runs);
+/// Adds what the specimens of a point of a design have of a response.
+void add_value(Response& response, const std::vector<const Measures*>& runs);
+/// Surfaces through the points of all designs that lie in the box. \return how many these are
+std::size_t fit_surfaces(Fit& fit);
+/// Of how many specimens a value of the surface of a response is the mean.
+std::size_t specimens_of(const Response& response, const Study& study);
 
 /// A target on new specimens.
 struct Outcome {
@@ -55,6 +62,14 @@ struct Outcome {
     std::string verdict;
 };
 Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs, const Study& study);
+
+/// Specimens of which, by the surfaces and their scatter, half of the 95 % interval of the mean is below the deviation of every
+/// target of a test, three at least; the most where a target has no surface. What a kind and earlier specimens say counts.
+std::size_t specimens_for(const Test& test, const Fit& fit, const Study& study);
+/// How many specimens of a test there shall be where so many do not show every target within: twice as many as long as kind and
+/// specimens together expect it within, or until its verdict is decided; without a kind the most.
+std::size_t more_specimens_for(const Test& test, const std::vector<const Measures*>& runs, const std::vector<Target>& targets,
+                               const Fit& fit, const Study& study, bool until_decided);
 
 /// The one of some responses or outcomes that is of a target; null: there is none.
 template <class Ones>
