@@ -43,7 +43,7 @@ solve_of_$(1) := $(10)
 endef
 $(foreach r,$(table_of_variants),$(eval $(call variant,$(call entry,1),$(call entry,2),$(call entry,3),$(call entry,4),$(call entry,5),$(call \
     entry,6),$(call entry,7),$(call entry,8),$(call entry,9),$(call entry,10))))
-$(foreach v,$(VARIANTS) $(BEST),$(if $(material_of_$(v)),,$(error VARIANTS: $(v): no such variant in variants.tsv)))
+$(foreach v,$(filter-out $(foreach r,$(table_of_variants),$(call entry,1)),$(VARIANTS) $(BEST)),$(error VARIANTS: $(v): no such variant in variants.tsv))
 parts_shown = $(call unique,$(foreach r,$(table_of_variants),$(if $(filter $(call entry,1),$(VARIANTS)),$(call entry,2))))
 
 # --- runs ------------------------------------------------------------------------------------------------------------
@@ -89,7 +89,7 @@ tested = $(foreach t,$(filter-out brazilian half-disc,$(tests_of)),$(call on_rec
 # What brittle.sql reads, of the runs that a study has when it comes to the end of its Makefile, and the criteria of share/studies/brittle.
 BRITTLE := $(STUDIES)/brittle
 tables = $(foreach t,strength moduli cracks toughness ends runs,$(HERE)/$(t).tsv)
-$(HERE)/strength.tsv: $$(runs) $(runs_list)
+$(HERE)/strength.tsv: $$(filter-out $$(call of_test,program,$$(runs)),$$(runs)) $(runs_list)
 	$(call table,$(call of_runs,strength --all-columns))
 $(HERE)/moduli.tsv: $$(call of_test,uniaxial,$$(runs)) $(runs_list)
 	$(call table,$(call of_runs,moduli --all-columns))
