@@ -167,9 +167,9 @@ void write_axes(H5Output& file, const Fabric& fabric, const Specimen& specimen) 
     file.write<double>(across_axis, std::span<const double>(across), {across.size()}, si_unit(Dimension::expansion),
                        "across the axis of crystals; thermal_expansion is along it");
     const std::vector<double> of_crystal = crystal_axes(specimen);
-    std::vector<double> of_grain = of_crystal;
-    for (std::size_t g = 0; g < specimen.grain_crystal.size(); ++g) of_grain[g] = of_crystal[specimen.grain_crystal[g]];
-    write_rows(file, schema::grain_axis, of_grain);
+    std::vector<double> of_grain;
+    for (const auto crystal : specimen.grain_crystal) of_grain.push_back(of_crystal[crystal]);
+    write_rows(file, schema::grain_axis, of_grain.empty() ? of_crystal : of_grain);
 }
 
 }  // namespace
