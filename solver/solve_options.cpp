@@ -31,7 +31,7 @@ const char* const program_examples =
 /// Values of options that end in a request only together with the material.
 struct RawOptions {
     ContactOptions contact;
-    std::optional<double> platen_friction, confining_pressure, rate_tolerance, block_speed;
+    std::optional<double> platen_friction, heat, confining_pressure, rate_tolerance, block_speed;
     std::optional<std::int64_t> block_steps;
     std::optional<double> rate_share, walltime;
     std::optional<bool> mass_scaling;
@@ -155,6 +155,11 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
                      "confining pressure on the lateral edges")
             .required();
     }
+    add_quantity(
+        command, "--heat", raw.heat, quantity::heat,
+        "heat the free specimen by so much before the test, as fast as equilibrium allows; platens are placed afterwards "
+        "where its faces then are, and strains count from there");
+    add_flag(command, "--cool", loading.cool, "cool it again before the test");
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  rolls ? "friction angle between rock and rollers; default: 0, since they roll"
                        : "friction angle between rock and platens; default: the material's");
@@ -260,6 +265,10 @@ void complete_request(SimulationRequest& request, const RawOptions& raw) {
     const bool rolls = description_of(request.loading.test).loading == Loading::bending;
     request.loading.platen_friction = raw.platen_friction.value_or(rolls ? 0 : request.material.platen_friction_angle);
     request.loading.confining_pressure = raw.confining_pressure.value_or(0);
+    request.loading.heat = raw.heat.value_or(0);
+    if (request.loading.cool && !raw.heat) {
+        throw UsageError("--cool: there is nothing to cool; give --heat too, such as --heat 300K, or leave it out");
+    }
     if (request.vector_target && !is_available(*request.vector_target)) {
         throw UsageError(fmt::format("--vector: this processor has no {}; auto takes the widest it has, {}",
                                      name_of(*request.vector_target), name_of(widest_vector_target())));

@@ -180,9 +180,10 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
     RunList runs;
     for (const StrengthRow& row : rows) runs.push_back(&row.run);
     const std::vector<std::size_t> counted = once_each(runs, "strength", diagnostics);
-    for (const LikeGroup& group : groups_of_like(runs, {}, {Aspect::plane})) {
+    for (const LikeGroup& group : groups_of_like(runs, {}, {Aspect::plane, Aspect::heat})) {
         const StrengthRow& first = rows[group.runs.front()];
         table.group(series_label(first.run) + ", plane " + std::string(name_of(first.header().plane)) +
+                    (first.header().heat > 0 ? ", " : "") + first.header().heat_label() +
                     (group.distinction.empty() ? "" : ", ") + group.distinction +
                     (is_compression(first.header()) ? "; strength: " + label_of(first.kind) : ""));
         std::vector<double> strengths;

@@ -29,7 +29,8 @@ StrengthGroup group_of(const std::vector<RunData>& runs, const LikeGroup& like, 
     }
     group.strength = sample(strengths);
     group.runs = like.runs;
-    group.distinction = like.distinction;
+    const std::string heat = first.header.heat_label();
+    group.distinction = heat + (heat.empty() || like.distinction.empty() ? "" : ", ") + like.distinction;
     return group;
 }
 
@@ -52,7 +53,7 @@ std::string StrengthGroup::name() const {
 
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs, StrengthKind kind) {
     std::vector<StrengthGroup> groups;
-    for (const LikeGroup& like : groups_of_like(list_of(runs))) groups.push_back(group_of(runs, like, kind));
+    for (const LikeGroup& like : groups_of_like(list_of(runs), {}, {Aspect::heat})) groups.push_back(group_of(runs, like, kind));
     add_ratios(groups, runs);
     return groups;
 }

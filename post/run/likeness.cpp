@@ -235,6 +235,7 @@ std::vector<Trait> traits_of(const RunData& run) {
     traits.insert(traits.begin() + 1,
                   {{Aspect::test, "test", run.header.test},
                    number(Aspect::pressure, "confining pressure", run.header.confining_pressure, Dimension::stress)});
+    traits.push_back({Aspect::heat, "heat", run.header.heat_label()});
     add_minerals(traits, run.specimen);
     add_shape(traits, run);
     add_grains(traits, run.specimen);
@@ -279,7 +280,7 @@ std::vector<std::string> distinctions(const RunList& runs, const Aspects& except
             for (const auto& [own, other] : differing(traits[i], traits[k], untold)) {
                 const std::string value = value_beside(*own, *other);
                 if (!tell(seen, *own) || value == "none") continue;
-                told[own->name] = own->name == "material" ? value : own->name + " " + value;
+                told[own->name] = own->name == "material" || own->name == "heat" ? value : own->name + " " + value;
             }
         }
         std::vector<std::string> list;

@@ -16,7 +16,7 @@ namespace graincrack {
 
 /// What a trait belongs to. Cuts are holes, slits, flaws and joints; the fabric is the tessellation, its distributions and the
 /// scatter of strengths; loading is friction, damping, masses and program; the end is the fall behind the peak that ends a test.
-enum class Aspect { test, pressure, plane, material, shape, size, cuts, grain_size, fabric, loading, rate, end };
+enum class Aspect { test, pressure, heat, plane, material, shape, size, cuts, grain_size, fabric, loading, rate, end };
 using Aspects = std::set<Aspect>;
 
 /// What tests of one rock may differ in if they are of different kinds or at different pressures.

@@ -30,6 +30,7 @@ enum class Dimension {
     frequency,        ///< Hz
     temperature,      ///< K, a difference
     expansion,        ///< 1/K
+    heating_rate,     ///< K/s
 };
 
 /// A unit a user may write, with its factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
@@ -46,7 +47,7 @@ struct DimensionRow {
     std::array<std::string_view, 5> shown;  ///< units in which values are shown, smallest first
 };
 // clang-format off
-inline constexpr std::array<DimensionRow, 17> dimension_rows{{
+inline constexpr std::array<DimensionRow, 18> dimension_rows{{
     {"pure number", "NUMBER", {{{"1"}, {"%", 1e-2}}}, {"1"}},
     {"length", "LENGTH", {{{"m"}, {"mm", 1e-3}, {"cm", 1e-2}, {"um", 1e-6}, {"km", 1e3}}}, {"um", "mm", "m", "km"}},
     {"surface", "AREA", {{{"m2"}, {"mm2", 1e-6}, {"cm2", 1e-4}}}, {"mm2", "m2"}},
@@ -64,6 +65,7 @@ inline constexpr std::array<DimensionRow, 17> dimension_rows{{
     {"frequency", "FREQUENCY", {{{"Hz"}, {"kHz", 1e3}, {"MHz", 1e6}}}, {"Hz", "kHz", "MHz"}},
     {"temperature difference", "TEMPERATURE", {{{"K"}}}, {"K"}},
     {"thermal expansion", "EXPANSION", {{{"1/K"}}}, {"1/K"}},
+    {"heating rate", "RATE", {{{"K/s"}}}, {"K/s"}},
 }};
 // clang-format on
 /// The row of a dimension: rows stand in the order of `Dimension`.
@@ -81,6 +83,7 @@ struct Quantity {
     double upper;
     std::string_view meaning;
     bool open_below = false;
+    std::string_view why_upper = {};  ///< the reason of `upper`, for messages
     [[nodiscard]] constexpr bool admits(double value) const {
         return (open_below ? value > lower : value >= lower) && value <= upper;
     }
@@ -98,9 +101,12 @@ inline constexpr Quantity poisson_ratio{"poisson_ratio", Dimension::one, 0, 0.49
 inline constexpr Quantity density{"density", Dimension::density, 0, 1e5, "mass density of the rock", true};
 inline constexpr Quantity thermal_expansion{"thermal_expansion", Dimension::expansion, -1e-3, 1e-3,
                                             "linear thermal expansion of a phase"};
-/// Up to 500 deg C where the state without stress is at 20: beyond, quartz nears its change at 573 deg C.
-inline constexpr Quantity temperature{"temperature", Dimension::temperature, -290, 480,
-                                      "temperature above that of the state without stress"};
+inline constexpr std::string_view why_hottest =
+    "480 K above 20 deg C are 500 deg C; at 573 deg C quartz changes, and the cracks of that are not in the model";
+inline constexpr Quantity temperature{
+    "temperature", Dimension::temperature, -290, 480, "temperature above that of the state without stress", false, why_hottest};
+inline constexpr Quantity heat{"heat",     Dimension::temperature, 0, 480, "rise of the temperature before a test", true,
+                               why_hottest};
 inline constexpr Quantity mode_i_toughness{
     "mode_i_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IC of the rock", true};
 inline constexpr Quantity mode_ii_toughness{

@@ -139,7 +139,7 @@ double parse_quantity(std::string_view text, const Quantity& quantity, std::stri
     }
     const std::string_view symbol = trimmed(std::string_view(end, static_cast<std::size_t>(digits.data() + digits.size() - end)));
     digits = digits.substr(0, static_cast<std::size_t>(end - digits.data()));
-    const auto require = [&](bool holds, const char* wrong) {
+    const auto require = [&](bool holds, const std::string& wrong) {
         const std::string right = fmt::format("it must be {}", bounds_text(quantity));
         if (!holds) refuse(where, fmt::format("{} {}", quoted(whole), wrong), right);
     };
@@ -148,7 +148,8 @@ double parse_quantity(std::string_view text, const Quantity& quantity, std::stri
     if (!unit) refuse_unit(whole, symbol, quantity.dimension, where);
     const auto si = scaled_number(digits, unit->to_si);
     require(si && std::isfinite(*si), "is not a finite number");
-    require(quantity.admits(*si), "is out of bounds");
+    const bool is_explained = *si > quantity.upper && !quantity.why_upper.empty();
+    require(quantity.admits(*si), is_explained ? fmt::format("is out of bounds ({})", quantity.why_upper) : "is out of bounds");
     return *si;
 }
 

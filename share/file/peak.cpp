@@ -51,12 +51,12 @@ std::vector<double> failed_contacts(const History& history) {
     return failed;
 }
 
-std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure) {
+std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure, double settled) {
     std::vector<double> deviator = moving_mean(curve.strain, curve.stress, smoothing_strain);
     for (double& stress : deviator) stress -= confining_pressure;
     std::optional<std::size_t> highest;
     for (std::size_t row = 0; row < deviator.size(); ++row) {
-        if (!highest && !(curve.failed[row] > 0 && deviator[row] > 0)) continue;
+        if (!highest && !(curve.failed[row] > 0 && deviator[row] > settled)) continue;
         if (!highest || deviator[row] > deviator[*highest]) {
             highest = row;
         } else if (deviator[row] < (1 - peak_fall) * deviator[*highest]) {
@@ -76,7 +76,8 @@ bool has_fallen(const RunHeader& header, const CurveColumns& curve) {
 
 std::optional<Peak> find_strength(const RunHeader& header, const CurveColumns& curve) {
     if (header.loading() == Loading::compression) {
-        if (const auto first = find_first_peak(curve, header.confining_pressure)) return first;
+        const double settled = header.heat > 0 ? settling_load * header.rock.tensile_strength : 0;
+        if (const auto first = find_first_peak(curve, header.confining_pressure, settled)) return first;
     }
     if (!has_fallen(header, curve)) return std::nullopt;
     const auto largest = std::max_element(curve.stress.begin(), curve.stress.end());

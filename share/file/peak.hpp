@@ -48,6 +48,9 @@ inline constexpr double smoothing_strain = 5e-5;
 /// The fall behind a maximum, as a share of σ1 − σ3 there, that makes it a peak.
 inline constexpr double peak_fall = 0.05;
 
+/// Axial stress up to which a specimen that heat has cracked may settle between platens, of the tensile strength.
+inline constexpr double settling_load = 0.3;
+
 /// Rows of a load curve, positive in the sense of the test, from the start of axial loading on; equally long.
 struct CurveColumns {
     std::span<const double> strain;
@@ -66,8 +69,8 @@ struct Peak {
 
 /// The first maximum of the smoothed curve, since contacts have failed, that σ1 − σ3 falls behind by `peak_fall` before it
 /// exceeds it. Falls before any contact has failed are waves or play of the control. Empty if there is none. \param
-/// confining_pressure σ3, Pa
-std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure);
+/// confining_pressure σ3, Pa \param settled σ1 − σ3 from which on there is a load, Pa
+std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure, double settled = 0);
 
 /// True if the largest stress is a peak: the test ended by its fall, or contacts failed and σ1 − σ3 fell by `peak_fall`.
 bool has_fallen(const RunHeader& header, const CurveColumns& curve);

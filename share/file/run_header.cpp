@@ -114,12 +114,21 @@ struct HeaderReader {
 
 }  // namespace
 
+std::string RunHeader::heat_label() const {
+    if (heat == 0) return "";
+    return cooled != 0 ? fmt::format("heated by {:.4g} K and cooled", heat) : fmt::format("at +{:.4g} K", heat);
+}
+
 void write_header(H5Output& file, const RunHeader& header) {
     file.create_group(schema::run_group);
     file.attribute(schema::run_group, "plane", std::string(name_of(header.plane)));
     file.attribute(schema::run_group, "crack_event", std::string(name_of(header.crack_event)));
     visit_header(header, HeaderWriter{file});
     if (header.span > 0) file.quantity(schema::run_group, "span", header.span, "m");
+    if (header.heat > 0) {
+        file.quantity(schema::run_group, "heat", header.heat, "K");
+        file.attribute(schema::run_group, "cooled", header.cooled);
+    }
 }
 
 namespace {
@@ -238,6 +247,8 @@ RunHeader read_header(const H5Input& file) {
     header.fabric = read_fabric(file);
     header.class_names = file.attribute<std::vector<std::string>>(schema::classes_group, "names");
     header.span = file.attribute_or<double>(schema::run_group, "span", 0);
+    header.heat = file.attribute_or<double>(schema::run_group, "heat", 0);
+    header.cooled = file.attribute_or<std::int64_t>(schema::run_group, "cooled", 0);
     if (!(header.span >= 0 && std::isfinite(header.span)) || (header.loading() == Loading::bending && header.span == 0)) {
         throw InputError(fmt::format("{}: attribute span of {} is {}; a test in bending needs a positive number, others none",
                                      file.name(), schema::run_group, header.span));

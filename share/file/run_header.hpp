@@ -39,6 +39,8 @@ struct RunHeader {
     std::string damping_form = "local";    ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;
+    double heat = 0;                    ///< rise of the temperature before a standard test, K; 0 and no attributes without one
+    std::int64_t cooled = 0;            ///< 1 if it fell back before the test
     double span = 0;                    ///< bend: distance of the lower rollers, m; 0 and no attribute in other tests
     std::string mass_scaling = "none";  ///< "none" | "selective"
     double mass_scaling_factor = 0;     ///< β: added mass over mass, for relative motion across contacts
@@ -49,7 +51,7 @@ struct RunHeader {
     std::string stop_reason;  ///< "peak drop" | "strain limit" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
     std::int64_t integrations = 0;  ///< steps
-    double isotropic_end_time = 0;  ///< end of the isotropic stage (triaxial), s; 0 without one
+    double isotropic_end_time = 0;  ///< end of heating and of the isotropic stage (triaxial), s; 0 without them
     double peak_axial_stress = 0;   ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t); bend:
                                     ///< load over length or diameter
     double energy_scale = 0;        ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
@@ -62,6 +64,8 @@ struct RunHeader {
 
     [[nodiscard]] const TestDescription& description() const { return test_named(test); }
     [[nodiscard]] Loading loading() const { return description().loading; }
+    /// "heated by 300 K and cooled", "at +300 K"; "" of a specimen that was not heated before its test.
+    [[nodiscard]] std::string heat_label() const;
     [[nodiscard]] bool is_unconfined_compression() const {
         return loading() == Loading::compression && !description().is_confined;
     }

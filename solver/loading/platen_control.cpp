@@ -5,6 +5,7 @@
 #include <numeric>
 #include <variant>
 
+#include "share/file/peak.hpp"
 #include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
@@ -27,11 +28,21 @@ PlatenControl::PlatenControl(const Specimen& specimen, const Rock& rock, const P
       area_(std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0)),
       transit_time_(bar_transit_time(specimen, rock)),
       has_end_faces_(has_end_faces(specimen)),
+      is_bonded_(platens.bonded),
       span_(platens.span()),
       rock_(rock),
       max_strain_(platens.max_strain),
       rate_(default_rate_tolerance, {}),
       blocks_(0, default_rest_tolerance, 0) {}
+
+double PlatenControl::least_load(bool apart) const {
+    return apart ? tension_load : has_end_faces_ ? compression_load : disc_load;
+}
+
+double PlatenControl::settling_stress() const {
+    constexpr double share = settling_load / compression_load;
+    return span_ > 0 ? 0 : share * least_load(is_bonded_) * rock_.tensile_strength;
+}
 
 RateScales PlatenControl::rate_scales(bool apart) const {
     if (span_ > 0) {
@@ -42,8 +53,7 @@ RateScales PlatenControl::rate_scales(bool apart) const {
         return {height_, transit_time_ * slenderness, stress / rock_.young_modulus * slenderness * slenderness / 6,
                 0.5 * stress * stress / 9 / rock_.young_modulus * span_ * height_};
     }
-    const double load = apart ? tension_load : has_end_faces_ ? compression_load : disc_load;
-    const double stress = load * rock_.tensile_strength;
+    const double stress = least_load(apart) * rock_.tensile_strength;
     return {height_, transit_time_, stress / rock_.young_modulus, 0.5 * stress * stress / rock_.young_modulus * area_};
 }
 

@@ -48,6 +48,9 @@ public:
     /// Difference of the mean compression from what a servo aims at, over that; 0 without a servo.
     [[nodiscard]] double pressure_error(double time) const;
 
+    /// Axial stress up to which a specimen that cracked before may settle between the platens, Pa.
+    [[nodiscard]] double settling_stress() const;
+
     /// Calls `visit(name, member)` with all that changes besides the motion.
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit&& visit) {
@@ -65,6 +68,8 @@ private:
     [[nodiscard]] const Motion* as() const {
         return std::get_if<Motion>(&motion_);
     }
+    /// Axial stress from which on it is a load for the rate, of the tensile strength.
+    [[nodiscard]] double least_load(bool apart) const;
     [[nodiscard]] RateScales rate_scales(bool apart) const;
     [[nodiscard]] double servo_speed(double time, double duration) const;
     [[nodiscard]] double final_speed() const;  ///< of a function of time, m/s
@@ -74,6 +79,7 @@ private:
     double area_;
     double transit_time_;  ///< of a bar wave through the specimen, s
     bool has_end_faces_;
+    bool is_bonded_;
     double span_;  ///< of a test in bending, else 0
     Rock rock_;
     double max_strain_;  ///< approach of the platens over height that ends a run

@@ -18,16 +18,28 @@ constexpr double first_damage = 0.1;       // of the section that failure involv
 constexpr double follow_transits = 4;      // in which the speed rises at most e-fold; it falls in half of that
 constexpr double slowest = 0.05;           // of the speed that the tolerance means without damage
 constexpr double smoothing_transits = 1;   // over which measures are smoothed
+constexpr double stopping_transits = 2;    // in which what is left of a change of temperature falls e-fold
+
+/// What the first two measures may reach where failure involves so much of the section.
+double relaxed(double tolerance, double near_failure) {
+    return std::clamp(tolerance / std::max(near_failure, 1e-9), tolerance, std::max(tolerance, max_inertia));
+}
+/// What strain or a change of temperature may rise by in a transit, relative to itself.
+double fastest_rise(double near_failure) {
+    return std::clamp(damage_rise * first_damage / std::max(near_failure, 1e-9), damage_rise, elastic_rise);
+}
+/// The speed after one with which the worst measure is so much of its limit. \param follow e-folds that it may change by
+double followed(double speed, double worst, double follow) {
+    const double change = -std::log(std::max(worst, 1e-12));  // e-folds of speed
+    return speed * std::exp(std::clamp(change * follow, -follow, follow));
+}
 
 }  // namespace
 
-double RateControl::allowed(double near_failure) const {
-    const double relaxed = tolerance_ / std::max(near_failure, 1e-9);
-    return fraction_ * std::clamp(relaxed, tolerance_, std::max(tolerance_, max_inertia));
-}
+double RateControl::allowed(double near_failure) const { return fraction_ * relaxed(tolerance_, near_failure); }
 
 double RateControl::max_speed(double strain, double near_failure) const {
-    const double rise = std::clamp(damage_rise * first_damage / std::max(near_failure, 1e-9), damage_rise, elastic_rise);
+    const double rise = fastest_rise(near_failure);
     return fraction_ * 0.5 * scales_.height / scales_.transit_time * rise * std::max(strain, scales_.min_strain);
 }
 
@@ -48,11 +60,35 @@ double RateControl::next(const Feedback& now, double strain, double duration) {
     const double limit = allowed(near_failure_);
     const double worst = std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / (fraction_ * tolerance_),
                                    now.damping_load / (fraction_ * max_damping_load)});
-    const double change = -std::log(std::max(worst, 1e-12));  // e-folds of speed
-    const double follow = duration / (follow_transits * scales_.transit_time);
-    speed_ *= std::exp(std::clamp(change * follow, -follow, follow));
+    speed_ = followed(speed_, worst, duration / (follow_transits * scales_.transit_time));
     speed_ = std::min(std::max(speed_, min_speed(strain, limit)), max_speed(strain, near_failure_));
     return speed_;
+}
+
+double HeatingControl::max_rate(double change, double near_failure) const {
+    const double rise = fraction_ * std::min(relaxed(tolerance_, near_failure), fastest_rise(near_failure));
+    return rise * std::max(change, scales_.least_change) / scales_.transit_time;
+}
+
+double HeatingControl::min_rate(double change) const {
+    return slowest * fraction_ * tolerance_ * std::max(change, scales_.least_change) / scales_.transit_time;
+}
+
+double HeatingControl::longest_time(double change) const { return usual_time(change) / slowest; }
+
+double HeatingControl::usual_time(double change) const {
+    const double folds = change / scales_.least_change;
+    return scales_.transit_time / (fraction_ * tolerance_) * (std::min(folds, 1.0) + std::log(std::max(folds, 1.0)));
+}
+
+double HeatingControl::next(const Feedback& now, double change, double left, double duration) {
+    const double transits = duration / scales_.transit_time;
+    unbalanced_ratio_ += std::min(1.0, transits / smoothing_transits) * (scales_.loaded(now) - unbalanced_ratio_);
+    near_failure_ = std::max(near_failure_, now.near_failure);
+    const double fastest = max_rate(change, near_failure_);
+    const double worst = std::max(rate_ / fastest, unbalanced_ratio_ / (fraction_ * relaxed(tolerance_, near_failure_)));
+    rate_ = std::clamp(followed(rate_, worst, transits / follow_transits), min_rate(change), fastest);
+    return std::min(rate_, std::max(left / (stopping_transits * scales_.transit_time), min_rate(0)));
 }
 
 double BlockControl::next(double unbalanced_ratio, double duration) {

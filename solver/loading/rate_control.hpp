@@ -14,10 +14,13 @@
 // contact is near failure or slides (`near_failure`), a fast rise of the load does no harm, and the first two measures may reach
 // 0.1. Whatever they say, the strain rises by at most 6 % of itself in a transit, by 1.5 % once contacts are near failure.
 //
+// A temperature is gone to by the same rules (`HeatingControl`), with its change in place of the strain.
+//
 // Pure: measures in, speed out. The logarithm of the speed follows what the measures allow within some wave transits, and its
 // rate is limited, so that the speed changes smoothly. The lowest speed only keeps a test from standing still.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -38,6 +41,7 @@ struct Feedback {
     double force_difference = 0;   ///< of the platens, over their mean
     double damping_load = 0;       ///< load that damping carries, over that of the platens
     double near_failure = 0;       ///< how far failure involves the section, 0 to 1
+    double element_force = 0;      ///< Σ |force of the elements on a node|, N
 };
 
 /// All rows so far.
@@ -88,6 +92,52 @@ private:
     double unbalanced_ratio_ = 0;
     double force_difference_ = 0;
     double speed_ = 0;
+};
+
+/// What a change of the temperature does to a specimen whose minerals expand differently.
+struct HeatingScales {
+    double transit_time = 0;  ///< of a bar wave through it, s
+    double least_change = 0;  ///< below it there is no stress to speak of yet, K
+    double least_force = 0;   ///< Σ |force of the elements on a node| then, N
+    /// The unbalanced ratio over at least these forces: where one mineral expands freely there is no other force than that of
+    /// waves.
+    [[nodiscard]] double loaded(const Feedback& now) const {
+        return now.unbalanced_ratio * std::min(1.0, now.element_force / least_force);
+    }
+};
+
+/// How fast a temperature may change. The difference of free expansions grows with its change θ since the ramp began, so that θ̇/θ
+/// is what thermal stress rises by, relative to itself: per wave transit it may reach what the first two measures of
+/// `RateControl` may, and no more than strain may. The unbalanced ratio slows it down; forces that a free specimen of one mineral
+/// has, those of waves alone (`HeatingScales::loaded`), do not. Kinetic energy tells nothing here: a specimen that expands freely
+/// and evenly moves, at a constant rate without any stress of inertia.
+class HeatingControl {
+public:
+    HeatingControl(double tolerance, const HeatingScales& scales, double fraction = 1)
+        : tolerance_(tolerance), scales_(scales), fraction_(fraction) {}
+    /// Rate during the next `duration` seconds, absolute, K/s. \param change since the ramp began \param left of the way, K
+    double next(const Feedback& feedback, double change, double left, double duration);
+    /// The fastest it ever changes where failure involves so much of the specimen, and the slowest, K/s.
+    [[nodiscard]] double max_rate(double change, double near_failure) const;
+    [[nodiscard]] double min_rate(double change) const;
+    /// The longest that a change takes, s, and about what it takes where minerals crack.
+    [[nodiscard]] double longest_time(double change) const;
+    [[nodiscard]] double usual_time(double change) const;
+    /// Calls `visit(name, member)` with all that changes.
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit&& visit) {
+        visit("heating.near_failure", self.near_failure_);
+        visit("heating.unbalanced_ratio", self.unbalanced_ratio_);
+        visit("heating.rate", self.rate_);
+    }
+
+private:
+    double tolerance_;
+    HeatingScales scales_;
+    double fraction_;
+    double near_failure_ = 0;      ///< the largest so far
+    double unbalanced_ratio_ = 0;  ///< mean over about a transit
+    double rate_ = 0;              ///< before the end is near, K/s
 };
 
 /// Travel of the platens in a block over their speed and the duration of the block: they accelerate in the first interval and

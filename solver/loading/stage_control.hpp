@@ -36,13 +36,16 @@ struct StageControllerState {
 
 /// The longest that a program takes.
 struct LoadingLength {
-    double time = 0;       ///< s
-    std::size_t rows = 0;  ///< of the history
+    double time = 0;           ///< s
+    std::size_t rows = 0;      ///< of the history
+    double heating = 0;        ///< part of the time in which the measures decide how fast the temperature changes, s
+    double usual_heating = 0;  ///< about what that takes, s
 };
 
 class StageController {
 public:
-    StageController(const Program& program, const Specimen& specimen, const Rock& rock);
+    /// \param difference of the free expansions of the minerals (`expansion_difference`), 1/K; 0 where nothing expands
+    StageController(const Program& program, const Specimen& specimen, const Rock& rock, double difference = 0);
     /// Takes over what another program left, before `begin`: its boundary conditions, those of the same name, start from its
     /// values.
     void take_over(const StageControllerState& state);
@@ -66,6 +69,10 @@ public:
 
     /// True if the stage that is on has an end that it must reach.
     [[nodiscard]] bool has_required_end() const { return !finished() && !now().must_end_by.empty(); }
+    /// True while a stage is on that has no platens, though the program has some.
+    [[nodiscard]] bool is_without_platens() const { return !finished() && now().without_platens; }
+    /// True while a stage is on that changes the temperature as fast as the measures allow.
+    [[nodiscard]] bool heats_automatically() const { return !finished() && now().heating && heats_; }
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
     [[nodiscard]] const Feedback& feedback() const { return feedback_; }  ///< of the last row
@@ -91,6 +98,15 @@ private:
     /// Starts the functions that are written at a place.
     void start_functions(int place);
     void start_stage(const Rows& rows);
+    /// The temperature of the next `duration` seconds, where the measures decide how fast it changes.
+    void heat(double duration);
+    [[nodiscard]] HeatingControl heating_control(const AutomaticHeating& heating) const {
+        return {heating.tolerance, heating_scales_, heating.share};
+    }
+    /// The unbalanced ratio; of a specimen that only its temperature loads over at least the least forces that count.
+    [[nodiscard]] double unbalanced_ratio() const;
+    /// True if contacts have failed under a load.
+    [[nodiscard]] bool fails(double stress, const History& history) const;
     /// True if the load is below an axial stress (absolute, Pa), and without damping has been for longer than a wave would make
     /// it.
     [[nodiscard]] bool has_fallen_below(double stress, const History& history) const;
@@ -110,6 +126,13 @@ private:
     int rows_at_rest_ = 0;         ///< in succession
     double highest_ = 0;           ///< axial stress of the stage since contacts have failed, absolute, Pa
     std::vector<double> offsets_;  ///< of its conditions at its begin
+    HeatingScales heating_scales_;
+    HeatingControl heating_;    ///< finds the rate of the temperature
+    bool heats_ = false;        ///< it does: the temperature is not there yet
+    double heating_from_ = 0;   ///< K
+    bool is_thermal_;           ///< there is, or was, a temperature. What follows is of such a specimen alone:
+    double locked_in_ = 0;      ///< stored energy before the platens moved, J
+    double cracks_before_ = 0;  ///< contacts that failed before the stage
     std::vector<StageRecord> records_;
     Feedback feedback_;  ///< of the last row
 };

@@ -38,6 +38,7 @@ double TimeFunction::operator()(double t) const {
             const double x = pi * frequency * (t - peak_time);
             return from + value * (1 - 2 * x * x) * std::exp(-x * x);
         }
+        case Kind::rate: return std::abs(value - from) <= rate * t ? value : from + std::copysign(rate * t, value - from);
         case Kind::pulse: {
             const double s = t < 0 || t > duration ? 0.0 : std::sin(pi * t / duration);
             return from + value * (s * s);
@@ -53,6 +54,7 @@ double TimeFunction::end() const {
         case Kind::ramp:
         case Kind::pulse: return duration;
         case Kind::table: return times.back();
+        case Kind::rate: return value == from ? 0 : std::abs(value - from) / rate;
         case Kind::sine: return duration > 0 ? duration : std::numeric_limits<double>::infinity();
         case Kind::ricker: return peak_time + wavelet_reach / (pi * frequency);
     }

@@ -10,7 +10,7 @@ namespace graincrack {
 /// of it and leave it behind, constant, ramp and table replace it, keep
 /// keeps it.
 struct TimeFunction {
-    enum class Kind : std::uint8_t { constant, ramp, table, sine, ricker, pulse, keep };
+    enum class Kind : std::uint8_t { constant, ramp, table, sine, ricker, pulse, keep, rate };
     Kind kind = Kind::constant;
     double value = 0;                   ///< constant; end of the ramp; amplitude of sine, wavelet and pulse
     double from = 0;                    ///< value before
@@ -18,10 +18,12 @@ struct TimeFunction {
     double frequency = 0;               ///< of sine and wavelet, Hz
     double phase = 0;                   ///< of the sine, rad
     double peak_time = 0;               ///< of the wavelet, s
+    double rate = 0;                    ///< at which the value is gone to, absolute, 1/s
     std::vector<double> times, values;  ///< of the table, linear between, constant outside
 
     /// ramp: from + (value − from) x² (3 − 2x), x = t/duration        sine: from + value (sin(2π f t + phase))
     /// Ricker: from + value (1 − 2 a) e^−a, a = (π f (t − peak_time))²   pulse: from + value sin²(π t/duration)
+    /// rate: from ± rate t, up to the value
     [[nodiscard]] double operator()(double t) const;
     /// Time from which on it changes no more, s; infinite for a sine without end.
     [[nodiscard]] double end() const;

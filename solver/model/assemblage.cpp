@@ -1,6 +1,8 @@
 #include "solver/model/assemblage.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace graincrack {
@@ -148,6 +150,20 @@ Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& p
 
 Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane) {
     return make_assemblage(specimen, std::vector<Phase>(specimen.phase_names.size(), phase_of(rock)), plane);
+}
+
+double expansion_difference(const Assemblage& a) {
+    if (a.expansion.empty()) return 0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const PhaseExpansion& of_phase : a.expansion.of_phase) {
+        const PlaneWarmth warmth = plane_warmth(of_phase, 0);
+        for (const double rate : {warmth.across_rate, warmth.across_rate + warmth.more_along_rate}) {
+            least = std::min(least, rate);
+            most = std::max(most, rate);
+        }
+    }
+    return std::max(most - least, std::max(std::abs(least), std::abs(most)) / 3);
 }
 
 }  // namespace graincrack

@@ -164,6 +164,9 @@ struct Assemblage {
 /// Builds the assemblage of a validated specimen. Masses are lumped: a third of each triangle to each of its nodes.
 /// \param phases by index of the specimen's phases
 Assemblage make_assemblage(const Specimen& specimen, const std::vector<Phase>& phases, PlaneCondition plane);
+/// The largest difference of the free expansions of phases and axes of crystals, at least a third of the largest of them, 1/K: by
+/// what a change of temperature strains a specimen. 0 where nothing expands.
+double expansion_difference(const Assemblage& assemblage);
 /// All grains are of the rock.
 Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCondition plane);
 

@@ -40,10 +40,11 @@ struct PlatenPoint {
     std::int32_t node = 0;
     std::int32_t platen = 0;
     double tributary = 0;      ///< length of platen it stands for, m
-    double gap = 0;            ///< penetration at the start (≤ 0: apart), m
+    double gap = 0;            ///< penetration at the start (≤ 0: apart), m; −∞ where its platen is absent
     double anchor = 0;         ///< displacement across the axis from which the friction spring is stretched, m
     double shear = 0;          ///< of the friction spring at the last update, N
     bool on_boundary = false;  ///< its node ends a boundary edge, or meets the platen at the start
+    [[nodiscard]] bool is_absent() const { return gap == -std::numeric_limits<double>::infinity(); }
 };
 
 /// The response of a platen to a point.
@@ -65,7 +66,7 @@ inline PlatenResponse platen_response(const Platen& platen, const PlatenPoint& p
     const double penetration = platen_penetration(platen, point, u, platen_displacement);
     const Vector2 tangent = across(platen.axis);
     const double along = dot(tangent, u);
-    if (penetration <= 0 && !platen.bonded) return {{}, along, 0, 0, 0};
+    if (penetration <= 0 && (!platen.bonded || point.is_absent())) return {{}, along, 0, 0, 0};
     const double kn = platen.normal_stiffness * point.tributary;
     const double ks = platen.shear_stiffness * point.tributary;
     const double pressure = kn * penetration;

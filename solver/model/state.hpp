@@ -124,8 +124,9 @@ struct State {
     std::vector<ContactSums> contact_sums;          ///< by chunk of contacts
     std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected; see `max_events_per_chunk`
     std::vector<ThermalState> thermal;              ///< by chunk of elements; none where there is no temperature
-    StepLoading loading;                            ///< at `time`
-    ClusterState clusters;                          ///< with mass scaling
+    std::vector<double> strain_origin;  ///< strains of the three gauges from which they count: none, or since platens were placed
+    StepLoading loading;                ///< at `time`
+    ClusterState clusters;              ///< with mass scaling
     PrescribedState prescribed;
     DampingLoad damping_load;
     std::shared_ptr<const GhostNodes> ghosts;  ///< nodes of other ranks that this one reads; none for a rank alone

@@ -32,6 +32,7 @@ inline constexpr Quantity duration = positive("duration", Dimension::time);
 inline constexpr const char* platen_speed = "platen_speed";
 inline constexpr const char* platen_pressure = "platen_pressure";
 inline constexpr const char* temperature = "temperature";
+inline constexpr const char* presence_of_platens = "platens";
 inline constexpr const char* until = "until";
 inline constexpr const char* must_end_by = "must_end_by";
 inline constexpr Quantity speed_of_platens = any(platen_speed, Dimension::speed);
@@ -58,6 +59,10 @@ void visit(Keys& keys, Content<Keys, TimeFunction>& f, const Quantity& quantity)
         case TimeFunction::Kind::ramp:
             keys.given("to", quantity, f.value);
             keys.needed("over", duration, f.duration, "a ramp needs its duration, such as over = \"1 ms\"");
+            break;
+        case TimeFunction::Kind::rate:
+            keys.given("to", quantity, f.value);
+            keys.needed("rate", positive("rate", Dimension::heating_rate), f.rate, "a ramp needs its rate, such as \"1e4 K/s\"");
             break;
         case TimeFunction::Kind::sine: {
             keys.given("sine", quantity, f.value);
@@ -97,6 +102,15 @@ void visit(Keys& keys, Content<Keys, AutomaticRate>& rate) {
     keys.choice(automatic, rate.apart, "together", "apart");
     keys.given("tolerance", quantity::rate_tolerance, rate.tolerance);
     keys.given("share", quantity::rate_share, rate.share);
+}
+
+template <class Keys>
+void visit(Keys& keys, Content<Keys, AutomaticHeating>& heating) {
+    std::string word = automatic;
+    keys.needed("to", quantity::temperature, heating.to, "give the temperature to go to, such as to = \"300 K\"");
+    keys.given("rate", word);
+    keys.given("tolerance", quantity::rate_tolerance, heating.tolerance);
+    keys.given("share", quantity::rate_share, heating.share);
 }
 
 template <class Keys>

@@ -14,6 +14,7 @@ bool waves(const Settings& settings) {
 void slow_down(TimeFunction& f, bool of_velocity) {
     f.duration *= 2;
     f.frequency /= 2;
+    f.rate /= 2;
     f.peak_time *= 2;
     for (double& time : f.times) time *= 2;
     if (of_velocity) {
@@ -57,7 +58,7 @@ const Stage& Program::stage(const std::string& stage_name) const {
 }
 
 bool Program::has_temperature() const {
-    return std::any_of(stages.begin(), stages.end(), [](const Stage& s) { return s.temperature.has_value(); });
+    return temperature || std::any_of(stages.begin(), stages.end(), [](const Stage& s) { return s.temperature.has_value(); });
 }
 
 double Program::longest_time() const {
@@ -68,6 +69,7 @@ double Program::longest_time() const {
 
 std::string Program::why_dynamic() const {
     if (!initial_velocities.empty()) return "it starts in motion";
+    if (temperature && temperature->is_wave()) return "its temperature makes waves";
     for (const Stage& s : stages) {
         if (s.temperature && s.temperature->is_wave()) return "the temperature of stage." + s.name + " makes waves";
     }
@@ -90,8 +92,10 @@ Program at_half_the_rate(Program program) {
         stage.longest_time *= 2;
         for (auto& [condition, settings] : stage.settings) slow_down(settings);
         if (stage.temperature) slow_down(*stage.temperature, false);
+        if (stage.heating) stage.heating->share /= 2;
         if (stage.platens) std::visit(SlowDown{}, *stage.platens);
     }
+    if (program.temperature) slow_down(*program.temperature, false);
     if (program.row_interval) *program.row_interval *= 2;
     return program;
 }

@@ -93,6 +93,13 @@ struct LoadingBlocks {
 /// How the platens move: a speed of each, approach positive, as a function of time (m/s), or one of the above.
 using PlatenMotion = std::variant<TimeFunction, PressureServo, AutomaticRate, LoadingBlocks>;
 
+/// A temperature gone to as fast as the measures of the run allow. \see HeatingControl
+struct AutomaticHeating {
+    double to = 0;  ///< K
+    double tolerance = default_rate_tolerance;
+    double share = 1;  ///< of all rates
+};
+
 /// [initial.NAME]: velocity at the start.
 struct InitialVelocity {
     Region region;
@@ -124,6 +131,8 @@ struct Stage {
     std::optional<PlatenMotion> platens;       ///< missing: they continue as they did
     std::map<std::string, Settings> settings;  ///< by boundary condition
     std::optional<TimeFunction> temperature;   ///< of all grains, K above that of the state without stress
+    std::optional<AutomaticHeating> heating;   ///< finds the rate of `temperature`
+    bool without_platens = false;              ///< the next stage with platens places them in touch with the specimen
     double longest_time =
         std::numeric_limits<double>::infinity();  ///< s; infinite where only the strain limit of the platens ends it
     std::optional<double> rest;       ///< unbalanced ratio, and relative error of a servo's pressure, below which it is at rest
@@ -142,13 +151,14 @@ struct Program {
     std::optional<ProgramPlatens> platens;
     std::vector<InitialVelocity> initial_velocities;
     std::vector<ProbeRequest> probes;
-    Vector2 gravity;                     ///< m/s²
-    std::optional<double> damping;       ///< local; --damping wins
-    std::optional<double> row_interval;  ///< between rows of the history, s
-    std::string start_from;              ///< run file with a saved state, or ""
+    Vector2 gravity;                          ///< m/s²
+    std::optional<double> damping;            ///< local; --damping wins
+    std::optional<double> row_interval;       ///< between rows of the history, s
+    std::optional<TimeFunction> temperature;  ///< from the start of the program on
+    std::string start_from;                   ///< run file with a saved state, or ""
 
     [[nodiscard]] const Stage& stage(const std::string& stage_name) const;
-    [[nodiscard]] bool has_temperature() const;  ///< whether a stage prescribes it
+    [[nodiscard]] bool has_temperature() const;  ///< whether it is prescribed anywhere
     /// The longest it can take, s; infinite where the strain limit of the platens ends a stage.
     [[nodiscard]] double longest_time() const;
     /// Why mass scaling would falsify it: it prescribes velocities of nodes, makes waves or starts in motion; "" for a

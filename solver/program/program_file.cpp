@@ -41,6 +41,8 @@ TimeFunction read_function_table(TomlTable table, const Quantity& quantity) {
     }
     TimeFunction f;
     f.kind = found->second;
+    const bool has_rate = quantity.dimension == Dimension::temperature && table.has("rate");
+    if (f.kind == TimeFunction::Kind::ramp && has_rate) f.kind = TimeFunction::Kind::rate;
     visit(table, f, quantity);
     if (f.kind == TimeFunction::Kind::table) check_time_table(table, f);
     table.refuse_others();
@@ -196,14 +198,35 @@ void read_until(const Program& program, TomlTable table, Stage& stage) {
     table.refuse_others();
 }
 
+/// The temperature of a stage: a function of time, or { to, rate = "auto" }.
+void read_temperature(TomlTable& table, Stage& stage) {
+    if (!table.has(program_keys::temperature)) return;
+    auto own = table.has_value(program_keys::temperature) ? std::nullopt : table.table(program_keys::temperature);
+    if (!own || !own->is_word("rate", program_keys::automatic)) {
+        stage.temperature = read_function(table, program_keys::temperature, quantity::temperature, false);
+        return;
+    }
+    stage.heating = read_table<AutomaticHeating>(*own);
+    stage.temperature.emplace().kind = TimeFunction::Kind::rate;
+    stage.temperature->value = stage.heating->to;
+}
+
+/// Whether a stage has no platens. \throws InputError where it moves them, and after a stage that had them
+void read_absence(const Program& program, TomlTable& table, Stage& stage) {
+    if (!table.has(program_keys::presence_of_platens)) return;
+    table.choice(program_keys::presence_of_platens, stage.without_platens, "present", "absent");
+    if (!stage.without_platens) return;
+    if (!program.platens) table.refuse(program_keys::presence_of_platens, "the program has none; leave it out");
+    if (stage.platens) table.refuse(program_keys::presence_of_platens, "the stage moves them; leave out the one or the other");
+}
+
 Stage read_stage(Program& program, TomlTable& table) {
     Stage stage;
     stage.name = table.name();
     stage.platens = read_platen_motion(table);
     if (!program.platens && stage.platens) table.refuse("", "there are no platens to move; add a table [platens]");
-    if (table.has(program_keys::temperature)) {
-        stage.temperature = read_function(table, program_keys::temperature, quantity::temperature, false);
-    }
+    read_temperature(table, stage);
+    read_absence(program, table, stage);
     for (BoundaryCondition& condition : program.boundary_conditions) {
         if (auto own = table.table(condition.name)) {
             const Settings settings = read_settings(*own);
@@ -237,6 +260,13 @@ void read_stages(TomlTable& file, Program& program) {
         program.stages.push_back(read_stage(program, table));
     }
     stages.refuse_others();
+    const auto has_platens = [&](const std::string& name) { return !program.stage(name).without_platens; };
+    const auto first = std::find_if(program.order.begin(), program.order.end(), has_platens);
+    const auto gone = std::find_if_not(first, program.order.end(), has_platens);
+    if (gone == program.order.end()) return;
+    throw InputError(
+        fmt::format("{}: stage.{}: platens: are there already in stage.{}; they may be absent before that stage only",
+                    program.file, *gone, *first));
 }
 
 /// Which actions of each condition are named anywhere.
@@ -325,7 +355,12 @@ std::string stage_text(const Stage& stage) {
     for (const auto& [condition, settings] : stage.settings) text += settings_lines(toml::key(condition) + ".", settings);
     TomlEntries entries;
     if (stage.platens) std::visit(AddMotion{entries}, *stage.platens);
-    if (stage.temperature) entries.add(program_keys::temperature, function_text(*stage.temperature, quantity::temperature));
+    if (stage.without_platens) entries.given(program_keys::presence_of_platens, std::string("absent"));
+    if (stage.heating) {
+        entries.add(program_keys::temperature, inline_table(*stage.heating));
+    } else if (stage.temperature) {
+        entries.add(program_keys::temperature, function_text(*stage.temperature, quantity::temperature));
+    }
     TomlEntries until;
     program_keys::visit_until(until, stage);
     for (const Condition& condition : stage.until) until.add(condition.name, toml::number(condition.value));
@@ -342,6 +377,9 @@ Program parse_program(const std::string& text, const std::string& name) {
     program.file = name;
     program.text = text;
     visit(file, program);
+    if (file.has(program_keys::temperature)) {
+        program.temperature = read_function(file, program_keys::temperature, quantity::temperature, false);
+    }
     read_platens(file, program);
     for_each_table(file, "boundary",
                    [&](TomlTable& table) { program.boundary_conditions.push_back(read_boundary_condition(table)); });
@@ -357,6 +395,9 @@ Program read_program(const std::string& file) { return parse_program(text_of_tom
 
 std::string program_text(const Program& program) {
     std::string text = lines(program);
+    if (program.temperature) {
+        text += fmt::format("{} = {}\n", program_keys::temperature, function_text(*program.temperature, quantity::temperature));
+    }
     if (program.platens) {
         text += "\n[platens]\n" + lines(*program.platens);
         if (!program.platens->bottom.empty()) text += "\n[platens.bottom]\n" + lines(program.platens->bottom);

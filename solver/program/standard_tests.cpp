@@ -24,8 +24,10 @@ constexpr double start_transits = 10;
 constexpr double pressure_transits = 40;
 /// That the isotropic stage may take to come to rest.
 constexpr double give_up_transits = 200;
-/// Unbalanced ratio, and relative error of the axial pressure, at the end of the isotropic stage.
+/// Unbalanced ratio, and relative error of the axial pressure, at the end of the isotropic stage and of heating.
 constexpr double isotropic_rest = 2e-3;
+/// The longest that a change of the temperature takes, times tolerance and share: at the slowest rate, from 1 K to 480 K.
+constexpr double longest_heating_transits = 150;
 
 constexpr const char* membrane_name = "membrane";
 
@@ -59,6 +61,20 @@ Stage isotropic(double pressure, double ramp_time, double transit_time) {
     stage.platens = PressureServo{ramp(pressure, ramp_time)};
     stage.settings[membrane_name][static_cast<std::size_t>(Action::pressure)] = ramp(pressure, ramp_time);
     stage.longest_time = ramp_time + give_up_transits * transit_time;
+    stage.rest = isotropic_rest;
+    stage.must_end_by = ended_by_rest;
+    return stage;
+}
+
+Stage heating(const char* name, double to, const LoadingRequest& request, double transit_time) {
+    Stage stage;
+    stage.name = name;
+    stage.heating = {to, request.heating_tolerance(), request.rate_share};
+    stage.temperature.emplace().kind = TimeFunction::Kind::rate;
+    stage.temperature->value = to;
+    stage.without_platens = true;
+    stage.longest_time =
+        transit_time * (give_up_transits + longest_heating_transits / (stage.heating->tolerance * stage.heating->share));
     stage.rest = isotropic_rest;
     stage.must_end_by = ended_by_rest;
     return stage;
@@ -159,10 +175,12 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     program.platens->bonded = loading == Loading::tension;
     program.platens->max_strain = request.max_strain;
     if (loading == Loading::bending) add_rollers(request, specimen, *program.platens);
+    if (request.heat > 0) program.stages.push_back(heating(heat_stage, request.heat, request, transit_time));
+    if (request.cool) program.stages.push_back(heating(cool_stage, 0, request, transit_time));
     if (request.confining_pressure > 0) {
         program.boundary_conditions = {membrane()};
-        program.stages = {isotropic(request.confining_pressure, pressure_rise_time(request, specimen.height, rock, transit_time),
-                                    transit_time)};
+        program.stages.push_back(isotropic(request.confining_pressure,
+                                           pressure_rise_time(request, specimen.height, rock, transit_time), transit_time));
     }
     Stage axial;
     axial.name = axial_stage;

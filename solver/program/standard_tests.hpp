@@ -35,10 +35,16 @@ struct LoadingRequest {
     std::int64_t block_steps = 5000;
     double confining_pressure = 0;  ///< Pa
     double platen_friction = 0;     ///< rad
+    double heat = 0;                ///< rise of the temperature of the free specimen before the test, K
+    bool cool = false;              ///< it falls back before the test
     double max_strain = 0.015;
     std::optional<double> span;          ///< bend: distance of the lower rollers, m; missing: `usual_span`
     std::optional<double> roller_width;  ///< bend: m; missing: the mean boundary edge
     [[nodiscard]] double automatic_tolerance() const { return rate_tolerance.value_or(description_of(test).rate_tolerance); }
+    /// Of heating: that of `automatic` if it is given; all tests heat alike.
+    [[nodiscard]] double heating_tolerance() const {
+        return rate == RateKind::automatic ? rate_tolerance.value_or(default_rate_tolerance) : default_rate_tolerance;
+    }
     /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
     [[nodiscard]] double control_tolerance() const {
         switch (rate) {
@@ -50,7 +56,9 @@ struct LoadingRequest {
     }
 };
 
-/// Names of the stages of a test under pressure; the others have the second alone.
+/// Names of the stages of a heated test under pressure; all tests have the last, most have it alone.
+inline constexpr const char* heat_stage = "heat";
+inline constexpr const char* cool_stage = "cool";
 inline constexpr const char* isotropic_stage = "isotropic";
 inline constexpr const char* axial_stage = "axial";
 
@@ -60,7 +68,9 @@ double usual_span(const Specimen& specimen);
 
 /// Uniaxial or triaxial compression, Brazilian test, direct tension or bending on three rollers. Under a confining pressure a
 /// membrane on the parts left and right and the platens first load the specimen isotropically and wait for rest, then the platens
-/// move on. \param peak_drop fall below the peak that ends the test, share of it; 0: the test ends at the strain limit alone
+/// move on. Before all that a specimen may be heated and cooled as fast as equilibrium allows, without platens; they are placed
+/// when it is at rest. \param peak_drop fall below the peak that ends the test, share of it; 0: the test ends at the strain limit
+/// alone
 ///
 /// A roller stands at the node of the boundary next to its place: it is met whatever its width, and one no wider than an edge
 /// meets that node alone, so that the span is known. A wider flat face meets the bent specimen at its inner end. The span of the

@@ -22,6 +22,8 @@ std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) 
                                                              {"--material", h.material},
                                                              {"--contact-law", h.contact_law},
                                                              {"--confining-pressure", number(h.confining_pressure)},
+                                                             {"--heat", number(h.heat)},
+                                                             {"--cool", h.cooled != 0 ? "given" : "left out"},
                                                              {"--platen-friction", number(h.platen_friction)},
                                                              {"--rate", h.rate},
                                                              {"--rate-tolerance", number(h.rate_tolerance)},

@@ -248,7 +248,10 @@ void visit_content(Io& io, AnyState& state, Histories& histories, Loading& loadi
     visit_numbers(state, [&](const char* name, auto& value) { io.number(name, value); });
     visit_arrays(state, [&](const char* name, auto& items) { io.array(name, items); });
     io.array("history", histories);
-    if (!state.thermal.empty()) io.array("thermal", state.thermal);
+    if (!state.thermal.empty()) {
+        io.array("thermal", state.thermal);
+        io.array("strain_origin", state.strain_origin);
+    }
     io.attribute("amplitudes", loading.boundary_conditions.names);
     io.attribute("amplitude_values", loading.boundary_conditions.values);
     io.attribute("platen_speed", loading.platen_speed);
@@ -306,14 +309,20 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
 /// Points of the new platens take over what old ones remember.
 void take_over_platens(const std::string& name, const std::vector<PlatenPoint>& old, std::vector<PlatenPoint>& points) {
     std::map<std::pair<std::int32_t, std::int32_t>, const PlatenPoint*> found;
+    std::map<std::int32_t, double> moved;  // platens that were placed elsewhere: what their gaps are wider by
     for (const PlatenPoint& point : old) found[{point.node, point.platen}] = &point;
     std::size_t taken = 0;
     for (PlatenPoint& point : points) {
         if (const auto at = found.find({point.node, point.platen}); at != found.end()) {
+            moved[point.platen] = at->second->gap - point.gap;
+            point.gap = at->second->gap;
             point.anchor = at->second->anchor;
             point.shear = at->second->shear;
             ++taken;
         }
+    }
+    for (PlatenPoint& point : points) {
+        if (found.count({point.node, point.platen}) == 0) point.gap += moved[point.platen];
     }
     if (taken < old.size()) {
         throw InputError(name +

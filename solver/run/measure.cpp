@@ -150,6 +150,7 @@ Measurement measure(const Assemblage& a, const Boundary& boundary, const StepPar
     m.energies += energies_of_contacts(a, parameters.laws, team, s);
     m.energies.strain = elements.energy;
     m.energies.external += elements.thermal_work;
+    m.element_force = elements.force;
     m.unbalanced_ratio = elements.force > 0 ? m.unbalanced_ratio / elements.force : 0;
     return m;
 }

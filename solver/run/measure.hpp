@@ -31,6 +31,7 @@ struct Measurement {
     double platen_power = 0;      ///< of both platens on the specimen, W
     double confining_force = 0;   ///< along x of pressures on the boundary parts left and right, mean of the two, N
     double own_kinetic = 0;       ///< kinetic energy of the masses as they are, J
+    double element_force = 0;     ///< Σ|element force| over nodes, N
     double unbalanced_ratio = 0;  ///< Σ|unbalanced force| / Σ|element force| over nodes
     using IsSum = void;
 };

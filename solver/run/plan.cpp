@@ -35,8 +35,10 @@ SimulationPlan plan_simulation(const Specimen& specimen, const SimulationRequest
     const LoadingLength length = driver.stages().longest(plan.time_step);
     plan.max_steps = static_cast<std::int64_t>(length.time / plan.time_step);
     if (request.loading.rate == RateKind::automatic) {
-        plan.usual_steps =
-            static_cast<std::int64_t>(description_of(request.loading.test).usual_fraction * static_cast<double>(plan.max_steps));
+        const double fraction = description_of(request.loading.test).usual_fraction;
+        const auto of_heating = static_cast<std::int64_t>(length.heating / plan.time_step);
+        plan.usual_steps = static_cast<std::int64_t>(fraction * static_cast<double>(plan.max_steps - of_heating)) +
+                           static_cast<std::int64_t>(length.usual_heating / plan.time_step);
     }
     plan.rows = length.rows;
     const auto nodes = static_cast<double>(plan.nodes);

@@ -49,7 +49,10 @@ std::optional<StageControllerState> read_start(const H5Input& file) {
 
 ProgramDriver::ProgramDriver(const Program& program, TestKind test, const Assemblage& assemblage, const Specimen& specimen,
                              const Rock& rock)
-    : program_(program), test_(test), stages_(program, specimen, rock), probes_(program, assemblage, specimen) {}
+    : program_(program),
+      test_(test),
+      stages_(program, specimen, rock, expansion_difference(assemblage)),
+      probes_(program, assemblage, specimen) {}
 
 void ProgramDriver::record(const Assemblage& assemblage, const Boundary& boundary, const State& state, const History& history,
                            const Feedback& feedback) {
@@ -98,8 +101,9 @@ void ProgramDriver::complete(RunHeader& header) {
     } else if (header.rate == name_of(RateKind::automatic)) {
         header.platen_speed = stages_.platens().mean_speed(time);
     }
-    if (is_standard() && !records.empty() && records.front().name == isotropic_stage) {
-        header.isotropic_end_time = records.front().end;
+    if (is_standard() && !records.empty() && records.front().name != axial_stage) {
+        const bool ends_axially = records.back().name == axial_stage;
+        header.isotropic_end_time = ends_axially ? records.back().begin : records.back().end;
         if (header.stop_reason == "strain limit" && header.isotropic_end_time >= time) {
             throw UsageError(fmt::format(
                 "--max-strain: {} is reached when the confining pressure is, before axial loading begins; a larger one "

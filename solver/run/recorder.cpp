@@ -45,12 +45,20 @@ Feedback Recorder::record(double platen_speed, ThreadTeam& team, State& state) {
     feedback.axial_strain = strain;
     feedback.axial_compression = -axial_stress_of(m, specimen_);
     feedback.unbalanced_ratio = m.unbalanced_ratio;
+    feedback.element_force = m.element_force;
     feedback.kinetic_energy = m.own_kinetic;
     feedback.stored_energy = m.energies.stored();
     feedback.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
     feedback.damping_load = state.damping_load.fraction();
     feedback.near_failure = near_failure(a, setup_.parameters.laws, state, specimen_.width, team);
     return feedback;
+}
+
+void Recorder::restart_strains(State& state) {
+    const GaugeStrains now = gauges_.strains(setup_.assemblage, state.displacement);
+    state.strain_origin = {now.widening, now.axial, now.lateral};
+    using enum HistoryColumn;
+    for (const HistoryColumn column : {lateral_strain, gauge_axial_strain, gauge_lateral_strain}) history_[column].back() = 0;
 }
 
 void Recorder::restore(const SavedState& saved) {
@@ -77,9 +85,10 @@ void Recorder::push_row(const Measurement& m, double strain, double speed_of_pla
     push(step, static_cast<double>(state.step));
     push(HistoryColumn::axial_strain, strain);
     const GaugeStrains strains = gauges_.strains(setup_.assemblage, state.displacement);
-    push(lateral_strain, strains.widening);
-    push(gauge_axial_strain, strains.axial);
-    push(gauge_lateral_strain, strains.lateral);
+    const bool has_origin = !state.strain_origin.empty();
+    push(lateral_strain, has_origin ? strains.widening - state.strain_origin[0] : strains.widening);
+    push(gauge_axial_strain, has_origin ? strains.axial - state.strain_origin[1] : strains.axial);
+    push(gauge_lateral_strain, has_origin ? strains.lateral - state.strain_origin[2] : strains.lateral);
     push(HistoryColumn::axial_stress, axial_stress_of(m, specimen_));
     push(force_top, m.force_top);
     push(force_bottom, -m.force_bottom);

@@ -19,6 +19,8 @@ public:
     /// Measures the state and adds a row. \param platen_speed approach of each, m/s
     /// \throws NumericalError if the run has become unstable
     Feedback record(double platen_speed, ThreadTeam& team, State& state);
+    /// Strains count from the last row on, which has none.
+    void restart_strains(State& state);
     /// Continues the cracks and energies of another run.
     void restore(const SavedState& saved);
     /// Also its rows, as those of this very run. \param state of the checkpoint \throws InputError if they end elsewhere

@@ -35,6 +35,8 @@ RunHeader make_header(const SimulationRequest& r, const Program& program, const 
     h.fabric = setup.fabric;
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
+    h.heat = r.loading.heat;
+    h.cooled = r.loading.cool ? 1 : 0;
     h.rate = r.loading.test == TestKind::program ? "program" : name_of(r.loading.rate);
     h.rate_tolerance = r.loading.control_tolerance();
     h.rate_share = r.loading.rate_share;
@@ -68,6 +70,7 @@ public:
           is_quiet_(verbosity == Verbosity::quiet),
           team_(request.threads_for(specimen.n_elements())) {
         set_initial_velocities(program_, setup_.assemblage, specimen, state_);
+        if (begins_without_platens() && request.restart.empty()) remove_platens(state_);
         if (!request.restart.empty()) restart();
         if (program_.has_temperature()) take_temperature(setup_.assemblage, state_);
         if (state_.thermal.empty()) header_.fabric.phases = without_expansion(header_.fabric.phases);
@@ -136,6 +139,10 @@ private:
         header_.energy_scale = recorder_.energy().scale();
         const RunReader run(request_.restart);
         if (request_.loading.test == TestKind::program && !is_checkpoint(run)) {
+            if (begins_without_platens() && !has_absent_platens()) {
+                throw InputError(fmt::format("{}: stage.{}: platens: are there already in {}; they cannot be absent any more",
+                                             program_.file, program_.order.front(), run.name()));
+            }
             driver_.take_over(saved.loading);
             return;
         }
@@ -145,12 +152,22 @@ private:
         frames_ = saved.frames;
     }
 
+    [[nodiscard]] bool begins_without_platens() const { return program_.stage(program_.order.front()).without_platens; }
+    [[nodiscard]] bool has_absent_platens() const {
+        return !state_.platen_points.empty() && state_.platen_points.front().is_absent();
+    }
+
     void record() {
         const Feedback feedback = recorder_.record(driver_.stages().platens().speed(), team_, state_);
         header_.energy_scale = recorder_.energy().scale();
         header_.steps = state_.step;
         header_.integrations = state_.step;
         driver_.record(setup_.assemblage, setup_.boundary, state_, recorder_.history(), feedback);
+        const StageController& stages = driver_.stages();
+        if (has_absent_platens() && !stages.finished() && !stages.is_without_platens()) {
+            place_platens(setup_.assemblage, setup_.boundary, state_);
+            recorder_.restart_strains(state_);
+        }
         if (output_) output_->record();
     }
 
@@ -171,8 +188,10 @@ private:
 
     void show_progress() {
         const std::size_t points = crack_log().tensile_points() + crack_log().shear_points();
-        progress_.update(driver_.stages().progress(), fmt::format("stress {:.1f} MPa, {} contacts past their peak",
-                                                                  recorder_.axial_stress() * 1e-6, (points + 1) / 2));
+        const std::string state = driver_.stages().is_without_platens()
+                                      ? fmt::format("temperature {:+.0f} K", state_.loading.temperature)
+                                      : fmt::format("stress {:.1f} MPa", recorder_.axial_stress() * 1e-6);
+        progress_.update(driver_.stages().progress(), fmt::format("{}, {} contacts past their peak", state, (points + 1) / 2));
     }
 
     void finish_header() {
@@ -215,6 +234,9 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     const History& history = simulation.outcome().history;
     const auto strength = find_strength(summary.header, history, sign_of_strength(summary.header, history));
     if (strength) summary.strength = strength->stress;
+    const std::vector<double>& time = history[HistoryColumn::time];
+    const auto axial = std::lower_bound(time.begin(), time.end(), summary.header.isotropic_end_time * (1 - 1e-12));
+    summary.cracks_before = failed_contacts(history)[static_cast<std::size_t>(axial - time.begin())];
     summary.equilibrium_warning = equilibrium_warning(summary.header, history);
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =

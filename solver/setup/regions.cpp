@@ -200,6 +200,29 @@ Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Pro
     return boundary;
 }
 
+void remove_platens(State& state) {
+    for (PlatenPoint& point : state.platen_points) point.gap = -std::numeric_limits<double>::infinity();
+}
+
+void place_platens(const Assemblage& a, const Boundary& boundary, State& state) {
+    const auto along = [&](const PlatenPoint& point) {
+        const Platen& platen = boundary.platens[point.platen];
+        return platen.side * dot(platen.axis, a.position[point.node] + state.displacement[point.node]);
+    };
+    std::vector<double> outermost(boundary.platens.size(), -std::numeric_limits<double>::infinity());
+    for (const PlatenPoint& point : state.platen_points) {
+        if (!point.on_boundary || !a.part.owns(point.node)) continue;
+        outermost[point.platen] = std::max(outermost[point.platen], along(point));
+    }
+    a.part.ranks->take_largest(outermost);
+    for (PlatenPoint& point : state.platen_points) {
+        const Platen& platen = boundary.platens[point.platen];
+        const double at = platen.bonded ? along(point) : outermost[point.platen];
+        const double travelled = platen.side * state.loading.platen_displacement[platen.motion];
+        point.gap = platen.side * dot(platen.axis, a.position[point.node]) - at + travelled;
+    }
+}
+
 void set_initial_velocities(const Program& program, const Assemblage& a, const Specimen& s, State& state) {
     for (const InitialVelocity& initial : program.initial_velocities) {
         for (const std::int32_t i : content_of_region(initial.region, a, s, program.file + ": initial").nodes) {

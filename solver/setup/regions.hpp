@@ -33,6 +33,12 @@ RegionContent content_of_region(const Region& region, const Assemblage& assembla
 Boundary make_program_boundary(const Assemblage& assemblage, const Specimen& specimen, const Program& program,
                                const ContactParameters& contact, double platen_friction);
 
+/// Takes the platens away: nothing meets them, bonded or not, before they are placed.
+void remove_platens(State& state);
+/// Places absent platens where the specimen is now: each face of a platen in touch with the outermost node of the boundary that
+/// it may meet, a bonded one with all its nodes as they lie.
+void place_platens(const Assemblage& assemblage, const Boundary& boundary, State& state);
+
 /// Gives the nodes their initial velocities, later ones of the file winning, and books their kinetic energy as external.
 void set_initial_velocities(const Program& program, const Assemblage& assemblage, const Specimen& specimen, State& state);
 

@@ -52,9 +52,10 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Pro
     s.assemblage = make_assemblage(specimen, s.fabric.phases, r.plane);
     if (program.has_temperature() && s.assemblage.expansion.empty()) {
         throw InputError(
-            fmt::format("{}: prescribes a temperature, and no phase of the material {} expands; give its [phases.NAME] a "
-                        "thermal_expansion, such as \"8e-6 1/K\"",
-                        program.file, r.material.file.string()));
+            fmt::format("{}, and no phase of the material {} expands; give its [phases.NAME] a thermal_expansion, such as \"8e-6 "
+                        "1/K\"",
+                        r.loading.heat > 0 ? "--heat: changes the temperature" : program.file + ": prescribes a temperature",
+                        r.material.file.string()));
     }
     s.parameters.laws = make_contact_laws(s.fabric.contacts, r.law);
     s.parameters.damping = r.damping;

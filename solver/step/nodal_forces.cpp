@@ -64,7 +64,7 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
         const PlatenResponse r = platen_response(platen, point, u, platen_displacement);
         s.force[point.node] += r.force;
         const double penetration = platen_penetration(platen, point, u, platen_displacement);
-        if (platen.bonded || penetration > -platen_reach * point.tributary) {
+        if ((platen.bonded && !point.is_absent()) || penetration > -platen_reach * point.tributary) {
             s.near_platen[point.node] = static_cast<std::uint8_t>(1 + platen.motion);
         }
         visit(point, r);

@@ -185,6 +185,12 @@ const std::vector<BadInput> solver{
     {"SpanBeyondABeam", "graincrack-solve bend beam.h5 --span 30mm --material augig-granite -o out.h5", 2,
      "--span: rollers at a distance of 30 mm have no room on a beam of 30 mm"},
     {"ShortBeamWithoutSpan", "graincrack-solve bend beam.h5 --material augig-granite -o out.h5", 2, "--span: missing"},
+    {"CoolWithoutHeat", "graincrack-solve brazilian disc.h5 --cool --material augig-granite -o out.h5", 2,
+     "--cool: there is nothing to cool; give --heat"},
+    {"HeatPastQuartz", "graincrack-solve brazilian disc.h5 --heat 600K --material augig-granite -o out.h5", 2,
+     "at 573 deg C quartz changes"},
+    {"HeatWithoutExpansion", "graincrack-solve brazilian disc.h5 --heat 300K --material augig-granite -o out.h5", 3,
+     "--heat: changes the temperature, and no phase of the material"},
     {"SpanOfAnotherTest", "graincrack-solve brazilian disc.h5 --span 10mm --material augig-granite -o out.h5", 2, "--span"},
 };
 INSTANTIATE_TEST_SUITE_P(Solver, Refused, testing::ValuesIn(solver), name_of_case);

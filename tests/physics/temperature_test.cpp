@@ -13,6 +13,7 @@
 
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
+#include "share/file/peak.hpp"
 #include "solver/restart/checkpoint.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/support/blocks.hpp"
@@ -375,6 +376,83 @@ TEST(Temperature, ARunHasItAndResumesWithIt) {
     r.stops_after = nullptr;
     simulate(specimen, r, run, Verbosity::quiet, {});
     EXPECT_EQ(H5Input(run, "run").digest(), H5Input(folder.file("whole.h5"), "run").digest());
+}
+
+/// A uniaxial test after heating. \param expansion of the quartz; the other minerals have `others`
+SimulationRequest heated_test(double expansion, double others, double heat, bool cool) {
+    SimulationRequest r;
+    r.material = test::granite_of_phases();
+    for (auto& [name, phase] : r.material.fabric.phases) phase.thermal_expansion = name == "quartz" ? expansion : others;
+    r.contact = test::augig_contact();
+    r.loading.rate = RateKind::automatic;
+    r.loading.heat = heat;
+    r.loading.cool = cool;
+    r.mass_scaling = true;
+    r.frames = 0;
+    return r;
+}
+
+// The free specimen of one mineral expands without stress, whatever its shape becomes; platens wait for it.
+TEST(Temperature, OneMineralIsAsStrongAfterHeatingAndCooling) {
+    Specimen specimen = test::jittered_grid(6, 12, 0.03, 0.06, 0.25);
+    const auto run = [&](double heat) {
+        SimulationRequest r = heated_test(0, 0, heat, heat > 0);
+        r.material.fabric.phases = {{"rock", {}}};
+        r.material.fabric.phases["rock"].thermal_expansion = 8e-6;
+        specimen.phase_names = {"rock"};
+        return run_test(specimen, r, "", Verbosity::quiet);
+    };
+    const TestOutcome cold = run(0);
+    const TestOutcome cooled = run(300);
+    const History& h = cooled.history;
+    const auto begin = static_cast<std::size_t>(
+        std::find(h[HistoryColumn::time].begin(), h[HistoryColumn::time].end(), cooled.header.isotropic_end_time) -
+        h[HistoryColumn::time].begin());
+    ASSERT_LT(begin, h.size());
+    EXPECT_EQ(h[HistoryColumn::temperature][begin], 0);
+    EXPECT_EQ(failed_contacts(h)[begin], 0);
+    EXPECT_EQ(*std::max_element(h[HistoryColumn::temperature].begin(), h[HistoryColumn::temperature].end()), 300);
+    const double expanded = *std::max_element(h[HistoryColumn::gauge_axial_strain].begin(),
+                                              h[HistoryColumn::gauge_axial_strain].begin() + static_cast<std::ptrdiff_t>(begin));
+    verify("phases: strain of a free specimen that is heated before its test, largest", expanded, 1.23 * 8e-6 * 300, 0.02,
+           "(1 + ν) α T; waves");
+    for (const HistoryColumn column :
+         {HistoryColumn::gauge_axial_strain, HistoryColumn::lateral_strain, HistoryColumn::axial_stress})
+        EXPECT_EQ(h[column][begin], 0);
+    verify("phases: strength of one mineral heated and cooled over that before",
+           cooled.header.peak_axial_stress / cold.header.peak_axial_stress, 1, 0.02, "equilibrium at the automatic rate");
+}
+
+// Stopped while it is heated, with its platens away, and while it is loaded.
+TEST(Temperature, AHeatedTestResumesAndIsTheSameByThreads) {
+    const test::TemporaryFolder folder;
+    const Specimen specimen = expanding_minerals().specimen;
+    for (const TestKind kind : {TestKind::uniaxial, TestKind::tension}) {
+        SimulationRequest r = heated_test(13e-6, 5e-6, 200, kind == TestKind::tension);
+        r.loading.test = kind;
+        r.save_state = true;
+        const std::string whole = folder.file("whole.h5");
+        simulate(specimen, r, whole, Verbosity::quiet, {});
+        const RunReader reader(whole);
+        EXPECT_EQ(reader.header().heat, 200);
+        EXPECT_EQ(reader.header().cooled, kind == TestKind::tension ? 1 : 0);
+        const History history = reader.history();
+        const auto heated =
+            static_cast<std::size_t>(std::count_if(history[HistoryColumn::time].begin(), history[HistoryColumn::time].end(),
+                                                   [&](double t) { return t < reader.header().isotropic_end_time; }));
+        EXPECT_GT(failed_contacts(history)[heated], 0);
+        r.threads = 2;
+        for (const std::size_t stop : {heated / 2, heated + 40}) {
+            const std::string run = folder.file("run.h5");
+            r.restart.clear();
+            r.stops_after = [stop](std::size_t rows) { return rows == stop; };
+            EXPECT_THROW(simulate(specimen, r, run, Verbosity::quiet, {}), Interrupted);
+            r.restart = checkpoint_of(run);
+            r.stops_after = nullptr;
+            simulate(specimen, r, run, Verbosity::quiet, {});
+            EXPECT_EQ(H5Input(run, "run").digest(), H5Input(whole, "run").digest()) << stop;
+        }
+    }
 }
 
 }  // namespace

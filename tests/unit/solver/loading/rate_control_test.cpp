@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/support/check.hpp"
 
@@ -128,6 +130,52 @@ TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
     RateControl started(tolerance, scales);
     EXPECT_EQ(started.next(measures(0, 100, 1), 1e-3, duration), control.min_speed(1e-3, tolerance));
     EXPECT_LT(started.next(measures(0, 100, 0), 1e-3, duration), 1.1 * control.min_speed(1e-3, tolerance));
+}
+
+constexpr HeatingScales heating_scales{5e-5, 4, 1000};
+
+/// A specimen that is heated by so many kelvin in all. \return its rates
+std::vector<double> rates_of_heating(const Feedback& feedback, double to, int intervals, double share = 1) {
+    HeatingControl control(tolerance, heating_scales, share);
+    std::vector<double> rates;
+    for (double change = 0; static_cast<int>(rates.size()) < intervals; change += rates.back() * duration) {
+        rates.push_back(control.next(feedback, change, to - change, duration));
+    }
+    return rates;
+}
+Feedback cracking(double unbalanced_ratio = 0, double element_force = 1e6) {
+    Feedback feedback = measures(0, 0, 1, unbalanced_ratio);
+    feedback.element_force = element_force;
+    return feedback;
+}
+
+TEST(HeatingControl, WhereMineralsCrackTheirStressRisesByTheToleranceInATransit) {
+    constexpr double far = 1e9;  // K, so that the end is not near
+    const std::vector<double> rates = rates_of_heating(cracking(), far, 4 * 800);
+    double change = 0;
+    for (std::size_t i = 0; i + 1 < rates.size(); ++i) change += rates[i] * duration;
+    expect_close(rates.back() * heating_scales.transit_time / change, tolerance, 1e-9, tolerance);
+    const std::vector<double> half = rates_of_heating(cracking(), far, 4 * 200, 0.5);
+    expect_close(half.back(), rates[4 * 100] / 2, 0.05, half.back());  // the start takes its transits in both
+    EXPECT_GT(rates_of_heating(measures(0, 0, 0), far, 4 * 100).back(), 10 * rates[4 * 100]);
+    for (std::size_t i = 1; i < rates.size(); ++i) EXPECT_LE(rates[i], rates[i - 1] * std::exp(0.25 / 3.9) * (1 + 1e-9));
+}
+
+TEST(HeatingControl, UnbalancedForcesSlowItDownUnlessThereAreNoOthers) {
+    const HeatingControl control(tolerance, heating_scales);
+    EXPECT_EQ(rates_of_heating(cracking(20 * tolerance), 1e9, 400).back(), control.min_rate(0));
+    EXPECT_EQ(rates_of_heating(cracking(1, 0), 1e9, 400), rates_of_heating(cracking(), 1e9, 400));
+}
+
+TEST(HeatingControl, ItComesToAStop) {
+    double change = 0;
+    const std::vector<double> rates = rates_of_heating(cracking(), 300, 4 * 1200);
+    for (const double rate : rates) change += rate * duration;
+    EXPECT_GE(change, 300);
+    EXPECT_LT(rates.back(), 1e-3 * *std::max_element(rates.begin(), rates.end()));
+    const HeatingControl control(tolerance, heating_scales);
+    EXPECT_LT(control.usual_time(300), 1200 * heating_scales.transit_time);
+    EXPECT_EQ(control.longest_time(300), 20 * control.usual_time(300));
 }
 
 }  // namespace

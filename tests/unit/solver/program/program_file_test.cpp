@@ -132,7 +132,15 @@ TEST(ProgramFile, WhatIsWrongIsOneLine) {
     refuse(least + "[probe.a]\ncircle = [0, 0, 0]", {"probe.a.circle", "radius"});
     refuse(least + "[boundary.a]\non = \"top\"\npressure = 1\n[probe.a]\npoint = [0, 0]", {"probe.a", "another name"});
     refuse(least + "[initial.a]\non = \"top\"", {"initial.a.velocity", "missing"});
-    refuse(least + "stage.run.temperature = \"600 K\"", {"stage.run.temperature", "out of bounds", "480 K"});
+    refuse(least + "stage.run.temperature = \"600 K\"", {"stage.run.temperature", "at 573 deg C quartz changes", "480 K"});
+    refuse(least + "stage.run.temperature = { rate = \"auto\" }", {"stage.run.temperature.to", "missing"});
+    refuse(least + "stage.run.temperature = { to = 9, rate = \"9 K\" }", {"stage.run.temperature.rate", "units that fit: K/s"});
+    refuse("temperature = 500\n" + least, {"temperature", "480 K"});
+    refuse(least + "stage.run.platens = \"absent\"", {"stage.run.platens", "the program has none"});
+    refuse(
+        "name = \"a\"\nstages = [\"b\", \"c\"]\nplatens.max_strain = 0.1\nstage.b.until.time = 1\nstage.c.until.time = 1\n"
+        "stage.c.platens = \"absent\"",
+        {"stage.c", "platens", "already in stage.b"});
     refuse(least + "stage.run.temperature = \"20 m\"", {"stage.run.temperature", "length", "units that fit: K"});
     refuse(least + "damping = 2", {"damping", "out of bounds"});
     refuse(least + "row_every = [1]", {"row_every", "no quantity"});

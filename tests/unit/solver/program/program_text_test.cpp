@@ -33,10 +33,11 @@ TEST(ProgramText, ReadAgainItIsTheSameProgram) {
 
 TEST(ProgramText, OfAProgramWithEveryKeyIsThatOfItsFile) {
     const std::string everything = R"(name = "a \"b\""
-stages = ["s 1", "s 2"]
+stages = ["s 0", "s 1", "s 2"]
 damping = "none"
 gravity = [0.0, -9.81]
 row_every = 1e-06
+temperature = 20.0
 
 [platens]
 bonded = true
@@ -65,11 +66,16 @@ circle = [0.0, 0.0, 0.005]
 on = ["top"]
 velocity = [0.001, 0.0]
 
+[stage."s 0"]
+platens = "absent"
+temperature = { to = 50.0, rate = 10000.0 }
+until = { time = 0.001 }
+
 [stage."s 1"]
 a.velocity_x = { sine = 1.0, frequency = 1000.0, phase = 0.5, cycles = 2.0 }
 a.pressure = { times = [0.0, 0.001], values = [0.0, 1000000.0] }
 platen_pressure = "keep"
-temperature = { to = 100.0, over = 0.002 }
+temperature = { to = 100.0, rate = "auto", tolerance = 0.003, share = 0.5 }
 until = { time = 0.003, rest = 0.001, axial_stress = -2000000.0, c.stress_yy = -1000000.0 }
 must_end_by = "rest"
 
