@@ -57,6 +57,7 @@ LARGER_GRAINS = {
     "from-udec-and-pfc.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"'},
     "loading.md": {"--edge 3mm": "--edge 5mm"},
     "specimens.md": {"--edge 3mm": "--edge 5mm", "--grains 300": "--grains 80", "--element-size 2.5mm": "--element-size 5mm"},
+    "temperature.md": {"--width 36mm --height 72mm": "--width 12mm --height 24mm"},
     "tutorial.md": {"--width 30mm --height 60mm": "--width 12mm --height 24mm"},
     "gallery.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "--width 40mm --height 80mm": "--width 20mm --height 40mm",
                    "--diameter 68mm --inner-diameter 25mm": "--diameter 50mm --inner-diameter 25mm", "--diameter 68mm": "--diameter 32mm",
