@@ -19,7 +19,8 @@ WITH tests AS (
     FROM found JOIN runs USING (file) JOIN variants USING (variant) WHERE value IS NOT NULL
 ), more AS (
     SELECT part, place, state, specimen, quantity, value FROM stated
-    UNION ALL SELECT part, place, state, specimen, 'E_at_start_over_former', value / lag(value) OVER (PARTITION BY part, specimen ORDER BY place)
+    UNION ALL SELECT part, place, state, specimen, 'E_at_start_over_former',
+        value / max(value) OVER (PARTITION BY part, specimen ORDER BY place RANGE BETWEEN 1 PRECEDING AND 1 PRECEDING)
     FROM stated WHERE quantity = 'E_at_start'
     UNION ALL SELECT part, max(place) - 0.5, 250, specimen, quantity, exp(mean(ln(value)))
     FROM stated WHERE quantity = 'K_IC' AND state IN (200, 300) GROUP BY part, specimen HAVING count(*) = 2
