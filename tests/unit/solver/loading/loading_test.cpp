@@ -355,5 +355,88 @@ stage.keep = { b.velocity_y = "free", until.time = "1 ms" }
     EXPECT_TRUE(std::isnan(led.stages.values(3.5e-3)[1]));
 }
 
+/// A compression test after heating by 300 K, whose specimen is at rest in each row. \return rows of heating
+int heat_through(LedPlatens& led, double near_failure, double stored_energy = 0) {
+    Feedback feedback;
+    feedback.near_failure = near_failure;
+    feedback.stored_energy = stored_energy;
+    int rows = 0;
+    for (double time = 0; led.stages.records().empty(); time += 0.5 * transit) {
+        led.row(time, 0, 1e-4, feedback, 7);
+        if (led.stages.is_without_platens()) led.stages.next(0.5 * transit);
+        ++rows;
+    }
+    return rows;
+}
+
+TEST(Heating, GoesToItsTemperatureAndToRestBeforeThePlatensCome) {
+    LoadingRequest request;
+    request.heat = 300;
+    LedPlatens led(request);
+    led.row(0);
+    EXPECT_TRUE(led.stages.is_without_platens());
+    EXPECT_EQ(led.stages.interval_steps(transit / 1000), 500);  // half a transit
+    EXPECT_EQ(led.stages.next(0.5 * transit).velocity_end[bottom_platen], 0);
+    led.history = {};
+    const int rows = heat_through(led, 1);
+    const double usual = led.stages.longest(1).usual_heating / (0.5 * transit);
+    EXPECT_GT(rows, usual);
+    EXPECT_LT(rows, 1.2 * usual);
+    EXPECT_FALSE(led.stages.is_without_platens());
+    EXPECT_EQ(led.stages.records().back().ended_by, ended_by_rest);
+    EXPECT_EQ(led.pressure(led.stages.records().back().end), 300);  // its only amplitude is the temperature
+}
+
+TEST(Heating, EnergyThatHeatLockedInDoesNotHurryThePlatens) {
+    LoadingRequest request;
+    request.rate = RateKind::automatic;
+    LedPlatens cold(request);
+    cold.row(0, 0, 1e-4);
+    request.heat = 300;
+    LedPlatens hot(request);
+    constexpr double locked_in = 50;
+    heat_through(hot, 0, locked_in);
+    const double begin = hot.stages.records().back().end;
+    for (int i = 1; i < 200; ++i) {
+        Feedback feedback;
+        feedback.kinetic_energy = 1e-5;
+        feedback.stored_energy = 0.1 * i;
+        const double speed = cold.stages.next(0.25 * transit).velocity_end[bottom_platen];
+        cold.row(0.25 * i * transit, -10e6, 1e-4, feedback);
+        feedback.stored_energy += locked_in;
+        expect_close(hot.stages.next(0.25 * transit).velocity_end[bottom_platen], speed, 1e-9, speed);
+        hot.row(begin + 0.25 * i * transit, -10e6, 1e-4, feedback, 7);
+    }
+}
+
+// What settles on a face that heat has cracked falls before it bears a load, and contacts that heat has cracked are none of the
+// test.
+TEST(Heating, TheFallOfATestIsThatOfALoad) {
+    LoadingRequest request;
+    request.heat = 300;
+    LedPlatens led(request);
+    heat_through(led, 1);
+    double time = led.stages.records().back().end;
+    const auto goes_on = [&](double stress, double cracks) {
+        led.row(time += transit, -stress, 1e-4, {}, cracks);
+        return !led.stages.finished();
+    };
+    EXPECT_TRUE(goes_on(1e6, 8) && goes_on(0.1e6, 8));  // 0.3 times the tensile strength is 2.6 MPa
+    EXPECT_TRUE(goes_on(40e6, 7) && goes_on(10e6, 7));
+    EXPECT_TRUE(goes_on(40e6, 8));
+    EXPECT_FALSE(goes_on(10e6, 8));
+}
+
+TEST(Heating, AProgramMayHaveATemperatureFromItsStart) {
+    LedPlatens led(
+        parse_program("name = \"warm\"\nstages = [\"a\"]\ntemperature = { to = \"90 K\", rate = \"30 K/s\" }\n"
+                      "stage.a.until.time = \"5 s\"",
+                      "warm.toml"));
+    led.row(0);
+    led.stages.next(1);
+    EXPECT_EQ(led.pressure(1), 30);
+    EXPECT_EQ(led.pressure(4), 90);
+}
+
 }  // namespace
 }  // namespace graincrack

@@ -154,7 +154,8 @@ TEST(HeatingControl, WhereMineralsCrackTheirStressRisesByTheToleranceInATransit)
     const std::vector<double> rates = rates_of_heating(cracking(), far, 4 * 800);
     double change = 0;
     for (std::size_t i = 0; i + 1 < rates.size(); ++i) change += rates[i] * duration;
-    expect_close(rates.back() * heating_scales.transit_time / change, tolerance, 1e-9, tolerance);
+    // The rate follows the change, which grows e-fold in 1/T = 200 transits, with a lag of 4: 2 % below.
+    expect_close(rates.back() * heating_scales.transit_time / change, tolerance, 0.03, tolerance);
     const std::vector<double> half = rates_of_heating(cracking(), far, 4 * 200, 0.5);
     expect_close(half.back(), rates[4 * 100] / 2, 0.05, half.back());  // the start takes its transits in both
     EXPECT_GT(rates_of_heating(measures(0, 0, 0), far, 4 * 100).back(), 10 * rates[4 * 100]);
@@ -175,7 +176,7 @@ TEST(HeatingControl, ItComesToAStop) {
     EXPECT_LT(rates.back(), 1e-3 * *std::max_element(rates.begin(), rates.end()));
     const HeatingControl control(tolerance, heating_scales);
     EXPECT_LT(control.usual_time(300), 1200 * heating_scales.transit_time);
-    EXPECT_EQ(control.longest_time(300), 20 * control.usual_time(300));
+    EXPECT_DOUBLE_EQ(control.longest_time(300), 20 * control.usual_time(300));
 }
 
 }  // namespace
