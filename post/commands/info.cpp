@@ -131,6 +131,8 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
     for (const char* name : {"test", "plane", "material", "contact_law", "fracture_energy_choice"}) word(name);
     for (const ContactParameter& p : all_contact_parameters()) number(std::string(p.quantity.name), p.quantity.dimension);
     number("confining_pressure", Dimension::stress);
+    number("heat", Dimension::temperature);
+    if (file.has_attribute(group, "cooled")) write_integer(out, file, group, "cooled");
     word("rate");
     number("platen_speed", Dimension::speed);
     number("span", Dimension::length);

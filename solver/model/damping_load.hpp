@@ -23,8 +23,11 @@ struct DampingLoad {
     double damping_power = 0;                ///< ⟨−Σ Fd·v̄⟩, W
     double platen_power = 0;                 ///< ⟨Σ P·w⟩, W
     double time = 0;                         ///< of the last update, s
-    /// The fraction of the load of the platens; 0 while they do no work.
-    [[nodiscard]] double fraction() const { return platen_power > 0 ? damping_power / platen_power : 0; }
+    /// The fraction of the load of the platens; 0 while they do no work: the mean of what they did dies out.
+    [[nodiscard]] double fraction() const {
+        constexpr double least = 1e-30;  // W
+        return platen_power > least ? damping_power / platen_power : 0;
+    }
 };
 
 struct Assemblage;

@@ -113,6 +113,22 @@ TEST(Programs, MassesAreScaledForWhatIsQuasiStatic) {
         << outcome.err;
 }
 
+TEST(Programs, ATestOfAHeatedSpecimenTellsSoAndIsTheProgramThatItPrints) {
+    const Shell shell;
+    const std::string common = "specimen.h5 --material granite-crystals ";
+    const std::string test = "graincrack-solve uniaxial " + common + "--heat 150K --cool --max-strain 1e-3 ";
+    shell.must("graincrack-mesh rectangle --width 10mm --height 20mm --material granite-crystals --quiet -o specimen.h5");
+    const Outcome heated = shell.run(test + "-o run.h5");
+    EXPECT_EQ(heated.exit_code, 0);
+    EXPECT_NE(heated.err.find("uniaxial: heated by 150 K and cooled before axial loading, with "), std::string::npos)
+        << heated.err;
+    EXPECT_NE(shell.must("graincrack-post strength --summary run.h5").find("heated by 150 K and cooled"), std::string::npos);
+    EXPECT_NE(shell.must("graincrack-post info run.h5").find("  heat                     150 K\n"), std::string::npos);
+    shell.must(test + "--print-program >test.toml\ngraincrack-solve program " + common +
+               "--program test.toml --quiet -o same.h5");
+    EXPECT_EQ(shell.must("graincrack-post history same.h5"), shell.must("graincrack-post history run.h5"));
+}
+
 // The pressure is reached first, also where the strain limit is not far above the strain of the isotropic stage (1.1e-3).
 TEST(Programs, TheStrainLimitDoesNotCutTheIsotropicStage) {
     const Shell shell;
