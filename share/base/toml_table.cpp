@@ -56,6 +56,7 @@ bool TomlTable::has_table(const std::string& key) const {
     });
 }
 bool TomlTable::has_value(const std::string& key) const { return entry(key) != nullptr; }
+bool TomlTable::has_array(const std::string& key) const { return has_value(key) && entry(key)->is_array; }
 bool TomlTable::has(const std::string& key) const { return has_value(key) || has_table(key); }
 std::string TomlTable::name() const { return section_.empty() ? "" : section_.back(); }
 std::string TomlTable::shown(const std::string& key) const { return has_value(key) ? entry(key)->values.front().text : ""; }

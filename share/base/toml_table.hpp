@@ -26,6 +26,7 @@ struct TomlKey {
     bool needed = false;
     std::vector<std::string> words = {};                         ///< that a key of a word may have; none: any
     std::function<void(const std::string&)> set_word = nullptr;  ///< of a key of a word
+    std::vector<double>* values = nullptr;                       ///< of a key that may have an array, alone unless it has `set`
 
     [[nodiscard]] bool is_word() const { return set_word != nullptr; }
     /// \throws InputError unless a key of a word may have it
@@ -54,6 +55,7 @@ public:
     [[nodiscard]] std::string shown(const std::string& key) const;  ///< the text of a value or the first of several
     [[nodiscard]] bool has(const std::string& key) const;           ///< a value or a table
     [[nodiscard]] bool has_value(const std::string& key) const;
+    [[nodiscard]] bool has_array(const std::string& key) const;
     /// "file: line 12: stage.load.until", for messages.
     [[nodiscard]] std::string where(const std::string& key = "") const;
 

@@ -9,7 +9,6 @@
 
 #include "share/base/error.hpp"
 #include "share/base/random_bits.hpp"
-#include "share/file/specimen_measures.hpp"
 
 namespace graincrack {
 namespace {
@@ -83,10 +82,19 @@ GivenContact given_between(const Material& material, PlaneCondition plane, const
 Phase phase_of(const PhaseMaterial& phase, const Material& material) {
     const Rock& rock = material.rock;
     Phase made{young_modulus_of_grains(phase, material.fabric, rock), phase.poisson_ratio.value_or(rock.poisson_ratio),
-               phase.density.value_or(rock.density), phase.thermal_expansion.value_or(phase.expansion_along.value_or(0))};
-    if (phase.expansion_across && phase.expansion_across != phase.expansion_along) {
-        made.expansion_across_axis = phase.expansion_across;
-    }
+               phase.density.value_or(rock.density), phase.thermal_expansion.value_or(0)};
+    const auto curve = [](const ColumnsByTemperature& columns, const std::vector<double>& values) {
+        TemperatureCurve made_curve;
+        for (std::size_t i = 0; i < values.size(); ++i) made_curve.push_back({columns.temperatures[i], values[i]});
+        return made_curve;
+    };
+    made.softening = curve(material.fabric.young_modulus_by_temperature, material.fabric.young_modulus_by_temperature.values);
+    const ColumnsByTemperature& columns = phase.expansion_by_temperature;
+    made.along = curve(columns, columns.values);
+    made.across = columns.across.empty() ? made.along : curve(columns, columns.across);
+    if (phase.expansion_along) made.along = {{0, *phase.expansion_along}};
+    if (phase.expansion_across) made.across = {{0, *phase.expansion_across}};
+    if (!made.along.empty()) made.thermal_expansion = value_at(made.along, 0).value;
     return made;
 }
 
@@ -101,8 +109,11 @@ std::vector<Phase> without_expansion(const std::vector<Phase>& phases) {
 std::vector<double> crystal_axes(const Specimen& specimen) {
     constexpr std::uint64_t stream = 999'998;
     const std::uint64_t key = mixed_bits(specimen.seed, stream);
-    std::vector<double> angles(number_of_crystals(specimen));
-    for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = std::numbers::pi * uniform_of(mixed_bits(key, i));
+    std::vector<double> angles;
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
+        const std::size_t crystal = specimen.grain_crystal.empty() ? g : static_cast<std::size_t>(specimen.grain_crystal[g]);
+        angles.push_back(std::numbers::pi * uniform_of(mixed_bits(key, crystal)));
+    }
     return angles;
 }
 

@@ -9,6 +9,7 @@
 
 #include "share/file/specimen.hpp"
 #include "share/rock/material.hpp"
+#include "share/rock/temperature_curve.hpp"
 
 namespace graincrack {
 
@@ -16,11 +17,13 @@ namespace graincrack {
 struct Phase {
     double young_modulus = 0;  ///< Pa
     double poisson_ratio = 0;
-    double density = 0;                             ///< kg/m³
-    double thermal_expansion = 0;                   ///< 1/K; along the axis of its crystals where they have one
-    std::optional<double> expansion_across_axis{};  ///< 1/K, where it differs: its crystals have an axis
-    [[nodiscard]] double expansion_across() const { return expansion_across_axis.value_or(thermal_expansion); }
-    [[nodiscard]] bool expands() const { return thermal_expansion != 0 || expansion_across() != 0; }
+    double density = 0;            ///< kg/m³
+    double thermal_expansion = 0;  ///< 1/K; in every direction, or along the axis of its crystals at 0 K
+    /// Expansion along and across the axis of its crystals in place of that, or where it changes with temperature, both or none;
+    /// and a factor on the modulus, the same of all phases.
+    TemperatureCurve along{}, across{}, softening{};
+    [[nodiscard]] bool has_axis() const { return along != across; }
+    [[nodiscard]] bool feels_temperature() const { return thermal_expansion != 0 || !along.empty() || !softening.empty(); }
     friend bool operator==(const Phase&, const Phase&) = default;
 };
 inline Phase phase_of(const Rock& rock) { return {rock.young_modulus, rock.poisson_ratio, rock.density}; }
@@ -28,20 +31,20 @@ inline Phase phase_of(const Rock& rock) { return {rock.young_modulus, rock.poiss
 /// The phases of a run without temperature: their expansion is no matter.
 std::vector<Phase> without_expansion(const std::vector<Phase>& phases);
 
-/// Angle of the axis of each crystal in the plane, counter-clockwise from x, rad: uniform in (0, π), by hashes of the seed of the
-/// specimen and the number of the crystal (`mixed_bits`), so that it is the same in every run of the specimen.
+/// Angle of the axis of the crystal of each grain [g] in the plane, counter-clockwise from x, rad: uniform in (0, π), by hashes
+/// of the seed of the specimen and the number of the crystal (`mixed_bits`), so that it is the same in every run of the specimen.
 std::vector<double> crystal_axes(const Specimen& specimen);
 
 /// Properties by phase and by class.
 struct Fabric {
     std::vector<Phase> phases;                ///< in the order of `Specimen::phase_names`
     std::vector<ContactParameters> contacts;  ///< by `contact_class`, then by class of flaws
-    /// Whether a phase expands with temperature; whether crystals of a phase have an axis.
-    [[nodiscard]] bool expands() const {
-        return std::any_of(phases.begin(), phases.end(), [](auto& p) { return p.expands(); });
+    /// Whether temperature does something to a phase; whether crystals of a phase have an axis.
+    [[nodiscard]] bool feels_temperature() const {
+        return std::any_of(phases.begin(), phases.end(), [](auto& p) { return p.feels_temperature(); });
     }
     [[nodiscard]] bool has_axes() const {
-        return std::any_of(phases.begin(), phases.end(), [](auto& p) { return p.expansion_across_axis.has_value(); });
+        return std::any_of(phases.begin(), phases.end(), [](auto& p) { return p.has_axis(); });
     }
 };
 /// Properties of the phases of a specimen and of their contacts, by the fabric of a material. A contact has the values of

@@ -163,22 +163,15 @@ void read_properties(const H5Input& file, const std::string& group, const Proper
     }
 }
 
-}  // namespace
-
-namespace {
-
-const std::string across_axis = std::string(schema::phases_group) + "/thermal_expansion_across";
-
-/// How phases expand across the axes of their crystals, and the axes.
-void write_axes(H5Output& file, const Fabric& fabric, const Specimen& specimen) {
-    std::vector<double> across;
-    for (const Phase& phase : fabric.phases) across.push_back(phase.expansion_across());
-    file.write<double>(across_axis, std::span<const double>(across), {across.size()}, si_unit(Dimension::expansion),
-                       "across the axis of crystals; thermal_expansion is along it");
-    const std::vector<double> of_crystal = crystal_axes(specimen);
-    std::vector<double> of_grain;
-    for (const auto crystal : specimen.grain_crystal) of_grain.push_back(of_crystal[crystal]);
-    write_rows(file, schema::grain_axis, of_grain.empty() ? of_crystal : of_grain);
+/// Visits what changes with temperature: the expansion of each phase along and across its axis, the factor on its modulus.
+template <class Phases, class Visit>
+void visit_curves(Phases& phases, const std::vector<std::string>& names, Visit&& visit) {
+    for (std::size_t p = 0; p < std::min(phases.size(), names.size()); ++p) {
+        const auto path = [&](const char* what) { return fmt::format("{}/{}_of_{}", schema::phases_group, what, names[p]); };
+        visit(path("thermal_expansion"), phases[p].along);
+        visit(path("thermal_expansion_across"), phases[p].across);
+        visit(path("softening"), phases[p].softening);
+    }
 }
 
 }  // namespace
@@ -188,24 +181,16 @@ void write_fabric(H5Output& file, const RunHeader& header, const Specimen& speci
         header.fabric.phases.empty() ? uniform_fabric(header.rock, header.contact, specimen.phase_names.size()) : header.fabric;
     const std::size_t n_cold = phase_properties.size() - 1;
     write_properties(file, schema::phases_group, specimen.phase_names,
-                     std::span(phase_properties).first(fabric.expands() ? phase_properties.size() : n_cold), fabric.phases);
-    if (fabric.has_axes()) write_axes(file, fabric, specimen);
+                     std::span(phase_properties).first(fabric.feels_temperature() ? phase_properties.size() : n_cold),
+                     fabric.phases);
+    if (fabric.has_axes()) write_rows(file, schema::grain_axis, crystal_axes(specimen));
+    visit_curves(fabric.phases, specimen.phase_names, [&](const std::string& path, const TemperatureCurve& curve) {
+        if (!curve.empty()) write_rows(file, {path.c_str(), "1", "a row a temperature: K, value there"}, curve);
+    });
     write_properties(file, schema::classes_group, contact_class_names(specimen), contact_properties(), fabric.contacts);
 }
 
 namespace {
-
-void read_axes(const H5Input& file, std::vector<Phase>& phases) {
-    if (!file.has(across_axis)) return;
-    const std::vector<double> across = file.read<double>(across_axis, {phases.size()});
-    for (std::size_t p = 0; p < phases.size(); ++p) {
-        if (!std::isfinite(across[p])) {
-            throw InputError(
-                fmt::format("{}: {} has the value {}; a finite number is needed", file.name(), across_axis, across[p]));
-        }
-        if (across[p] != phases[p].thermal_expansion) phases[p].expansion_across_axis = across[p];
-    }
-}
 
 Fabric read_fabric(const H5Input& file) {
     const std::size_t n_phases = rows_of(file, std::string(schema::phases_group) + "/young_modulus");
@@ -220,7 +205,10 @@ Fabric read_fabric(const H5Input& file) {
     }
     Fabric fabric{std::vector<Phase>(n_phases), std::vector<ContactParameters>(n_classes)};
     read_properties(file, schema::phases_group, phase_properties, fabric.phases);
-    read_axes(file, fabric.phases);
+    visit_curves(fabric.phases, file.attribute<std::vector<std::string>>(schema::phases_group, "names"),
+                 [&](const std::string& path, TemperatureCurve& curve) {
+                     if (file.has(path)) curve = rows_from<std::array<double, 2>>(file.read<double>(path));
+                 });
     read_properties(file, schema::classes_group, contact_properties(), fabric.contacts);
     return fabric;
 }

@@ -222,6 +222,8 @@ void read_key(TomlTable& table, const TomlKey& key, IncompleteMaterial& read) {
         key.require_word(word, table.where(key.name));
         return key.set_word(word);
     }
+    const bool is_array = key.values != nullptr && (!key.set || table.has_array(key.name));
+    if (is_array) return table.given(key.name, key.quantity, *key.values);
     double value = 0;
     table.given(key.name, key.quantity, value);
     if (!table.has_value(key.name)) return;
@@ -250,7 +252,7 @@ void finish_toughness(const TomlTable& table, IncompleteMaterial& read) {
 void read_table(TomlTable table, IncompleteMaterial& read) {
     const std::optional<TomlKeys> keys = table_at(read.material, table.section());
     if (!keys) {
-        std::vector<std::string> known{"phases", "pairs", "flaws", "strength"};
+        std::vector<std::string> known{"phases", "pairs", "flaws", "strength", "temperature"};
         for (const TomlKeys& each : tables_of(read.material)) known.push_back(each.path);
         table.refuse("", fmt::format("unknown table{}; known are {}", did_you_mean(table.name(), known), fmt::join(known, ", ")));
     }

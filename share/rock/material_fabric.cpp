@@ -43,20 +43,36 @@ struct PhaseValue {
 constexpr PhaseValue phase_values[] = {{"young_modulus", quantity::young_modulus, &PhaseMaterial::young_modulus},
                                        {"relative_young_modulus", relative_modulus, &PhaseMaterial::relative_young_modulus},
                                        {"poisson_ratio", quantity::poisson_ratio, &PhaseMaterial::poisson_ratio},
-                                       {"density", quantity::density, &PhaseMaterial::density},
-                                       {"thermal_expansion", quantity::thermal_expansion, &PhaseMaterial::thermal_expansion}};
+                                       {"density", quantity::density, &PhaseMaterial::density}};
 
 std::vector<TomlKey> phase_keys(PhaseMaterial& phase) {
     std::vector<TomlKey> keys{{"fraction", fraction, to(phase.fraction), true}};
     for (const PhaseValue& row : phase_values) keys.push_back({row.key, row.quantity, to(phase.*row.value)});
+    keys.push_back({"thermal_expansion", quantity::thermal_expansion, to(phase.thermal_expansion)});
     return keys;
 }
 
-/// Expansion along the axis of a crystal and across it.
+constexpr Quantity softening{
+    "young_modulus", Dimension::one, 0, 1, "Young's modulus of grains over that without temperature", true};
+
+/// A key that has an array of values, or, where it has a `set`, an array or one.
+TomlKey array_key(const char* name, const Quantity& quantity, std::vector<double>& values,
+                  std::function<void(double)> set = nullptr) {
+    TomlKey key{name, quantity, std::move(set)};
+    key.values = &values;
+    return key;
+}
+
+/// Expansion that changes with temperature, or that has other values along the axis of a crystal and across it.
 constexpr const char* expansion_axes = "thermal_expansion_axes";
-std::vector<TomlKey> axes_keys(PhaseMaterial& phase) {
-    return {{"along", quantity::thermal_expansion, to(phase.expansion_along)},
-            {"across", quantity::thermal_expansion, to(phase.expansion_across)}};
+std::optional<std::vector<TomlKey>> expansion_keys(const std::string& table, PhaseMaterial& phase) {
+    constexpr Quantity expansion = quantity::thermal_expansion;
+    ColumnsByTemperature& columns = phase.expansion_by_temperature;
+    const TomlKey temperatures = array_key("temperatures", quantity::temperature, columns.temperatures);
+    if (table == expansion.name) return {{temperatures, array_key("values", expansion, columns.values)}};
+    if (table != expansion_axes) return std::nullopt;
+    return {{temperatures, array_key("along", expansion, columns.values, to(phase.expansion_along)),
+             array_key("across", expansion, columns.across, to(phase.expansion_across))}};
 }
 
 std::vector<TomlKey> rule_keys(MaterialFabric& fabric) {
@@ -102,6 +118,28 @@ void require_pairs(const MaterialFabric& fabric, const std::string& where) {
     }
 }
 
+void require_columns(const ColumnsByTemperature& columns, const std::string& where) {
+    const std::vector<double>& t = columns.temperatures;
+    const bool ascends = std::adjacent_find(t.begin(), t.end(), std::greater_equal()) == t.end();
+    if (!columns.are_given() ||
+        (ascends && columns.values.size() == t.size() && (columns.across.empty() || columns.across.size() == t.size()))) {
+        return;
+    }
+    throw InputError(where + ": temperatures that ascend, and as many values as temperatures are needed");
+}
+
+void require_sound_expansion(const PhaseMaterial& phase, const std::string& where) {
+    const bool has_axes = phase.expansion_along.has_value();
+    if (has_axes != phase.expansion_across.has_value()) {
+        throw InputError(
+            fmt::format("{} has {} alone of {}; give along and across", where, has_axes ? "along" : "across", expansion_axes));
+    }
+    if (phase.thermal_expansion.has_value() + has_axes + phase.expansion_by_temperature.are_given() > 1) {
+        throw InputError(fmt::format("{} has several thermal expansions; give one of them", where));
+    }
+    require_columns(phase.expansion_by_temperature, where);
+}
+
 }  // namespace
 
 PhaseMaterial overlay(PhaseMaterial phase, const PhaseMaterial& of_file) {
@@ -115,8 +153,11 @@ PhaseMaterial overlay(PhaseMaterial phase, const PhaseMaterial& of_file) {
         take(&PhaseMaterial::young_modulus);
         take(&PhaseMaterial::relative_young_modulus);
     }
-    if (!phase.expansion_along && !phase.expansion_across) take(&PhaseMaterial::thermal_expansion);
-    if (!phase.thermal_expansion) {
+    if (!phase.gives_expansion()) {
+        take(&PhaseMaterial::thermal_expansion);
+        phase.expansion_by_temperature = of_file.expansion_by_temperature;
+    }
+    if (!phase.thermal_expansion && !phase.expansion_by_temperature.are_given()) {
         take(&PhaseMaterial::expansion_along);
         take(&PhaseMaterial::expansion_across);
     }
@@ -141,8 +182,14 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
     if (first == "phases" && path.size() == 3 && path[2] == "contact") {
         return TomlKeys{name, optional_contact_keys(fabric.phases[path[1]].contact)};
     }
-    if (first == "phases" && path.size() == 3 && path[2] == expansion_axes) {
-        return TomlKeys{name, axes_keys(fabric.phases[path[1]])};
+    if (first == "phases" && path.size() == 3) {
+        if (const auto keys = expansion_keys(path[2], fabric.phases[path[1]])) return TomlKeys{name, *keys};
+    }
+    if (first == "temperature" && path.size() == 1) {
+        ColumnsByTemperature& columns = fabric.young_modulus_by_temperature;
+        return TomlKeys{name,
+                        {array_key("temperatures", quantity::temperature, columns.temperatures),
+                         array_key("young_modulus", softening, columns.values)}};
     }
     if (first == "pairs" && path.size() == 1) return TomlKeys{name, rule_keys(fabric)};
     if (first == "pairs" && path.size() == 2) {
@@ -212,10 +259,6 @@ std::string fabric_text(const MaterialFabric& fabric) {
         for (const PhaseValue& row : phase_values) {
             if (phase.*row.value) text += fabric_line(row.key, *(phase.*row.value));
         }
-        if (phase.expansion_along) {
-            text += fmt::format("\n[phases.{}.{}]\n{}{}", name, expansion_axes, fabric_line("along", *phase.expansion_along),
-                                fabric_line("across", *phase.expansion_across));
-        }
         text += contact_table(fmt::format("phases.{}.contact", name), phase.contact);
     }
     if (!fabric.phases.empty()) {
@@ -248,14 +291,7 @@ void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const 
             throw InputError(
                 fmt::format("{}: [phases.{}] has young_modulus and relative_young_modulus; give one of them", where, name));
         }
-        if (phase.expansion_along.has_value() != phase.expansion_across.has_value()) {
-            throw InputError(fmt::format("{}: [phases.{}.{}] has {} alone; give along and across, or thermal_expansion instead",
-                                         where, name, expansion_axes, phase.expansion_along ? "along" : "across"));
-        }
-        if (phase.thermal_expansion && phase.expansion_along) {
-            throw InputError(
-                fmt::format("{}: [phases.{}] has thermal_expansion and {}; give one of them", where, name, expansion_axes));
-        }
+        require_sound_expansion(phase, fmt::format("{}: [phases.{}]", where, name));
         if (rock.young_modulus > 0 && !(young_modulus_of_grains(phase, fabric, rock) > 0)) {
             throw InputError(
                 fmt::format("{}: the grains of {} would have a modulus of {} times the rock's; a smaller contrast than "
@@ -267,6 +303,7 @@ void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const 
     if (!fabric.phases.empty() && std::abs(sum - 1) > whole) {
         throw InputError(fmt::format("{}: the fractions of the phases sum up to {}; 1 is needed", where, sum));
     }
+    require_columns(fabric.young_modulus_by_temperature, where + ": [temperature]");
     require_pairs(fabric, where);
     if (fabric.strength_correlation > 0 && !fabric.strength_modulus) {
         throw InputError(fmt::format("{}: [strength] has a correlation and no modulus; give both, or the modulus alone", where));

@@ -27,6 +27,12 @@ std::vector<TomlKey> grain_keys(GrainFabric& grains);
 /// Checks what these keys mean together. \param where names the file \throws InputError
 void require_sound_grains(const GrainFabric& grains, const std::string& where);
 
+/// Values by temperature (K), and others across the axis of a crystal if there are any: columns of a table.
+struct ColumnsByTemperature {
+    std::vector<double> temperatures, values, across;
+    [[nodiscard]] bool are_given() const { return !temperatures.empty() || !values.empty() || !across.empty(); }
+};
+
 /// [phases.NAME]: a mineral. What is unset is the rock's.
 struct PhaseMaterial {
     double fraction = 0;                           ///< of the area
@@ -36,7 +42,11 @@ struct PhaseMaterial {
     std::optional<double> density;                            ///< kg/m³
     std::optional<double> thermal_expansion;                  ///< 1/K; none: 0
     std::optional<double> expansion_along, expansion_across;  ///< [phases.NAME.thermal_expansion_axes], in place of it, 1/K
-    GivenContact contact;                                     ///< [phases.NAME.contact]: of its side of a contact
+    ColumnsByTemperature expansion_by_temperature;            ///< where it changes, likewise
+    [[nodiscard]] bool gives_expansion() const {
+        return thermal_expansion || expansion_along || expansion_across || expansion_by_temperature.are_given();
+    }
+    GivenContact contact;  ///< [phases.NAME.contact]: of its side of a contact
 };
 
 /// A phase of a material, with what it does not give from the same phase of a file of phases.
@@ -58,8 +68,9 @@ struct MaterialFabric {
     GivenContact within;                        ///< [pairs.within]: on the contacts within crystals that break
     SideRule rule = SideRule::mean;
     StiffnessRule stiffness = StiffnessRule::rock;
-    std::optional<double> strength_modulus;  ///< [strength]: Weibull modulus of the strengths of grain boundaries
-    double strength_correlation = 0;         ///< distance at which their autocorrelation is 1/e, m; 0: none
+    ColumnsByTemperature young_modulus_by_temperature;  ///< [temperature]: factor on the modulus of all grains
+    std::optional<double> strength_modulus;             ///< [strength]: Weibull modulus of the strengths of grain boundaries
+    double strength_correlation = 0;                    ///< distance at which their autocorrelation is 1/e, m; 0: none
 };
 
 /// The keys of a table of the fabric, bound to `fabric`, which must stay where it is; nothing if it is none of its tables.
@@ -69,7 +80,8 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
 /// Checks what the keys of a fabric mean together. \param where names the file \throws InputError
 void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where);
 
-/// The tables of a fabric, as a material file has them, values in SI; "" if there are none.
+/// The tables of a fabric, as a material file has them, values in SI; "" if there are none. What matters with a temperature alone
+/// is left out: the tests of a calibration and of a kind have none, and are the same whatever expands.
 std::string fabric_text(const MaterialFabric& fabric);
 
 /// r of a phase: its modulus over the rock's; 1 where it has none of its own.

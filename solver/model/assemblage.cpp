@@ -33,15 +33,12 @@ void add_elements(Assemblage& a, const Specimen& s, const std::vector<Phase>& ph
 }
 
 Expansion make_expansion(const Specimen& s, const std::vector<Phase>& phases, PlaneCondition plane) {
-    Expansion x;
-    if (std::none_of(phases.begin(), phases.end(), [](const Phase& phase) { return phase.expands(); })) return x;
-    for (const Phase& p : phases) {
-        x.of_phase.push_back({p.thermal_expansion, p.expansion_across(), p.young_modulus, p.poisson_ratio, plane});
-    }
+    if (!Fabric{phases, {}}.feels_temperature()) return {};
+    Expansion x{phases, plane, {}, {}};
     const std::vector<double> angles = crystal_axes(s);
     for (const std::int32_t grain : s.element_grain) {
         x.phase.push_back(s.grain_phase[grain]);
-        x.axis.push_back(make_crystal_axis(angles[s.grain_crystal.empty() ? grain : s.grain_crystal[grain]]));
+        x.axis.push_back(make_crystal_axis(angles[grain]));
     }
     return x;
 }
@@ -154,16 +151,20 @@ Assemblage make_assemblage(const Specimen& specimen, const Rock& rock, PlaneCond
 
 double expansion_difference(const Assemblage& a) {
     if (a.expansion.empty()) return 0;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (const PhaseExpansion& of_phase : a.expansion.of_phase) {
-        const PlaneWarmth warmth = plane_warmth(of_phase, 0);
-        for (const double rate : {warmth.across_rate, warmth.across_rate + warmth.more_along_rate}) {
-            least = std::min(least, rate);
-            most = std::max(most, rate);
+    double difference = 0;
+    for (const double temperature : {0.0, quantity::temperature.upper}) {  // rates of curves may grow on the way
+        double least = std::numeric_limits<double>::infinity();
+        double most = -least;
+        for (const Phase& phase : a.expansion.phases) {
+            const PlaneWarmth warmth = plane_warmth(phase, a.expansion.plane, temperature);
+            for (const double rate : {warmth.across_rate, warmth.across_rate + warmth.more_along_rate}) {
+                least = std::min(least, rate);
+                most = std::max(most, rate);
+            }
         }
+        difference = std::max({difference, most - least, std::max(std::abs(least), std::abs(most)) / 3});
     }
-    return std::max(most - least, std::max(std::abs(least), std::abs(most)) / 3);
+    return difference;
 }
 
 }  // namespace graincrack

@@ -79,15 +79,16 @@ struct ElasticityTable {
     }
 };
 
-/// How the elements of an assemblage expand.
+/// How the elements of an assemblage expand and soften.
 struct Expansion {
-    std::vector<PhaseExpansion> of_phase;  ///< none if no phase expands, then nor have elements
-    std::vector<std::uint8_t> phase;       ///< [e]
-    std::vector<CrystalAxis> axis;         ///< [e]
-    [[nodiscard]] bool empty() const { return of_phase.empty(); }
+    std::vector<Phase> phases;  ///< none if temperature does nothing to them, then elements have nothing here
+    PlaneCondition plane = PlaneCondition::strain;
+    std::vector<std::uint8_t> phase;  ///< [e]
+    std::vector<CrystalAxis> axis;    ///< [e]
+    [[nodiscard]] bool empty() const { return phases.empty(); }
     /// What a temperature (K) does to an element.
     [[nodiscard]] PlaneWarmth of_element(std::size_t e, double temperature) const {
-        return plane_warmth(of_phase[phase[e]], temperature);
+        return plane_warmth(phases[phase[e]], plane, temperature);
     }
 };
 
@@ -99,7 +100,7 @@ struct Warmth {
         if (new_temperature == temperature && !of_phase.empty()) return;
         temperature = new_temperature;
         of_phase.clear();
-        for (const PhaseExpansion& x : expansion.of_phase) of_phase.push_back(plane_warmth(x, temperature));
+        for (const Phase& p : expansion.phases) of_phase.push_back(plane_warmth(p, expansion.plane, temperature));
     }
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "share/file/fabric.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 #include "solver/arithmetic/vector2.hpp"
 
@@ -23,32 +24,44 @@ inline PlaneElasticity make_plane_elasticity(double young_modulus, double poisso
     return {lambda + 2 * mu, lambda, mu, plane == PlaneCondition::strain ? poisson_ratio : 0.0};
 }
 
-/// How a phase expands, linearly: by a along the axis of a crystal, which lies in the plane, by b across it.
-struct PhaseExpansion {
-    double along, across;  ///< a, b, 1/K
-    double young_modulus, poisson_ratio;
-    PlaneCondition plane;
-};
-
-/// What a temperature T does to the elements of a phase.
+/// What a temperature T does to the elements of a phase whose crystals expand by A(T) = ∫a dT along their axis, which lies in the
+/// plane, and by B(T) = ∫b dT across it; their modulus becomes f(T) E.
 struct PlaneWarmth {
-    double across;       ///< free strain across the axis: (1 + ν) b T in plane strain, b T in plane stress
-    double more_along;   ///< free strain along it less that: (a − b) T
+    double across;       ///< free strain across the axis: (1 + ν) B in plane strain, B in plane stress
+    double more_along;   ///< free strain along it less that: A − B
     double across_rate;  ///< what T changes of these, 1/K
     double more_along_rate;
-    double stress_zz;       ///< E b T in plane strain, 0 in plane stress: σzz = czz (σxx + σyy) − E b T
-    double energy_zz;       ///< ½ E b² T² likewise, stored besides ½ T : (U − I − ε0), J/m³
-    double energy_zz_rate;  ///< E b² T, J/(m³ K)
+    double stress_zz;       ///< f E B in plane strain, 0 in plane stress: σzz = czz (σxx + σyy) − f E B
+    double energy_zz;       ///< ½ f E B² likewise, stored besides ½ T : (U − I − ε0), J/m³
+    double energy_zz_rate;  ///< f E B b + ½ f' E B², J/(m³ K)
+    double softening;       ///< f
+    double softening_rate;  ///< f'/f, 1/K: what T changes of the energy stored in the plane, over it
 };
-inline PlaneWarmth plane_warmth(const PhaseExpansion& x, double temperature) {
-    const bool is_held = x.plane == PlaneCondition::strain;
-    const double free = x.across * temperature;
-    const double in_plane = is_held ? 1 + x.poisson_ratio : 1;
-    const double stress_zz = is_held ? x.young_modulus * free : 0;
-    return {in_plane * free,     (x.along - x.across) * temperature,
-            in_plane * x.across, x.along - x.across,
-            stress_zz,           0.5 * stress_zz * free,
-            stress_zz * x.across};
+inline PlaneWarmth plane_warmth(const Phase& phase, PlaneCondition plane, double temperature) {
+    const bool is_held = plane == PlaneCondition::strain;
+    const auto at = [temperature](const TemperatureCurve& curve, double constant) {
+        return curve.empty() ? constant_value(constant, temperature) : value_at(curve, temperature);
+    };
+    const ValueAtTemperature a = at(phase.along, phase.thermal_expansion);
+    const ValueAtTemperature b = at(phase.across, phase.thermal_expansion);
+    const ValueAtTemperature f = at(phase.softening, 1);
+    const double in_plane = is_held ? 1 + phase.poisson_ratio : 1;
+    const double stress_zz = is_held ? f.value * phase.young_modulus * b.integral : 0;
+    const double energy_zz = 0.5 * stress_zz * b.integral;
+    const double softening_rate = f.slope / f.value;
+    return {in_plane * b.integral,
+            a.integral - b.integral,
+            in_plane * b.value,
+            a.value - b.value,
+            stress_zz,
+            energy_zz,
+            stress_zz * b.value + softening_rate * energy_zz,
+            f.value,
+            softening_rate};
+}
+/// Elasticity of a phase that has become softer.
+inline PlaneElasticity softened(const PlaneElasticity& c, double softening) {
+    return {softening * c.c11, softening * c.c12, softening * c.mu, c.czz};
 }
 
 /// The axis of a crystal at an angle φ from x.

@@ -184,11 +184,13 @@ inline void take_temperature(const Assemblage& a, State& s) { s.thermal.resize(a
 inline TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) {
     const auto [n0, n1, n2] = a.element_nodes[e];
     FreeStrain free;
+    PlaneElasticity elasticity = a.elasticity[e];
     if (!s.thermal.empty()) {
         const PlaneWarmth warmth = a.expansion.of_element(e, s.loading.temperature);
         free = free_strain(warmth.across, warmth.more_along, a.expansion.axis[e]);
+        elasticity = softened(elasticity, warmth.softening);
     }
-    return triangle_state(a.element_geometry[e], a.elasticity[e], s.displacement[n1] - s.displacement[n0],
+    return triangle_state(a.element_geometry[e], elasticity, s.displacement[n1] - s.displacement[n0],
                           s.displacement[n2] - s.displacement[n0], free);
 }
 /// Stress in the present directions: xx yy xy zz, Pa.

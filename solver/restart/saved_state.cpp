@@ -290,7 +290,8 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
     }
     if (!same_mesh(run.specimen(), specimen)) refuse("is a run of another specimen; give the one it was made from, or itself");
     const std::vector<Phase>& phases = setup.fabric.phases;
-    if (old.plane != request.plane || old.fabric.phases != (old.fabric.expands() ? phases : without_expansion(phases))) {
+    if (old.plane != request.plane ||
+        old.fabric.phases != (old.fabric.feels_temperature() ? phases : without_expansion(phases))) {
         refuse("has other phases, another rock or another plane condition; they must be the same");
     }
     if (old.contact_law != name_of(request.law)) {

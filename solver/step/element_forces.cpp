@@ -40,10 +40,10 @@ void gather_elements(const Assemblage& a, Range elements, const State& s, Elemen
     }
 }
 
-/// Warm elements of a chunk, side by side: their free strain, and the stress that comes out.
+/// Warm elements of a chunk, side by side: their free strain and softening, and the stress and stored energy that come out.
 struct WarmLanes {
     static constexpr std::int32_t n = elements_per_chunk;
-    alignas(64) double free_xx[n], free_yy[n], free_xy[n], txx[n], tyy[n], txy[n];
+    alignas(64) double free_xx[n], free_yy[n], free_xy[n], softening[n], txx[n], tyy[n], txy[n], energy[n];
 };
 void gather_warmth(const Expansion& expansion, Range elements, const Warmth& warmth, WarmLanes& w) {
     for (std::int32_t i = 0; i < elements.size(); ++i) {
@@ -53,6 +53,7 @@ void gather_warmth(const Expansion& expansion, Range elements, const Warmth& war
         w.free_xx[i] = free.xx;
         w.free_yy[i] = free.yy;
         w.free_xy[i] = free.xy;
+        w.softening[i] = phase.softening;
     }
 }
 
@@ -64,15 +65,19 @@ GRAINCRACK_INLINE void find_forces_of_triangles(const Triangles& triangles, std:
     const Triangles t = triangles;
     for (std::int32_t i = 0; i < count; ++i) {
         const TriangleGeometry g{{t.gradient1_x[i], t.gradient1_y[i]}, {t.gradient2_x[i], t.gradient2_y[i]}, t.area[i]};
-        const PlaneElasticity c{t.c11[i], t.c12[i], t.mu[i], 0};
+        PlaneElasticity c{t.c11[i], t.c12[i], t.mu[i], 0};
         FreeStrain free;
-        if constexpr (has_temperature) free = {w->free_xx[i], w->free_yy[i], w->free_xy[i]};
+        if constexpr (has_temperature) {
+            c = softened(c, w->softening[i]);
+            free = {w->free_xx[i], w->free_yy[i], w->free_xy[i]};
+        }
         const TriangleState state = triangle_state(g, c, {b.a_x[i], b.a_y[i]}, {b.b_x[i], b.b_y[i]}, free);
         const TriangleForces f = triangle_forces(g, state);
         if constexpr (has_temperature) {
             w->txx[i] = state.txx;
             w->tyy[i] = state.tyy;
             w->txy[i] = state.txy;
+            w->energy[i] = triangle_energy(g, state);
         }
         force[i] = -(f.on_node1.x + f.on_node2.x);
         force[n + i] = -(f.on_node1.y + f.on_node2.y);
@@ -98,8 +103,9 @@ void find_forces_of_warm_elements(const Assemblage& a, const Warmth& warmth, std
                                const std::int32_t i = e - elements.begin;
                                const PlaneWarmth& phase = warmth.of_phase[a.expansion.phase[e]];
                                const FreeStrain rate = free_strain(phase.across_rate, phase.more_along_rate, a.expansion.axis[e]);
-                               return a.element_geometry.area[e] *
-                                      (phase.energy_zz_rate - rate.xx * w.txx[i] - rate.yy * w.tyy[i] - 2 * rate.xy * w.txy[i]);
+                               return phase.softening_rate * w.energy[i] +
+                                      a.element_geometry.area[e] * (phase.energy_zz_rate - rate.xx * w.txx[i] -
+                                                                    rate.yy * w.tyy[i] - 2 * rate.xy * w.txy[i]);
                            }));
 }
 

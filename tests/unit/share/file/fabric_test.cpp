@@ -134,6 +134,12 @@ friction_angle = "20 deg"
 [phases.mica.thermal_expansion_axes]
 along = "20e-6 1/K"
 across = 9e-6
+[phases.quartz.thermal_expansion]
+temperatures = [0, "300 K"]
+values = ["8e-6 1/K", 1e-5]
+[temperature]
+temperatures = [0, "480 K"]
+young_modulus = [1, 0.8]
 [pairs]
 rule = "minimum"
 stiffness = "sides"
@@ -156,8 +162,10 @@ correlation = "10 mm"
     EXPECT_EQ(second.fabric.pairs.size(), 1U);
     const Fabric a = fabric_of(first, PlaneCondition::strain, std::nullopt, phase_names);
     const Fabric b = fabric_of(second, PlaneCondition::strain, std::nullopt, phase_names);
-    EXPECT_EQ(a.phases, b.phases);
-    EXPECT_TRUE(b.has_axes());
+    EXPECT_EQ(without_expansion(a.phases), b.phases);  // of what temperature does there is no text
+    EXPECT_EQ(a.phases[0].along, (TemperatureCurve{{0, 8e-6}, {300, 1e-5}}));
+    EXPECT_TRUE(a.phases[1].has_axis());
+    EXPECT_EQ(a.phases[2].softening, (TemperatureCurve{{0, 1}, {480, 0.8}}));
     for (std::size_t k = 0; k < a.contacts.size(); ++k) {
         for (const ContactParameter& row : all_contact_parameters()) {
             EXPECT_EQ(a.contacts[k].*row.value, b.contacts[k].*row.value) << row.key();
@@ -358,6 +366,10 @@ TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
     expect_refused(
         "[phases.mica]\nfraction = 1\nthermal_expansion = 1e-5\nthermal_expansion_axes = { along = 1e-5, across = 0 }\n",
         {"phases.mica", "give one of them"});
+    expect_refused("[phases.mica]\nfraction = 1\nthermal_expansion = { temperatures = [0, 300], values = [1e-5] }\n",
+                   {"phases.mica", "as many values as temperatures"});
+    expect_refused("[temperature]\ntemperatures = [300, 0]\nyoung_modulus = [1, 0.8]\n", {"[temperature]", "ascend"});
+    expect_refused("[temperature]\ntemperatures = [0, 300]\nyoung_modulus = [1, 1.2]\n", {"temperature.young_modulus", "1.2"});
     expect_refused("[strength]\ncorrelation = \"10 mm\"\n", {"correlation and no modulus"});
     expect_refused("[phases]\nfrom = \"basalt\"\n", {"phases.from", "phases/basalt.toml"});
     const Material granite = material_of(granite_text + phases);

@@ -180,10 +180,10 @@ TEST_F(MaterialFile, TheFabricSaysWhichGrainsAreMade) {
 }
 
 TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
-    EXPECT_EQ(
-        complaint(stone + "[rok]\n"),
-        "line 13: rok: unknown table (did you mean rock?); known are phases, pairs, flaws, strength, rock, contact, ratios, "
-        "platen, fabric, laboratory");
+    EXPECT_EQ(complaint(stone + "[rok]\n"),
+              "line 13: rok: unknown table (did you mean rock?); known are phases, pairs, flaws, strength, temperature, rock, "
+              "contact, ratios, "
+              "platen, fabric, laboratory");
     EXPECT_EQ(complaint(stone + "cohesio = 3\n"),
               "line 13: contact.cohesio: unknown key (did you mean cohesion?); known are bridging_energy, bridging_strength, "
               "cohesion, fracture_energy, "
