@@ -26,6 +26,23 @@ std::vector<std::uint8_t> numbers_of(const std::vector<std::string>& parts, cons
     return numbers;
 }
 
+/// Rotation of the specimen as a whole, by least squares over its masses, rad.
+double mean_rotation(const Assemblage& a, const State& state) {
+    const auto mean = [&](const std::vector<Vector2>& value) {
+        return (1 / sum_over_nodes(a, [&](std::int32_t i) { return a.rock_mass[i]; })) *
+               Vector2{sum_over_nodes(a, [&](std::int32_t i) { return a.rock_mass[i] * value[i].x; }),
+                       sum_over_nodes(a, [&](std::int32_t i) { return a.rock_mass[i] * value[i].y; })};
+    };
+    const Vector2 centre = mean(a.position);
+    const Vector2 moved = mean(state.displacement);
+    const auto sum = [&](auto&& of_node) {
+        return sum_over_nodes(
+            a, [&](std::int32_t i) { return a.rock_mass[i] * of_node(a.position[i] - centre, state.displacement[i] - moved); });
+    };
+    return sum([](const Vector2& r, const Vector2& u) { return r.x * u.y - r.y * u.x; }) /
+           sum([](const Vector2& r, const Vector2&) { return dot(r, r); });
+}
+
 /// Later conditions take over the components of a node that earlier ones had.
 void prescribe_velocities(const RegionContent& content, const std::array<std::int32_t, n_actions>& amplitudes,
                           std::int32_t condition, std::vector<PrescribedNode>& by_node) {
@@ -205,9 +222,11 @@ void remove_platens(State& state) {
 }
 
 void place_platens(const Assemblage& a, const Boundary& boundary, State& state) {
+    const double rotation = mean_rotation(a, state);
     const auto along = [&](const PlatenPoint& point) {
         const Platen& platen = boundary.platens[point.platen];
-        return platen.side * dot(platen.axis, a.position[point.node] + state.displacement[point.node]);
+        const Vector2 axis = platen.bonded ? platen.axis : platen.axis + rotation * Vector2{-platen.axis.y, platen.axis.x};
+        return platen.side * dot(axis, a.position[point.node] + state.displacement[point.node]);
     };
     std::vector<double> outermost(boundary.platens.size(), -std::numeric_limits<double>::infinity());
     for (const PlatenPoint& point : state.platen_points) {
@@ -217,9 +236,9 @@ void place_platens(const Assemblage& a, const Boundary& boundary, State& state) 
     a.part.ranks->take_largest(outermost);
     for (PlatenPoint& point : state.platen_points) {
         const Platen& platen = boundary.platens[point.platen];
-        const double at = platen.bonded ? along(point) : outermost[point.platen];
-        const double travelled = platen.side * state.loading.platen_displacement[platen.motion];
-        point.gap = platen.side * dot(platen.axis, a.position[point.node]) - at + travelled;
+        const double apart = platen.bonded ? 0 : along(point) - outermost[point.platen];
+        const Vector2 moved = state.displacement[point.node];
+        point.gap = apart - platen.side * (dot(platen.axis, moved) - state.loading.platen_displacement[platen.motion]);
     }
 }
 

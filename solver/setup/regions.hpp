@@ -36,7 +36,8 @@ Boundary make_program_boundary(const Assemblage& assemblage, const Specimen& spe
 /// Takes the platens away: nothing meets them, bonded or not, before they are placed.
 void remove_platens(State& state);
 /// Places absent platens where the specimen is now: each face of a platen in touch with the outermost node of the boundary that
-/// it may meet, a bonded one with all its nodes as they lie.
+/// it may meet, a bonded one with all its nodes as they lie. A specimen that has turned as a whole is taken to stand upright: the
+/// faces are inclined by its mean rotation.
 void place_platens(const Assemblage& assemblage, const Boundary& boundary, State& state);
 
 /// Gives the nodes their initial velocities, later ones of the file winning, and books their kinetic energy as external.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/setup/regions.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
@@ -62,6 +63,29 @@ TEST(Platen, ABlockBounces) {
     expect_close(largest, speed * std::sqrt(k * run.mass()), 2e-3, largest);  // and with the force of that spring
     const Energies e = run.measured().energies;
     expect_close(e.balance_error() + 0.5 * run.mass() * speed * speed, 0, 1e-6, e.kinetic);
+}
+
+// What is turned by an angle a as a whole lacks a²/2 of its size where the platens, inclined by a, are.
+TEST(Platen, ThoseThatArePlacedMeetBothEndsOfASpecimenThatHasTurned) {
+    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law());
+    std::vector<Platen> platens(2);
+    platens[bottom_platen].motion = bottom_platen;
+    platens[bottom_platen].side = -1;
+    platens[bottom_platen].position = -0.015;
+    platens[top_platen].position = 0.015;
+    run.set_boundary(make_boundary(run.assemblage, run.specimen, platens, 1e-4), 0.2);
+    remove_platens(run.state);
+    constexpr double angle = 2e-3;
+    for (std::size_t i = 0; i < run.state.displacement.size(); ++i) {
+        const Vector2& p = run.assemblage.position[i];
+        run.state.displacement[i] = {1e-4 - angle * p.y, 3e-4 + angle * p.x};
+    }
+    place_platens(run.assemblage, run.boundary, run.state);
+    ASSERT_FALSE(run.state.platen_points.empty());
+    for (const PlatenPoint& point : run.state.platen_points) {
+        const double moved = run.state.displacement[static_cast<std::size_t>(point.node)].y;
+        expect_close(point.gap + (point.platen == bottom_platen ? -moved : moved), 0, angle * angle * 0.03, 1);
+    }
 }
 
 TEST(Platen, TheMembraneExertsPressureTimesLength) {
