@@ -30,6 +30,7 @@ using test::MPa;
 using test::ProgramRun;
 using test::SmallRun;
 using test::verify;
+using test::verify_between;
 
 constexpr double heated_by = 100;  // K
 constexpr double along_axis = 7.7e-6, across_axis = 13.3e-6;
