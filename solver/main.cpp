@@ -84,7 +84,7 @@ constexpr double trusted_residual = 0.005;
 /// The result, what tells whether to trust it, and where it is; then what is wrong.
 void print_summary(const SimulationSummary& s, const Specimen& specimen, const std::string& output) {
     const RunHeader& h = s.header;
-    if (h.heat > 0) {
+    if (h.heat != 0) {
         tell(fmt::format("{}: {} before axial loading, with {} contacts past their peak\n", h.test, h.heat_label(),
                          std::ceil(s.cracks_before)));
     }

@@ -155,11 +155,11 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
                      "confining pressure on the lateral edges")
             .required();
     }
-    add_quantity(
-        command, "--heat", raw.heat, quantity::heat,
-        "heat the free specimen by so much before the test, as fast as equilibrium allows; platens are placed afterwards "
-        "where its faces then are, and strains count from there");
-    add_flag(command, "--cool", loading.cool, "cool it again before the test");
+    add_quantity(command, "--heat", raw.heat, quantity::heat,
+                 "heat the free specimen by so much before the test, below 0 cool it, as fast as equilibrium allows; platens are "
+                 "placed afterwards "
+                 "where its faces then are, and strains count from there");
+    add_flag(command, "--cool", loading.cool, "bring it back before the test");
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  rolls ? "friction angle between rock and rollers; default: 0, since they roll"
                        : "friction angle between rock and platens; default: the material's");

@@ -183,7 +183,7 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
     for (const LikeGroup& group : groups_of_like(runs, {}, {Aspect::plane, Aspect::heat})) {
         const StrengthRow& first = rows[group.runs.front()];
         table.group(series_label(first.run) + ", plane " + std::string(name_of(first.header().plane)) +
-                    (first.header().heat > 0 ? ", " : "") + first.header().heat_label() +
+                    (first.header().heat != 0 ? ", " : "") + first.header().heat_label() +
                     (group.distinction.empty() ? "" : ", ") + group.distinction +
                     (is_compression(first.header()) ? "; strength: " + label_of(first.kind) : ""));
         std::vector<double> strengths;

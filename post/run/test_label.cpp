@@ -11,7 +11,7 @@ std::string test_title(const RunHeader& header) {
     const TestDescription& description = header.description();
     std::string test(description.title);
     if (description.is_confined) test += fmt::format(" under {:.4g} MPa", header.confining_pressure * 1e-6);
-    if (header.heat > 0) test += ", " + header.heat_label();
+    if (header.heat != 0) test += ", " + header.heat_label();
     return header.material.empty() ? test : test + ", " + header.material;
 }
 

@@ -105,8 +105,8 @@ inline constexpr std::string_view why_hottest =
     "480 K above 20 deg C are 500 deg C; at 573 deg C quartz changes, and the cracks of that are not in the model";
 inline constexpr Quantity temperature{
     "temperature", Dimension::temperature, -290, 480, "temperature above that of the state without stress", false, why_hottest};
-inline constexpr Quantity heat{"heat",     Dimension::temperature, 0, 480, "rise of the temperature before a test", true,
-                               why_hottest};
+inline constexpr Quantity heat{
+    "heat", Dimension::temperature, -290, 480, "rise of the temperature before a test, below 0 a fall", false, why_hottest};
 inline constexpr Quantity mode_i_toughness{
     "mode_i_toughness", Dimension::toughness, 0, 1e9, "fracture toughness K_IC of the rock", true};
 inline constexpr Quantity mode_ii_toughness{

@@ -76,7 +76,7 @@ bool has_fallen(const RunHeader& header, const CurveColumns& curve) {
 
 std::optional<Peak> find_strength(const RunHeader& header, const CurveColumns& curve) {
     if (header.loading() == Loading::compression) {
-        const double settled = header.heat > 0 ? settling_load * header.rock.tensile_strength : 0;
+        const double settled = header.heat != 0 ? settling_load * header.rock.tensile_strength : 0;
         if (const auto first = find_first_peak(curve, header.confining_pressure, settled)) return first;
     }
     if (!has_fallen(header, curve)) return std::nullopt;

@@ -116,7 +116,7 @@ struct HeaderReader {
 
 std::string RunHeader::heat_label() const {
     if (heat == 0) return "";
-    return cooled != 0 ? fmt::format("heated by {:.4g} K and cooled", heat) : fmt::format("at +{:.4g} K", heat);
+    return cooled != 0 ? fmt::format("heated by {:.4g} K and cooled", heat) : fmt::format("at {:+.4g} K", heat);
 }
 
 void write_header(H5Output& file, const RunHeader& header) {
@@ -125,7 +125,7 @@ void write_header(H5Output& file, const RunHeader& header) {
     file.attribute(schema::run_group, "crack_event", std::string(name_of(header.crack_event)));
     visit_header(header, HeaderWriter{file});
     if (header.span > 0) file.quantity(schema::run_group, "span", header.span, "m");
-    if (header.heat > 0) {
+    if (header.heat != 0) {
         file.quantity(schema::run_group, "heat", header.heat, "K");
         file.attribute(schema::run_group, "cooled", header.cooled);
     }

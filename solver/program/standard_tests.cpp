@@ -175,7 +175,7 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     program.platens->bonded = loading == Loading::tension;
     program.platens->max_strain = request.max_strain;
     if (loading == Loading::bending) add_rollers(request, specimen, *program.platens);
-    if (request.heat > 0) program.stages.push_back(heating(heat_stage, request.heat, request, transit_time));
+    if (request.heat != 0) program.stages.push_back(heating(heat_stage, request.heat, request, transit_time));
     if (request.cool) program.stages.push_back(heating(cool_stage, 0, request, transit_time));
     if (request.confining_pressure > 0) {
         program.boundary_conditions = {membrane()};

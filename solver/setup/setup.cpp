@@ -54,7 +54,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Pro
         throw InputError(
             fmt::format("{}, and no phase of the material {} expands; give its [phases.NAME] a thermal_expansion, such as \"8e-6 "
                         "1/K\"",
-                        r.loading.heat > 0 ? "--heat: changes the temperature" : program.file + ": prescribes a temperature",
+                        r.loading.heat != 0 ? "--heat: changes the temperature" : program.file + ": prescribes a temperature",
                         r.material.file.string()));
     }
     s.parameters.laws = make_contact_laws(s.fabric.contacts, r.law);

@@ -404,6 +404,7 @@ TEST(Temperature, OneMineralIsAsStrongAfterHeatingAndCooling) {
     };
     const TestOutcome cold = run(0);
     const TestOutcome cooled = run(300);
+    EXPECT_EQ(run(-100).header.heat_label(), "at -100 K");
     const History& h = cooled.history;
     const auto begin = static_cast<std::size_t>(
         std::find(h[HistoryColumn::time].begin(), h[HistoryColumn::time].end(), cooled.header.isotropic_end_time) -
