@@ -180,18 +180,20 @@ State make_state(const Assemblage& assemblage, const Boundary& boundary, const S
 /// Gives a specimen a temperature, that of the state without stress unless it has one.
 inline void take_temperature(const Assemblage& a, State& s) { s.thermal.resize(a.element_chunks.size()); }
 
-/// Strain and stress of an element at the present displacements and temperature.
-inline TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) {
+/// Strain and stress of an element at the present displacements, without a temperature.
+inline TriangleState cold_element_state(const Assemblage& a, std::size_t e, const State& s) {
     const auto [n0, n1, n2] = a.element_nodes[e];
-    FreeStrain free;
-    PlaneElasticity elasticity = a.elasticity[e];
-    if (!s.thermal.empty()) {
-        const PlaneWarmth warmth = a.expansion.of_element(e, s.loading.temperature);
-        free = free_strain(warmth.across, warmth.more_along, a.expansion.axis[e]);
-        elasticity = softened(elasticity, warmth.softening);
-    }
-    return triangle_state(a.element_geometry[e], elasticity, s.displacement[n1] - s.displacement[n0],
-                          s.displacement[n2] - s.displacement[n0], free);
+    return triangle_state(a.element_geometry[e], a.elasticity[e], s.displacement[n1] - s.displacement[n0],
+                          s.displacement[n2] - s.displacement[n0]);
+}
+/// The same at the present temperature.
+inline TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) {
+    if (s.thermal.empty()) return cold_element_state(a, e, s);
+    const auto [n0, n1, n2] = a.element_nodes[e];
+    const PlaneWarmth warmth = a.expansion.of_element(e, s.loading.temperature);
+    return triangle_state(a.element_geometry[e], softened(a.elasticity[e], warmth.softening),
+                          s.displacement[n1] - s.displacement[n0], s.displacement[n2] - s.displacement[n0],
+                          free_strain(warmth.across, warmth.more_along, a.expansion.axis[e]));
 }
 /// Stress in the present directions: xx yy xy zz, Pa.
 inline std::array<double, 4> element_stress(const Assemblage& a, std::size_t e, const State& s) {

@@ -106,26 +106,37 @@ Measurement sum_over_nodes(const Assemblage& a, const Boundary& boundary, const 
     });
 }
 
-/// Strain energy (J), Σ |force on a node| over the nodes (N) and work of the temperature (J) of elements.
+/// Strain energy (J) and Σ |force on a node| over the nodes (N) of elements.
 struct ElementSums {
-    double energy = 0, force = 0, thermal_work = 0;
+    double energy = 0, force = 0;
     using IsSum = void;
 };
-ElementSums sum_over_elements(const Assemblage& a, ThreadTeam& team, const State& s) {
+template <class StateOf>
+ElementSums sum_over_elements(const Assemblage& a, Range elements, const StateOf& state_of) {
+    return sum_over(elements, [&](std::int32_t e) {
+        const TriangleGeometry g = a.element_geometry[e];
+        const TriangleState t = state_of(e);
+        const TriangleForces f = triangle_forces(g, t);
+        return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
+    });
+}
+/// Of elements, with the work of temperature (J).
+struct WarmSums {
+    ElementSums elastic;
+    double thermal_work = 0;
+    using IsSum = void;
+};
+WarmSums sum_over_elements(const Assemblage& a, ThreadTeam& team, const State& s) {
     return sum_of_team(team, a.part, a.part.elements, [&](std::int32_t chunk) {
         const Range elements = a.element_chunks[chunk];
-        ElementSums sums = sum_over(elements, [&](std::int32_t e) {
-            const TriangleGeometry g = a.element_geometry[e];
-            const TriangleState t = element_state(a, e, s);
-            const TriangleForces f = triangle_forces(g, t);
-            return ElementSums{triangle_energy(g, t), length(f.on_node0()) + length(f.on_node1) + length(f.on_node2)};
-        });
-        if (!s.thermal.empty()) {
-            sums.thermal_work = s.thermal[chunk].work;
-            sums.energy += sum_over(elements, [&](std::int32_t e) {
-                return a.element_geometry.area[e] * a.expansion.of_element(e, s.loading.temperature).energy_zz;
-            });
+        if (s.thermal.empty()) {
+            return WarmSums{sum_over_elements(a, elements, [&](std::int32_t e) { return cold_element_state(a, e, s); })};
         }
+        WarmSums sums{sum_over_elements(a, elements, [&](std::int32_t e) { return element_state(a, e, s); }),
+                      s.thermal[chunk].work};
+        sums.elastic.energy += sum_over(elements, [&](std::int32_t e) {
+            return a.element_geometry.area[e] * a.expansion.of_element(e, s.loading.temperature).energy_zz;
+        });
         return sums;
     });
 }
@@ -146,10 +157,10 @@ Energies energies_of_contacts(const Assemblage& a, const ContactLaws& laws, Thre
 Measurement measure(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters, ThreadTeam& team, State& s) {
     sum_nodal_forces(a, boundary, s.loading, team, s);
     Measurement m = sum_over_nodes(a, boundary, parameters, team, s);
-    const ElementSums elements = sum_over_elements(a, team, s);
+    const auto [elements, thermal_work] = sum_over_elements(a, team, s);
     m.energies += energies_of_contacts(a, parameters.laws, team, s);
     m.energies.strain = elements.energy;
-    m.energies.external += elements.thermal_work;
+    m.energies.external += thermal_work;
     m.element_force = elements.force;
     m.unbalanced_ratio = elements.force > 0 ? m.unbalanced_ratio / elements.force : 0;
     return m;
