@@ -96,7 +96,7 @@ $(HERE)/moduli.tsv: $$(call of_test,uniaxial,$$(runs)) $(runs_list)
 $(HERE)/cracks.tsv: $$(call of_test,uniaxial,$$(runs)) $(runs_list)
 	$(call table,$(call of_runs,classes))
 $(HERE)/toughness.tsv: $$(call of_test,bend,$$(runs)) $(runs_list)
-	$(call table,$(if $(run_files),$(call of_runs,toughness),printf 'file\tmode_i_toughness_MPa.m^0.5\n'))
+	$(call table,$(if $(run_files),$(call of_runs,toughness),printf 'file\tmode_i_toughness_MPa.m^0.5\n-\t\n'))
 # The last row of the history of confined tests and of direct tension.
 $(HERE)/ends.tsv: $$(call of_test,triaxial tension,$$(runs)) $(runs_list)
 	$(call table,$(last_rows))

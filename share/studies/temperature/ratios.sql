@@ -1,6 +1,6 @@
 -- Ratios to the unheated state against temperature, beside published ones, with straight lines between their points.
 WITH states AS (
-    SELECT state AS temperature_C, quantity, ratio FROM temperature WHERE part = 'heat' AND state <> '250'
+    SELECT state + 0 AS temperature_C, quantity, ratio FROM temperature WHERE part = 'heat' AND text('{}', state) <> '250'
 ), points AS (
     SELECT quantity, temperature_C AS x, ratio AS y, lead(temperature_C) OVER (PARTITION BY quantity ORDER BY temperature_C) AS x2,
         lead(ratio) OVER (PARTITION BY quantity ORDER BY temperature_C) AS y2 FROM published
