@@ -146,7 +146,7 @@ PhaseMaterial overlay(PhaseMaterial phase, const PhaseMaterial& of_file) {
     const auto take = [&](auto member) {
         if (!(phase.*member)) phase.*member = of_file.*member;
     };
-    take(&PhaseMaterial::fraction);
+    if (phase.fraction == 0) phase.fraction = of_file.fraction;
     take(&PhaseMaterial::poisson_ratio);
     take(&PhaseMaterial::density);
     if (!phase.young_modulus && !phase.relative_young_modulus) {
