@@ -40,24 +40,24 @@ void add_value(Response& response, const std::vector<const Measures*>& runs) {
 }
 
 std::size_t fit_surfaces(Fit& fit) {
-    std::vector<DesignPoint> points;
+    std::vector<DesignPoint> inner_points;
     std::vector<std::size_t> inside;
     for (std::size_t i = 0; i < fit.points.size(); ++i) {
         if (!fit.box.contains(fit.points[i])) continue;
-        points.push_back(fit.points[i]);
+        inner_points.push_back(fit.points[i]);
         inside.push_back(i);
     }
     fit.shares.clear();
     for (Response& response : fit.responses) {
         std::vector<double> values;
         for (const std::size_t i : inside) values.push_back(response.values[i]);
-        response.surface = LocalSurface::fit(fit.box, points, values);
+        response.surface = LocalSurface::fit(fit.box, inner_points, values);
         const Target& t = response.target;
         if (t.use != Use::fit || !t.property.needs_first_peak || response.measured == response.tests) continue;
         Eigen::MatrixXd factors(static_cast<Eigen::Index>(inside.size()), fit.box.size());
         Eigen::VectorXd happened(factors.rows());
         for (Eigen::Index i = 0; i < factors.rows(); ++i) {
-            factors.row(i) = points[static_cast<std::size_t>(i)].transpose();
+            factors.row(i) = inner_points[static_cast<std::size_t>(i)].transpose();
             happened(i) = std::isnan(values[static_cast<std::size_t>(i)]) ? 0 : 1;
         }
         fit.shares.push_back(fit_logistic(factors, happened));
