@@ -192,7 +192,7 @@ Slopes regression(const LoadCurve& curve, double low_share, double high_share) {
 }
 
 /// In a tension test the specimen narrows while it lengthens.
-ElasticPair elastic_pair(const Slopes& slopes, const RunHeader& header) {
+ElasticPair elastic_pair(const Slopes& slopes, const RunSettings& header) {
     ElasticPair pair;
     pair.plane_young_modulus = slopes.stress;
     pair.plane_poisson_ratio = header.loading() == Loading::tension ? -slopes.lateral : slopes.lateral;
@@ -240,7 +240,7 @@ double contact_length_per_area(const Specimen& specimen) {
     return length / std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
 }
 
-GrainModuli grain_moduli(const RunHeader& header, const Specimen& specimen) {
+GrainModuli grain_moduli(const RunSettings& header, const Specimen& specimen) {
     const std::vector<double> fractions = phase_fractions(specimen);
     GrainModuli grains;
     double compliance = 0;
@@ -257,7 +257,7 @@ GrainModuli grain_moduli(const RunHeader& header, const Specimen& specimen) {
 namespace {
 
 /// Stiffness of all contacts in series: their length over the sum of their lengths over their stiffnesses.
-double mean_stiffness(const RunHeader& header, const Specimen& specimen, const std::vector<std::uint8_t>& classes,
+double mean_stiffness(const RunSettings& header, const Specimen& specimen, const std::vector<std::uint8_t>& classes,
                       ContactValue stiffness) {
     double whole = 0;
     double compliance = 0;
@@ -271,7 +271,7 @@ double mean_stiffness(const RunHeader& header, const Specimen& specimen, const s
 
 }  // namespace
 
-fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& specimen) {
+fpz::AssemblageModuli predict_moduli(const RunSettings& header, const Specimen& specimen) {
     Rock rock = header.rock;
     double normal = header.contact.normal_stiffness;
     double shear = header.contact.shear_stiffness;

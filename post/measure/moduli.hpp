@@ -49,11 +49,11 @@ struct GrainModuli {
     double poisson_ratio = 0;
     [[nodiscard]] double hill() const { return 0.5 * (voigt + reuss); }  ///< Pa
 };
-GrainModuli grain_moduli(const RunHeader& header, const Specimen& specimen);
+GrainModuli grain_moduli(const RunSettings& header, const Specimen& specimen);
 
 /// The moduli that the grains (Hill's mean over their phases) and the compliance of their contacts predict for this assemblage
 /// (fpz::assemblage_moduli).
-fpz::AssemblageModuli predict_moduli(const RunHeader& header, const Specimen& specimen);
+fpz::AssemblageModuli predict_moduli(const RunSettings& header, const Specimen& specimen);
 /// Length of all contacts over the area of all grains, 1/m.
 double contact_length_per_area(const Specimen& specimen);
 

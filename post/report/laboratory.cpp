@@ -90,7 +90,7 @@ bool LaboratoryProperty::is_measured() const { return std::isfinite(target.value
 
 std::string LaboratoryProperty::name() const { return laboratory_name(target); }
 
-std::optional<Material> material_of_run(const RunHeader& header, const std::vector<std::string>& words) {
+std::optional<Material> material_of_run(const RunSettings& header, const std::vector<std::string>& words) {
     constexpr std::string_view option = "--material";
     for (std::size_t i = 0; i < words.size(); ++i) {
         std::string name;
@@ -111,8 +111,8 @@ std::optional<Material> material_of_run(const RunHeader& header, const std::vect
     return std::nullopt;
 }
 
-std::string difference_from(const Material& material, const RunHeader& run) {
-    RunHeader made = run;
+std::string difference_from(const Material& material, const RunSettings& run) {
+    RunSettings made = run;
     made.material = material.name;
     made.rock = material.rock;
     made.contact = contact_parameters(material, run.plane, std::nullopt);

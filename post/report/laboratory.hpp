@@ -33,11 +33,11 @@ struct LaboratoryProperty {
 
 /// The material that a run was made with, as its command line names it; empty if that is not found, or is another by now: its
 /// name, the elastic constants or density of its rock differ. \param words of the command line
-std::optional<Material> material_of_run(const RunHeader& header, const std::vector<std::string>& words);
+std::optional<Material> material_of_run(const RunSettings& header, const std::vector<std::string>& words);
 
 /// In what a run is of another material than this: its name, rock, contacts or phases, the values of the run first; "" if in
 /// nothing.
-std::string difference_from(const Material& material, const RunHeader& run);
+std::string difference_from(const Material& material, const RunSettings& run);
 
 /// The targets of a material, and E, ν, strengths at the given pressures, crack thresholds and K_IC, in the order of
 /// `all_properties`. What [targets] lacks is filled from [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3,

@@ -18,7 +18,7 @@ namespace {
 
 using html::number;
 
-std::string law_label(const RunHeader& header) {
+std::string law_label(const RunSettings& header) {
     const auto& laws = all_contact_laws();
     const auto law =
         std::find_if(laws.begin(), laws.end(), [&](const LawDescription& d) { return d.name == header.contact_law; });
@@ -46,12 +46,12 @@ std::string ending_label(const TestReport& t) {
 
 std::vector<double> modes(const ModeCounts& counts) { return {counts.tensile, counts.shear}; }
 
-std::string rate_label(const RunHeader& h) {
+std::string rate_label(const RunSettings& h) {
     if (h.rate == "auto") return "automatic, tolerance " + number(h.rate_tolerance);
     return h.rate == "blocks" ? "blocks" : "constant";
 }
 
-std::string damping_label(const RunHeader& h) { return h.damping > 0 ? number(h.damping) + ", " + h.damping_form : "none"; }
+std::string damping_label(const RunSettings& h) { return h.damping > 0 ? number(h.damping) + ", " + h.damping_form : "none"; }
 
 /// The settings that change the peak most, if the run was made with --sensitivity.
 std::string sensitivity_label(const TestReport& t) {
@@ -154,19 +154,19 @@ std::string cell_of(const Check& check, const Runs& runs) {
 }
 
 const std::vector<Check>& checks() {
-    const auto percent_of = [](double RunHeader::*share) {
+    const auto percent_of = [](double RunSummary::*share) {
         return [share](const TestReport& t) { return 100 * t.data.header.*share; };
     };
     static const std::vector<Check> all{
         {"the curve ended by", ending_label},
         {"contact law", [](const TestReport& t) { return law_label(t.data.header); }},
         {"plane", [](const TestReport& t) { return std::string(name_of(t.data.header.plane)); }},
-        {"error of the energy balance, of the largest stored energy", nullptr, percent_of(&RunHeader::energy_balance_error),
+        {"error of the energy balance, of the largest stored energy", nullptr, percent_of(&RunSummary::energy_balance_error),
          "\u00a0%"},
         {"non-conservative work of the law, of the largest stored energy", nullptr, non_conservative_percent, "\u00a0%"},
-        {"share of the work that damping absorbed", nullptr, percent_of(&RunHeader::damping_share), "\u00a0%"},
-        {"load that damping carries before the peak", nullptr, percent_of(&RunHeader::damping_load), "\u00a0%"},
-        {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunHeader::platen_force_difference), "\u00a0%"},
+        {"share of the work that damping absorbed", nullptr, percent_of(&RunSummary::damping_share), "\u00a0%"},
+        {"load that damping carries before the peak", nullptr, percent_of(&RunSummary::damping_load), "\u00a0%"},
+        {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunSummary::platen_force_difference), "\u00a0%"},
         {"confinement achieved, mean ± s.d.", confinement_label},
         {.name = "contact zone over mean edge", .of_all = contact_zone_label},
         {.name = "tensile : shear cracks at the strength", .contacts = [](const TestReport& t) { return modes(t.at_peak); }},
@@ -181,7 +181,7 @@ const std::vector<Check>& checks() {
          [](const TestReport& t) {
              return t.data.header.mass_scaling == "none" ? std::nan("") : t.data.header.mass_scaling_factor;
          }},
-        {"mass added", nullptr, percent_of(&RunHeader::added_mass), "\u00a0%"},
+        {"mass added", nullptr, percent_of(&RunSummary::added_mass), "\u00a0%"},
         {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
         {.name = "caveats of the strength", .of_all = caveats_label}};
     return all;

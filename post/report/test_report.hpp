@@ -20,7 +20,7 @@ using ProvenanceEntries = std::vector<std::pair<std::string, std::string>>;
 struct TestReport : MeasuredRun {
     fpz::AssemblageModuli predicted;
     GrainModuli grains;
-    std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunHeader::fabric`
+    std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunSettings::fabric`
     std::vector<Caveat> caveats;           ///< caveats of the strength
     CrackBalance at_peak;                  ///< by the label of the page, at the strength
     CrackBalance at_end;

@@ -16,7 +16,7 @@ namespace graincrack {
 struct CrackLabelChoice {
     std::optional<CrackEvent> event = {};
     CrackModeRule mode = CrackModeRule::traction;
-    [[nodiscard]] CrackLabel of(const RunHeader& run) const { return {event.value_or(run.crack_event), mode}; }
+    [[nodiscard]] CrackLabel of(const RunSettings& run) const { return {event.value_or(run.crack_event), mode}; }
 };
 
 /// The labels of tables, in their order: by the event of a run by traction and by sign, then broken by both.

@@ -199,7 +199,7 @@ std::tuple<int, double, std::string, std::string, double> table_order(const RunD
 
 }  // namespace
 
-std::vector<Trait> material_traits(const RunHeader& header) {
+std::vector<Trait> material_traits(const RunSettings& header) {
     std::vector<Trait> traits{
         {Aspect::plane, "plane", std::string(name_of(header.plane))},
         {Aspect::material, "material", header.material},

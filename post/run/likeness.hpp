@@ -37,7 +37,7 @@ struct Trait {
 };
 
 /// Law, rock, contacts and phases, in the order of reports.
-std::vector<Trait> material_traits(const RunHeader& header);
+std::vector<Trait> material_traits(const RunSettings& header);
 /// All traits of a run. What its file does not hold is empty.
 std::vector<Trait> traits_of(const RunData& run);
 

@@ -260,9 +260,9 @@ double load_at(const RunData& run, std::size_t row) {
     return run.header.loading() == Loading::tension ? mean : -mean;
 }
 
-bool is_compression(const RunHeader& header) { return header.loading() == Loading::compression; }
+bool is_compression(const RunSettings& header) { return header.loading() == Loading::compression; }
 
-double decisive_drop(const RunHeader& header) {
+double decisive_drop(const RunSettings& header) {
     // A test may be continued far beyond the drop that makes its largest stress a peak.
     constexpr double usual_drop = 0.3;
     return header.peak_drop > 0 ? std::min(header.peak_drop, usual_drop) : usual_drop;

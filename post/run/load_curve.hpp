@@ -121,11 +121,11 @@ std::string stress_name(const RunData& run);
 double load_at(const RunData& run, std::size_t row);
 
 /// Uniaxial or triaxial.
-bool is_compression(const RunHeader& header);
+bool is_compression(const RunSettings& header);
 
 /// The fall behind the largest stress, as a share of it, over which brittleness is measured: that which ends the test, at most
 /// 0.3.
-double decisive_drop(const RunHeader& header);
+double decisive_drop(const RunSettings& header);
 
 /// "drop" if the largest stress is a peak, see `has_fallen`; "cap" if
 /// the test was stopped at the strain limit before that; "" for a test that was stopped otherwise before that.

@@ -7,7 +7,7 @@
 
 namespace graincrack {
 
-std::string test_title(const RunHeader& header) {
+std::string test_title(const RunSettings& header) {
     const TestDescription& description = header.description();
     std::string test(description.title);
     if (description.is_confined) test += fmt::format(" under {:.4g} MPa", header.confining_pressure * 1e-6);

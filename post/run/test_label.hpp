@@ -9,7 +9,7 @@
 namespace graincrack {
 
 /// "Uniaxial compression, Augig granite"; triaxial names its confinement.
-std::string test_title(const RunHeader& header);
+std::string test_title(const RunSettings& header);
 
 /// "uniaxial", "Brazilian", "σ3 = 4 MPa", "direct tension", "bending"; with a shape "Brazilian, ring".
 std::string series_label(const std::string& test, double confining_pressure, const std::string& shape = "");

@@ -114,7 +114,7 @@ struct HeaderReader {
 
 }  // namespace
 
-std::string RunHeader::heat_label() const {
+std::string RunSettings::heat_label() const {
     if (heat == 0) return "";
     return cooled != 0 ? fmt::format("heated by {:.4g} K and cooled", heat) : fmt::format("at {:+.4g} K", heat);
 }

@@ -1,4 +1,4 @@
-// What was asked of a run, and what it came to: /run, /phases and /classes of a run file.
+// Settings and summary results of a run: /run, /phases and /classes of a run file.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,8 @@ namespace graincrack {
 /// Fraction of the load that the damping forces may carry before a run warns.
 inline constexpr double trusted_damping_load = 0.01;
 
-/// Attributes of /run. An attribute has the name of its member. SI units.
-struct RunHeader {
-    std::string test;                             ///< "uniaxial" | "triaxial" | "brazilian" | "tension" | "bend" | "program"
+/// What a run is made of: the law and the properties of grains and contacts.
+struct MaterialSettings {
     std::string material;                         ///< name of the material
     std::string contact_law;                      ///< a name of solver/law/table.hpp
     CrackEvent crack_event = CrackEvent::failed;  ///< by which tables and pictures count the micro-cracks of this law
@@ -29,14 +28,19 @@ struct RunHeader {
     ContactParameters contact;
     Fabric fabric;                         ///< of phases and classes; empty: all are of the rock and the contact
     std::vector<std::string> class_names;  ///< of `fabric.contacts`, in a header that was read
-    double platen_friction = 0;            ///< rad
-    double confining_pressure = 0;         ///< target, Pa
-    std::string rate = "fixed";            ///< "auto" | "fixed" | "blocks"
-    double rate_tolerance = 0;             ///< bound of the measures that control the automatic rate; 0 with a fixed rate
-    double rate_share = 1;                 ///< factor on the speeds, limits and lower bounds of the automatic rate
-    double platen_speed = 0;               ///< of each platen, m/s; with an automatic rate, its mean during axial loading
-    double damping = 0;                    ///< damping force as a share of the unbalanced force; 0 for none
-    std::string damping_form = "local";    ///< "combined" | "local"
+};
+
+/// How a run is loaded and computed.
+struct LoadingSettings {
+    std::string test;                    ///< "uniaxial" | "triaxial" | "brazilian" | "tension" | "bend" | "program"
+    double platen_friction = 0;          ///< rad
+    double confining_pressure = 0;       ///< target, Pa
+    std::string rate = "fixed";          ///< "auto" | "fixed" | "blocks"
+    double rate_tolerance = 0;           ///< bound of the measures that control the automatic rate; 0 with a fixed rate
+    double rate_share = 1;               ///< factor on the speeds, limits and lower bounds of the automatic rate
+    double platen_speed = 0;             ///< of each platen, m/s; with an automatic rate, its mean during axial loading
+    double damping = 0;                  ///< damping force as a share of the unbalanced force; 0 for none
+    std::string damping_form = "local";  ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;
     double heat = 0;                    ///< rise of the temperature before a standard test, K; 0 and no attributes without one
@@ -44,9 +48,24 @@ struct RunHeader {
     double span = 0;                    ///< bend: distance of the lower rollers, m; 0 and no attribute in other tests
     std::string mass_scaling = "none";  ///< "none" | "selective"
     double mass_scaling_factor = 0;     ///< β: added mass over mass, for relative motion across contacts
-    double added_mass = 0;              ///< with mass scaling: mass added to the stiffest elements over the mass of the specimen
-    double stable_time_step = 0;        ///< s
-    double time_step = 0;               ///< s
+};
+
+/// The settings of a run; attributes of /run with the names of the members. SI units.
+struct RunSettings : MaterialSettings, LoadingSettings {
+    [[nodiscard]] const TestDescription& description() const { return test_named(test); }
+    [[nodiscard]] Loading loading() const { return description().loading; }
+    /// "heated by 300 K and cooled", "at +300 K"; "" of a specimen that was not heated before its test.
+    [[nodiscard]] std::string heat_label() const;
+    [[nodiscard]] bool is_unconfined_compression() const {
+        return loading() == Loading::compression && !description().is_confined;
+    }
+};
+
+/// What a run came to; further attributes of /run.
+struct RunSummary {
+    double added_mass = 0;        ///< with mass scaling: mass added to the stiffest elements over the mass of the specimen
+    double stable_time_step = 0;  ///< s
+    double time_step = 0;         ///< s
     // set when the run ends
     std::string stop_reason;  ///< "peak drop" | "strain limit" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
@@ -61,15 +80,10 @@ struct RunHeader {
     double confinement_deviation = 0;
     double damping_share = 0;  ///< energy absorbed by damping / external work at the end
     double damping_load = 0;  ///< part of the load that damping forces carry, mean from 0.9 of the strain at the peak to the peak
-
-    [[nodiscard]] const TestDescription& description() const { return test_named(test); }
-    [[nodiscard]] Loading loading() const { return description().loading; }
-    /// "heated by 300 K and cooled", "at +300 K"; "" of a specimen that was not heated before its test.
-    [[nodiscard]] std::string heat_label() const;
-    [[nodiscard]] bool is_unconfined_compression() const {
-        return loading() == Loading::compression && !description().is_confined;
-    }
 };
+
+/// Both, as a run file has them.
+struct RunHeader : RunSettings, RunSummary {};
 
 void write_header(H5Output& file, const RunHeader& header);
 /// The fabric of a header, or of its one rock and contact.

@@ -9,14 +9,14 @@
 
 namespace graincrack {
 
-double sign_of_strength(const RunHeader& header, const History& history) {
+double sign_of_strength(const RunSettings& header, const History& history) {
     if (header.loading() != Loading::program) return header.loading() == Loading::tension ? 1 : -1;
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const auto [lowest, highest] = std::minmax_element(stress.begin(), stress.end());
     return *highest > -*lowest ? 1 : -1;
 }
 
-std::size_t peak_row(const RunHeader& header, const History& history) {
+std::size_t peak_row(const RunSettings& header, const History& history) {
     const double sign = sign_of_strength(header, history);
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const auto peak = std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
@@ -26,7 +26,7 @@ std::size_t peak_row(const RunHeader& header, const History& history) {
 namespace {
 
 /// Largest difference of the platen forces over their mean, before the peak while the mean exceeds half of it.
-double platen_force_difference(const RunHeader& header, const History& history, double width) {
+double platen_force_difference(const RunSettings& header, const History& history, double width) {
     const double sign = sign_of_strength(header, history);
     const std::size_t peak = peak_row(header, history);
     const double peak_stress = sign * history[HistoryColumn::axial_stress][peak];
@@ -41,7 +41,7 @@ double platen_force_difference(const RunHeader& header, const History& history, 
 }
 
 /// Mean of the damping load over the travel of the platens from nine tenths of the strain at the peak to the peak.
-double damping_load_at_peak(const RunHeader& header, const History& history) {
+double damping_load_at_peak(const RunSettings& header, const History& history) {
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
     const std::size_t peak = peak_row(header, history);
     double sum = 0;

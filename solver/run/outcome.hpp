@@ -14,10 +14,10 @@ struct TestOutcome {
 };
 
 /// 1 where a test pulls, −1 where it presses; a program does what it does more.
-double sign_of_strength(const RunHeader& header, const History& history);
+double sign_of_strength(const RunSettings& header, const History& history);
 
 /// Row of the largest axial stress in the sense of the test. \pre the history has rows
-std::size_t peak_row(const RunHeader& header, const History& history);
+std::size_t peak_row(const RunSettings& header, const History& history);
 
 /// Sets what the header of a finished test takes from its history: the peak, the difference of the platen forces before it, the
 /// load and the work of damping, and the confining pressure since `isotropic_end_time`.
