@@ -156,39 +156,24 @@ Command film_command() {
         make_film);
 }
 
-namespace {
-
-std::string text_of(const SharedMesh& mesh, MeshFormat format, const std::string& specimen) {
-    switch (format) {
-        case MeshFormat::gmsh: return gmsh_text(mesh);
-        case MeshFormat::vtu: return vtu_text(mesh);
-        case MeshFormat::abaqus: return abaqus_text(mesh, specimen);
-    }
-    return "";
-}
-
-}  // namespace
-
 Command export_command() {
     struct Options {
         std::string mesh;
         std::optional<MeshFormat> format;
     };
     return make_command<Options>(
-        "export", "the mesh of a specimen for other programs: Gmsh, VTK, Abaqus",
-        {"disc.h5 -o disc.msh", "uniaxial.h5 -o uniaxial.inp"}, FileArguments{"file", "specimen or run"},
+        "export", "the mesh of a specimen for other programs: Gmsh, VTK", {"disc.h5 -o disc.msh", "uniaxial.h5 -o uniaxial.vtu"},
+        FileArguments{"file", "specimen or run"},
         [](OptionSet set, Options& options) {
-            add_output(set, options.mesh, "mesh: .msh (Gmsh), .vtu (VTK) or .inp (Abaqus); - is stdout");
-            add_choice<std::optional<MeshFormat>>(
-                set, "--format", options.format,
-                {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}, {"abaqus", MeshFormat::abaqus}},
-                "MSH 2.2 of Gmsh, an XML file of VTK, or an input file of Abaqus; default: by the ending of --output");
+            add_output(set, options.mesh, "mesh: .msh (Gmsh) or .vtu (VTK); - is stdout");
+            add_choice<std::optional<MeshFormat>>(set, "--format", options.format,
+                                                  {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}},
+                                                  "MSH 2.2 of Gmsh or an XML file of VTK; default: by the ending of --output");
         },
         [](const Options& options, const Call& call) {
             const MeshFormat format = mesh_format_of(options.mesh, options.format);
-            const H5Input file(call.file());
-            const SharedMesh mesh = share_nodes(read_specimen(file));
-            write_whole_file(options.mesh, text_of(mesh, format, file.name()));
+            const SharedMesh mesh = share_nodes(read_specimen(H5Input(call.file())));
+            write_whole_file(options.mesh, format == MeshFormat::gmsh ? gmsh_text(mesh) : vtu_text(mesh));
             const std::vector<std::string> lost = losses(mesh, format);
             if (lost.empty()) return;
             fmt::print(call.diagnostics(), "graincrack-post: export: {} {}\n",

@@ -15,8 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <concepts>
-#include <map>
 #include <numeric>
 #include <string_view>
 
@@ -34,80 +32,30 @@ struct FormatEnding {
     const char* ending;
     MeshFormat format;
 };
-constexpr std::array<FormatEnding, 3> endings{
-    {{".msh", MeshFormat::gmsh}, {".vtu", MeshFormat::vtu}, {".inp", MeshFormat::abaqus}}};
+constexpr std::array<FormatEnding, 2> endings{{{".msh", MeshFormat::gmsh}, {".vtu", MeshFormat::vtu}}};
 
-/// Appends numbers, each in the fewest digits that read back exactly, with something between them.
+/// Appends a line of numbers, each in the fewest digits that read back exactly.
 template <class... Numbers>
-void append(std::string& text, char between, Numbers... numbers) {
-    bool is_first = true;
+void append_line(std::string& text, Numbers... numbers) {
     const auto one = [&](auto number) {
-        if (!is_first) text += between;
-        is_first = false;
         std::array<char, 32> digits{};
         text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+        text += ' ';
     };
     (one(numbers), ...);
+    text.back() = '\n';
 }
 
-constexpr std::array<std::string_view, 2> grain_sets{"face", "crystal"};  ///< with a number: grains, or crystals of several
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_label_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; }
-
-std::string lower_case(std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
-std::string phase_set(const std::string& phase) { return "PHASE_" + mesh_name(phase, MeshFormat::abaqus); }
-
-/// True if a name of sides is that of a grain.
-bool names_grain(const std::string& label) {
-    return std::any_of(grain_sets.begin(), grain_sets.end(), [&](std::string_view set) {
-        return label.size() > set.size() && label.starts_with(set) &&
-               label.find_first_not_of("0123456789", set.size()) == std::string::npos;
-    });
-}
-
-void require_distinct_sets(const SharedMesh& mesh, const std::string& where) {
-    std::map<std::string, std::string> name_of;  // by its set in small letters
-    const auto add = [&](const std::string& name, const std::string& set) {
-        const auto [at, is_new] = name_of.try_emplace(lower_case(set), name);
-        const std::string other = names_grain(at->first) ? "a grain" : is_new ? "" : printable(at->second);
-        if (other.empty()) return;
-        throw InputError(fmt::format("{}: {} and {} would both be the set {} of an Abaqus file; --format gmsh keeps them apart",
-                                     where, printable(name), other, set));
-    };
-    for (const std::string& phase : mesh.phase_names) add(phase, phase_set(phase));
-    for (const std::string& name : mesh.side_names) add(name, mesh_name(name, MeshFormat::abaqus));
+/// A name as Gmsh reads it: without quotes and control characters.
+std::string gmsh_name(std::string_view name) {
+    std::string shown = printable(name);
+    std::replace(shown.begin(), shown.end(), '"', '\'');
+    return shown;
 }
 
 std::size_t n_crystals(const SharedMesh& mesh) {
     const auto last = std::max_element(mesh.grain_crystal.begin(), mesh.grain_crystal.end());
     return last == mesh.grain_crystal.end() ? 0 : static_cast<std::size_t>(*last) + 1;
-}
-
-/// A set of triangles, up to 16 on a line, as Abaqus needs it.
-void append_set(std::string& text, const std::string& name, const std::vector<std::size_t>& triangles) {
-    text += "*Elset, elset=" + name + "\n";
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        append(text, ' ', triangles[i] + 1);
-        text += i % 16 == 15 || i + 1 == triangles.size() ? "\n" : ", ";
-    }
-}
-
-void append_sets(std::string& text, const SharedMesh& mesh) {
-    std::vector<std::vector<std::size_t>> crystals(n_crystals(mesh));
-    std::vector<std::vector<std::size_t>> phases(mesh.phase_names.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto grain = static_cast<std::size_t>(mesh.triangle_grain[t]);
-        crystals[static_cast<std::size_t>(mesh.grain_crystal[grain])].push_back(t);
-        phases[mesh.grain_phase[grain]].push_back(t);
-    }
-    const std::string_view set = grain_sets[mesh.has_crystals ? 1 : 0];
-    for (std::size_t i = 0; i < crystals.size(); ++i) append_set(text, fmt::format("{}{}", set, i + 1), crystals[i]);
-    for (std::size_t p = 0; p < phases.size(); ++p) append_set(text, phase_set(mesh.phase_names[p]), phases[p]);
 }
 
 }  // namespace
@@ -123,10 +71,9 @@ MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFor
     if (chosen) return *chosen;
     if (is_known) return known->format;
     if (is_stream(output)) {
-        throw UsageError(fmt::format("--output {}: the format is missing; give --format gmsh, vtu or abaqus", output));
+        throw UsageError(fmt::format("--output {}: the format is missing; give --format gmsh or vtu", output));
     }
-    throw UsageError(
-        fmt::format("--output {}: its name must end in .msh, .vtu or .inp, or --format gmsh, vtu or abaqus be given", output));
+    throw UsageError(fmt::format("--output {}: its name must end in .msh or .vtu, or --format gmsh or vtu be given", output));
 }
 
 std::string gmsh_text(const SharedMesh& mesh) {
@@ -135,14 +82,13 @@ std::string gmsh_text(const SharedMesh& mesh) {
     std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     text += fmt::format("$PhysicalNames\n{}\n", n_phases + mesh.side_names.size());
     const auto name = [&](int dimension, std::size_t number, const std::string& of) {
-        text += fmt::format("{} {} \"{}\"\n", dimension, number, mesh_name(of, MeshFormat::gmsh));
+        text += fmt::format("{} {} \"{}\"\n", dimension, number, gmsh_name(of));
     };
     for (std::size_t p = 0; p < n_phases; ++p) name(2, p + 1, mesh.phase_names[p]);
     for (std::size_t i = 0; i < mesh.side_names.size(); ++i) name(1, n_phases + i + 1, mesh.side_names[i]);
     text += fmt::format("$EndPhysicalNames\n$Nodes\n{}\n", mesh.points.size());
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        append(text, ' ', i + 1, mesh.points[i][0], mesh.points[i][1], 0);
-        text += '\n';
+        append_line(text, i + 1, mesh.points[i][0], mesh.points[i][1], 0);
     }
     text += fmt::format("$EndNodes\n$Elements\n{}\n", mesh.triangles.size() + mesh.sides.size());
     constexpr int line_type = 1;
@@ -152,54 +98,14 @@ std::string gmsh_text(const SharedMesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto grain = static_cast<std::size_t>(mesh.triangle_grain[t]);
         const auto& [i, j, k] = mesh.triangles[t];
-        append(text, ' ', ++number, triangle_type, n_tags, mesh.grain_phase[grain] + 1, mesh.grain_crystal[grain] + 1, i + 1,
-               j + 1, k + 1);
-        text += '\n';
+        append_line(text, ++number, triangle_type, n_tags, mesh.grain_phase[grain] + 1, mesh.grain_crystal[grain] + 1, i + 1,
+                    j + 1, k + 1);
     }
     for (const NamedSide& side : mesh.sides) {
-        append(text, ' ', ++number, line_type, n_tags, n_phases + side.name + 1, n_entities + side.name + 1, side.from + 1,
-               side.to + 1);
-        text += '\n';
+        append_line(text, ++number, line_type, n_tags, n_phases + side.name + 1, n_entities + side.name + 1, side.from + 1,
+                    side.to + 1);
     }
     return text + "$EndElements\n";
-}
-
-std::string abaqus_text(const SharedMesh& mesh, const std::string& where) {
-    require_distinct_sets(mesh, where);
-    std::string text = "*Heading\nGrains of a specimen; coordinates in m\n*Node\n";
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        append(text, ',', i + 1, mesh.points[i][0], mesh.points[i][1]);
-        text += '\n';
-    }
-    text += "*Element, type=CPE3\n";
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto& [i, j, k] = mesh.triangles[t];
-        append(text, ',', t + 1, i + 1, j + 1, k + 1);
-        text += '\n';
-    }
-    for (std::size_t name = 0; name < mesh.side_names.size(); ++name) {
-        text += "*Element, type=T2D2, elset=" + mesh_name(mesh.side_names[name], MeshFormat::abaqus) + "\n";
-        for (std::size_t i = 0; i < mesh.sides.size(); ++i) {
-            if (mesh.sides[i].name != name) continue;
-            append(text, ',', mesh.triangles.size() + i + 1, mesh.sides[i].from + 1, mesh.sides[i].to + 1);
-            text += '\n';
-        }
-    }
-    append_sets(text, mesh);
-    return text;
-}
-
-std::string mesh_name(std::string_view name, MeshFormat format) {
-    if (format == MeshFormat::vtu) return std::string(name);
-    if (format == MeshFormat::gmsh) {
-        std::string shown = printable(name);
-        std::replace(shown.begin(), shown.end(), '"', '\'');
-        return shown;
-    }
-    constexpr std::size_t longest = 70;
-    std::string label(name.substr(0, longest));
-    for (char& c : label) c = is_label_character(c) ? c : '_';
-    return is_letter(label.empty() ? '_' : label[0]) ? label : "set_" + label;
 }
 
 std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format) {
@@ -216,9 +122,10 @@ std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format) {
     }
     std::vector<std::string> lost;
     if (!left_out.empty()) lost.push_back(fmt::format("leaves out {}", fmt::join(left_out, ", ")));
+    if (format == MeshFormat::vtu) return lost;
     for (const auto* names : {&mesh.phase_names, &mesh.side_names}) {
         for (const std::string& name : *names) {
-            const std::string written = mesh_name(name, format);
+            const std::string written = gmsh_name(name);
             if (written != name) lost.push_back(fmt::format("has {} for the name {}", written, printable(name)));
         }
     }

@@ -1,5 +1,4 @@
-// The mesh of a specimen as other programs have meshes, whose grains share points, and as text: MSH 2.2 of Gmsh, .vtu of VTK
-// and the input file of Abaqus.
+// The mesh of a specimen as other programs have meshes, whose grains share points, and as text: MSH 2.2 of Gmsh, .vtu of VTK.
 #pragma once
 
 #include <array>
@@ -37,33 +36,23 @@ struct SharedMesh {
     /// `flaw-NAME-broken`.
     std::vector<std::string> side_names;
     bool has_strength_factors = false;  ///< of contacts, which no mesh carries
-    bool has_crystals = false;          ///< of several grains, which are entities or sets in place of grains
+    bool has_crystals = false;          ///< of several grains, which are entities in place of grains
     std::uint64_t seed = 0;             ///< of the specimen
 };
 
 /// The shared mesh of a specimen. Nodes are one point if contacts join them; it lies where the lowest of them does.
 SharedMesh share_nodes(const Specimen& specimen);
 
-enum class MeshFormat { gmsh, vtu, abaqus };
+enum class MeshFormat { gmsh, vtu };
 
-/// The format that was chosen, else the one that the name of a file asks for: .msh, .vtu or .inp.
+/// The format that was chosen, else the one that the name of a file asks for: .msh or .vtu.
 /// \throws UsageError for another ending or a stream without a choice, and for the ending of another format
 MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFormat>& chosen = {});
 
 /// MSH 2.2 ASCII. Triangles are numbered as elements are, from 1: their tags are phase + 1 and crystal + 1. Lines follow, with
 /// tags beyond those of the phases and the crystals. Coordinates in m, in the fewest digits that read back exactly.
+/// Names are written without quotes and control characters.
 std::string gmsh_text(const SharedMesh& mesh);
-
-/// The input file of Abaqus: *Node, CPE3 elements numbered as those of the specimen, from 1, and sets of them: `faceN`, the
-/// grains from 1, or `crystalN`, the crystals of several grains, and `PHASE_NAME`. Lines are T2D2 elements in a set of their
-/// name, with ascending numbers that follow those of the triangles: their order is that of `SharedMesh::sides`. Coordinates as in
-/// `gmsh_text`. \param where of the specimen, for messages \throws InputError if two sets would have one name, in any case of
-/// letters
-std::string abaqus_text(const SharedMesh& mesh, const std::string& where);
-
-/// A name of a phase or of sides as a format has it. Gmsh: without quotes and control characters; Abaqus: a letter, then letters,
-/// digits, - and _, with a prefix at most the 80 of a label.
-std::string mesh_name(std::string_view name, MeshFormat format);
 
 /// The parts of a mesh that a format does not carry, or carries by another name: "leaves out strength factors of contacts", …
 std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format);

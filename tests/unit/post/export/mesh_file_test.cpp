@@ -47,26 +47,13 @@ TEST(MeshFile, GmshTextIsMsh2) {
         "$EndElements\n");
 }
 
-TEST(MeshFile, AbaqusTextHasSetsOfGrainsPhasesAndSides) {
-    EXPECT_EQ(
-        abaqus_text(two_grains(), "two.h5"),
-        "*Heading\nGrains of a specimen; coordinates in m\n"
-        "*Node\n1,-0.1,0\n2,0.1,0\n3,0.1,0.1\n4,-0.1,0.1\n5,0,-0.1\n"
-        "*Element, type=CPE3\n1,1,2,3\n2,1,3,4\n3,5,2,1\n"
-        "*Element, type=T2D2, elset=right\n6,2,3\n*Element, type=T2D2, elset=top\n8,3,4\n"
-        "*Element, type=T2D2, elset=left\n4,4,1\n*Element, type=T2D2, elset=rim\n5,1,5\n7,5,2\n"
-        "*Element, type=T2D2, elset=crack\n9,1,2\n"
-        "*Elset, elset=face1\n1, 2\n*Elset, elset=face2\n3\n*Elset, elset=PHASE_quartz\n1, 2\n*Elset, elset=PHASE_mica\n3\n");
-}
-
 /// The words of the lines behind a line, up to the next that begins with a sign.
 std::vector<std::vector<std::string>> rows_behind(const std::string& text, const std::string& head) {
     std::istringstream lines(text.substr(std::min(text.size(), text.find(head + "\n"))));
     std::vector<std::vector<std::string>> rows;
     std::string line;
     std::getline(lines, line);
-    while (std::getline(lines, line) && line[0] != '$' && line[0] != '*') {
-        std::replace(line.begin(), line.end(), ',', ' ');
+    while (std::getline(lines, line) && line[0] != '$') {
         std::istringstream words(line);
         rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
     }
@@ -80,75 +67,34 @@ TEST(MeshFile, CoordinatesReadBackExactly) {
     const SharedMesh mesh = share_nodes(s);
     auto gmsh = rows_behind(gmsh_text(mesh), "$Nodes");
     gmsh.erase(gmsh.begin());  // their number
-    const auto abaqus = rows_behind(abaqus_text(mesh, ""), "*Node");
     ASSERT_EQ(gmsh.size(), mesh.points.size());
-    ASSERT_EQ(abaqus.size(), mesh.points.size());
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        for (const auto& row : {gmsh[i], abaqus[i]}) {
-            EXPECT_EQ(row[0], std::to_string(i + 1));
-            for (std::size_t axis = 0; axis < 2; ++axis) {
-                double value = 1;
-                const std::string& digits = row[axis + 1];
-                EXPECT_EQ(std::from_chars(digits.data(), digits.data() + digits.size(), value).ptr,
-                          digits.data() + digits.size());
-                EXPECT_EQ(value, mesh.points[i][axis]);
-                EXPECT_EQ(std::signbit(value), std::signbit(mesh.points[i][axis]));
-            }
+        EXPECT_EQ(gmsh[i][0], std::to_string(i + 1));
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            double value = 1;
+            const std::string& digits = gmsh[i][axis + 1];
+            EXPECT_EQ(std::from_chars(digits.data(), digits.data() + digits.size(), value).ptr, digits.data() + digits.size());
+            EXPECT_EQ(value, mesh.points[i][axis]);
+            EXPECT_EQ(std::signbit(value), std::signbit(mesh.points[i][axis]));
         }
     }
-}
-
-TEST(MeshFile, LinesOfASetHaveAtMost16Numbers) {
-    Specimen s = test::crossed_blocks(4, 4, 0.1, 0.1, [](int i, int j) { return j / 2 * 2 + i / 2; });
-    s.phase_names = {"quartz", "mica"};
-    s.grain_phase = {0, 1, 1, 0};
-    const std::string text = abaqus_text(share_nodes(s), "");
-    EXPECT_EQ(rows_behind(text, "*Elset, elset=face2").size(), 1U);
-    const auto mica = rows_behind(text, "*Elset, elset=PHASE_mica");
-    ASSERT_EQ(mica.size(), 2U);
-    EXPECT_EQ(mica[0].front(), "17");
-    EXPECT_EQ(mica[1].back(), "48");
-}
-
-TEST(MeshFile, NamesFitTheFormat) {
-    EXPECT_EQ(mesh_name("K-feldspar_2", MeshFormat::abaqus), "K-feldspar_2");
-    EXPECT_EQ(mesh_name("a, b=\"c\"\n", MeshFormat::abaqus), "a__b__c__");
-    EXPECT_EQ(mesh_name("2nd", MeshFormat::abaqus), "set_2nd");
-    EXPECT_EQ(mesh_name("", MeshFormat::abaqus), "set_");
-    EXPECT_LE(mesh_name(std::string(200, 'x'), MeshFormat::abaqus).size(), 74U);
-    EXPECT_EQ(mesh_name("a, \"b\"\n", MeshFormat::gmsh), "a, 'b'\\x0a");
-    EXPECT_EQ(mesh_name("Feldspat, weiß", MeshFormat::gmsh), "Feldspat, weiß");
-}
-
-TEST(MeshFile, SetsOfOneNameAreRefused) {
-    const auto named = [](const std::string& part) {
-        Specimen s = test::one_diagonal_grid(2, 2, 0.1, 0.1);
-        test::name_boundary(s, part, [](double, double y) { return y < -0.049; });
-        return share_nodes(s);
-    };
-    test::expect_one_line<InputError>([&] { (void)abaqus_text(named("Face12"), "disc.h5"); },
-                                      {"disc.h5: Face12 and a grain would both be the set Face12", "--format gmsh"});
-    test::expect_one_line<InputError>([&] { (void)abaqus_text(named("TOP"), "disc.h5"); }, {"disc.h5: TOP and top"});
-    test::expect_one_line<InputError>([&] { (void)abaqus_text(named("phase_rock"), "disc.h5"); }, {"phase_rock and rock"});
-    EXPECT_NO_THROW((void)abaqus_text(named("faces"), "disc.h5"));
-    EXPECT_NO_THROW((void)abaqus_text(named("face"), "disc.h5"));
 }
 
 TEST(MeshFile, LossesAreWhatAFormatDoesNotCarry) {
     SharedMesh mesh = two_grains();
     EXPECT_TRUE(losses(mesh, MeshFormat::gmsh).empty());
-    EXPECT_TRUE(losses(mesh, MeshFormat::abaqus).empty());
     mesh.has_strength_factors = true;
-    mesh.phase_names[1] = "brown mica";
+    mesh.phase_names = {"Feldspat, weiß", "brown \"mica\"\n"};
     const std::string factors =
         "leaves out strength factors of contacts (import --seed 0 draws them again with their modulus or material)";
-    EXPECT_EQ(losses(mesh, MeshFormat::gmsh), std::vector<std::string>{factors});
-    EXPECT_EQ(losses(mesh, MeshFormat::abaqus), (std::vector<std::string>{factors, "has brown_mica for the name brown mica"}));
+    EXPECT_EQ(losses(mesh, MeshFormat::gmsh),
+              (std::vector<std::string>{factors, "has brown 'mica'\\x0a for the name brown \"mica\"\\x0a"}));
+    EXPECT_NE(gmsh_text(mesh).find("2 1 \"Feldspat, weiß\"\n2 2 \"brown 'mica'\\x0a\"\n"), std::string::npos);
     EXPECT_EQ(losses(mesh, MeshFormat::vtu),
               (std::vector<std::string>{factors + ", parts of the boundary, pre-existing cracks and flaws"}));
 }
 
-TEST(MeshFile, CrystalsOfSeveralGrainsAreEntitiesAndSets) {
+TEST(MeshFile, CrystalsOfSeveralGrainsAreEntities) {
     Specimen s = test::one_diagonal_grid(2, 1, 0.2, 0.1);
     s.grain_crystal = {0, 0, 1, 1};
     s.flaw_names = {"within_rock"};
@@ -160,26 +106,22 @@ TEST(MeshFile, CrystalsOfSeveralGrainsAreEntitiesAndSets) {
     EXPECT_EQ(mesh.sides.size(), s.n_boundary_edges()) << "contacts within crystals follow from the crystals";
     const auto elements = rows_behind(gmsh_text(mesh), "$Elements");
     for (std::size_t t = 0; t < 4; ++t) EXPECT_EQ(elements[t + 1][4], t < 2 ? "1" : "2");
-    const std::string sets = abaqus_text(mesh, "");
-    EXPECT_NE(sets.find("elset=crystal1\n1, 2\n*Elset, elset=crystal2\n3, 4\n"), std::string::npos) << sets;
-    EXPECT_EQ(sets.find("elset=face"), std::string::npos);
     s.element_grain = {0, 0, 1, 1};
     s.grain_phase.resize(2);
     s.grain_crystal = {0, 0};
-    EXPECT_EQ(losses(share_nodes(s), MeshFormat::abaqus),
+    EXPECT_EQ(losses(share_nodes(s), MeshFormat::gmsh),
               std::vector<std::string>{"leaves out grains of several elements within crystals"});
 }
 
 TEST(MeshFile, FormatIsThatOfTheEnding) {
     EXPECT_EQ(mesh_format_of("a.msh"), MeshFormat::gmsh);
     EXPECT_EQ(mesh_format_of("a.b/c.vtu"), MeshFormat::vtu);
-    EXPECT_EQ(mesh_format_of("a.inp"), MeshFormat::abaqus);
-    test::expect_one_line<UsageError>([] { (void)mesh_format_of("a.stl"); }, {"--output a.stl", ".msh, .vtu or .inp"});
-    test::expect_one_line<UsageError>([] { (void)mesh_format_of("-"); }, {"--output -", "--format gmsh, vtu or abaqus"});
+    test::expect_one_line<UsageError>([] { (void)mesh_format_of("a.stl"); }, {"--output a.stl", ".msh or .vtu"});
+    test::expect_one_line<UsageError>([] { (void)mesh_format_of("-"); }, {"--output -", "--format gmsh or vtu"});
     test::expect_one_line<UsageError>([] { (void)mesh_format_of("a.vtu", MeshFormat::gmsh); }, {"--output a.vtu", "--format"});
     EXPECT_EQ(mesh_format_of("a.vtu", MeshFormat::vtu), MeshFormat::vtu);
     EXPECT_EQ(mesh_format_of("a.txt", MeshFormat::vtu), MeshFormat::vtu);
-    EXPECT_EQ(mesh_format_of("-", MeshFormat::abaqus), MeshFormat::abaqus);
+    EXPECT_EQ(mesh_format_of("-", MeshFormat::gmsh), MeshFormat::gmsh);
 }
 
 TEST(MeshVtk, TrianglesReadBackWithGrainsAndPhases) {
