@@ -10,6 +10,7 @@
 
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
+#include "share/base/toml_document.hpp"
 #include "share/file/output_file.hpp"
 #include "share/rock/material.hpp"
 
@@ -49,16 +50,20 @@ std::string material_text(const Material& rock, const Decision& decision, const 
     std::vector<MaterialSetting> settings;
     for (const auto& [key, value] : decision.point) settings.emplace_back(key, value_text(key, value, " "));
     settings.emplace_back("name", rock.name + ", " + what);
-    std::string text = material_with(rock.file.string(), settings);
-    // The [fitted] of an earlier calibration holds no longer.
-    if (const std::size_t earlier = text.find("\n[fitted]"); earlier != std::string::npos) text.erase(earlier + 1);
-    text += "\n[fitted]  # property: what it was fitted to, and what new specimens have\n";
+    std::vector<std::pair<std::string, std::string>> fitted;
     for (const Outcome& o : decision.outcomes) {
         if (o.target.use != Use::fit || !o.ours) continue;
-        text += fmt::format("{} = \"{}; {} on {} new specimens\"\n", o.target.fitted_name(), o.target.text(o.target.value),
-                            with_interval(o.ours->mean, o.target.property.si), o.ours->n);
+        fitted.emplace_back(o.target.fitted_name(), fmt::format("{}; {} on {} new specimens", o.target.text(o.target.value),
+                                                                with_interval(o.ours->mean, o.target.property.si), o.ours->n));
     }
-    return text;
+    TomlDocument file(material_with(rock.file.string(), settings), rock.file.string());
+    if (!file.has_table({"fitted"})) file.add_table({"fitted"}, "property: what it was fitted to, and what new specimens have");
+    for (const auto& [earlier, words] : rock.fitted) {  // by another calibration
+        const auto is_earlier = [&key = earlier](const auto& each) { return each.first == key; };
+        if (std::none_of(fitted.begin(), fitted.end(), is_earlier)) file.remove({"fitted", earlier});
+    }
+    for (const auto& [key, words] : fitted) file.set({"fitted", key}, toml_string(words));
+    return file.text();
 }
 
 std::string requested_table(const Material& rock, const Study& study, const std::vector<RequestedRun>& requested) {

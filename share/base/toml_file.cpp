@@ -4,6 +4,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <string_view>
 
 #include "share/base/error.hpp"
@@ -14,6 +17,7 @@ namespace graincrack {
 namespace {
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+TomlPlace place(const toml::source_position& at) { return {static_cast<int>(at.line), static_cast<int>(at.column)}; }
 
 TomlValue value_of(const toml::node& node, const std::string& file, std::string_view key) {
     if (const auto* text = node.as_string()) return {TomlValue::Kind::text, text->get()};
@@ -60,11 +64,19 @@ void flatten(const toml::table& table, const std::vector<std::string>& section, 
         if (const auto* sub = node.as_table()) {
             std::vector<std::string> below = section;
             below.push_back(name);
-            out.sections.push_back({below, line_of(node)});
+            out.sections.push_back(
+                {below, line_of(node), sub->is_inline(), place(node.source().begin), place(node.source().end)});
             flatten(*sub, below, out);
             continue;
         }
-        TomlEntry entry{section, name, {}, node.is_array(), line_of(node)};
+        TomlEntry entry{section,
+                        name,
+                        {},
+                        node.is_array(),
+                        line_of(node),
+                        place(key.source().begin),
+                        place(node.source().begin),
+                        place(node.source().end)};
         if (const auto* array = node.as_array()) {
             for (const toml::node& element : *array) entry.values.push_back(value_of(element, out.file, name));
         } else {
@@ -96,5 +108,33 @@ TomlFile parse_toml(const std::string& text, const std::string& name) {
 }
 
 TomlFile read_toml(const std::string& file) { return parse_toml(text_of_toml(file), file); }
+
+std::string toml_string(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        const bool is_control = static_cast<unsigned char>(c) < 32 || c == 127;
+        out += is_control ? fmt::format("\\u{:04x}", static_cast<int>(c)) : std::string(1, c);
+    }
+    return out + '"';
+}
+
+std::string toml_value(const std::string& text) {
+    const char* const end = text.data() + text.size();
+    std::int64_t integer = 0;
+    if (const auto r = std::from_chars(text.data(), end, integer); r.ec == std::errc{} && r.ptr == end) {
+        if (std::to_string(integer) == text) return text;
+    }
+    double real = 0;
+    if (const auto r = std::from_chars(text.data(), end, real); r.ec == std::errc{} && r.ptr == end && std::isfinite(real)) {
+        if (format_number(real) == text && text.find('.') != std::string::npos) return text;
+    }
+    return toml_string(text);
+}
+
+std::string toml_key(const std::string& name) {
+    constexpr const char* bare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    return !name.empty() && name.find_first_not_of(bare) == std::string::npos ? name : toml_string(name);
+}
 
 }  // namespace graincrack

@@ -1,7 +1,8 @@
-// A TOML file as a flat list of keys. The only file that uses the TOML library.
+// A TOML file as a flat list of keys, and texts as TOML writes them. The only file that uses the TOML library.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace graincrack {
@@ -13,6 +14,11 @@ struct TomlValue {
     std::string text;  ///< as an option would be given: text as it stands, numbers in their shortest form, "true", "false"
 };
 
+/// A place in a TOML file: lines and columns from 1, columns in characters.
+struct TomlPlace {
+    int line = 0, column = 0;
+};
+
 /// A key with its value or array of values.
 struct TomlEntry {
     std::vector<std::string> section;  ///< {"rock"} for [rock]; empty at the top
@@ -20,12 +26,15 @@ struct TomlEntry {
     std::vector<TomlValue> values;  ///< one, or the elements of an array
     bool is_array = false;
     int line = 0;
+    TomlPlace key_begin, begin, end;  ///< of the last part of the key, and of the value
 };
 
 /// A table, which may be empty.
 struct TomlSection {
     std::vector<std::string> name;
     int line = 0;
+    bool is_inline = false;  ///< {…}
+    TomlPlace begin, end;    ///< of {…} or [NAME]; of the first [NAME.…] or key with dots where a table has neither
 };
 
 struct TomlFile {
@@ -40,5 +49,12 @@ TomlFile read_toml(const std::string& file);
 
 /// The same from text; `name` stands for the file in messages.
 TomlFile parse_toml(const std::string& text, const std::string& name);
+
+/// A text in quotes, "…", with what may not stand there as an escape.
+std::string toml_string(std::string_view text);
+/// A text as a value: bare where it is a number that reads back unchanged, else in quotes.
+std::string toml_value(const std::string& text);
+/// A name as a key: bare where TOML allows it, else in quotes.
+std::string toml_key(const std::string& name);
 
 }  // namespace graincrack

@@ -4,50 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <set>
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
-#include "share/base/units.hpp"
 
 namespace graincrack {
 namespace {
 
 [[noreturn]] void refuse(const TomlFile& toml, int line, const std::string& message) {
     throw UsageError(fmt::format("{}: line {}: {}", toml.file, line, message));
-}
-
-/// A text as a TOML string.
-std::string toml_string(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += c;
-        } else if (static_cast<unsigned char>(c) < 32 || c == 127) {
-            out += fmt::format("\\u{:04x}", static_cast<int>(c));
-        } else {
-            out += c;
-        }
-    }
-    return out + '"';
-}
-
-/// A value as TOML: a number is written without quotes if it reads back unchanged.
-std::string toml_value(const std::string& text) {
-    const char* const end = text.data() + text.size();
-    std::int64_t integer = 0;
-    if (const auto r = std::from_chars(text.data(), end, integer); r.ec == std::errc{} && r.ptr == end) {
-        if (std::to_string(integer) == text) return text;
-    }
-    double real = 0;
-    if (const auto r = std::from_chars(text.data(), end, real); r.ec == std::errc{} && r.ptr == end && std::isfinite(real)) {
-        if (format_number(real) == text && text.find('.') != std::string::npos) return text;
-    }
-    return toml_string(text);
 }
 
 std::string toml_line(const CLI::Option& option) {

@@ -172,13 +172,10 @@ std::vector<TomlKeys> tables_of(Material& material) {
     return tables;
 }
 
-/// A table that holds the value of K_IC and the test that it is of.
-constexpr const char* toughness_table = "laboratory.mode_i_toughness";
-
 /// The keys of a table by its path, one of `tables_of`, of K_IC or of the fabric; nothing if there is no such table.
 std::optional<TomlKeys> table_at(Material& material, const std::vector<std::string>& path) {
-    if (fmt::format("{}", fmt::join(path, ".")) == toughness_table) {
-        TomlKeys table{toughness_table, toughness_test_keys(material.toughness_test)};
+    if (fmt::format("{}", fmt::join(path, ".")) == measured_toughness) {
+        TomlKeys table{measured_toughness, toughness_test_keys(material.toughness_test)};
         const auto set = [&material](double value) { material.laboratory["mode_i_toughness"] = value; };
         table.keys.push_back({"value", quantity::mode_i_toughness, set});
         return table;
@@ -264,7 +261,7 @@ void read_table(TomlTable table, IncompleteMaterial& read) {
         }
     }
     table.refuse_others();
-    if (table.path() == toughness_table) finish_toughness(table, read);
+    if (table.path() == measured_toughness) finish_toughness(table, read);
 }
 
 /// Gives a material the phases of a file of phases, but for the values that it gives itself.

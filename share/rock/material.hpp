@@ -23,6 +23,9 @@ namespace graincrack {
 /// over the grain size, with E of the rock; mode_ii_fracture_energy over G_I. Other members are not used.
 using ContactRatios = GivenContact;
 
+/// The key of the measured K_IC, or the table of its value and of the test that it is of.
+inline constexpr const char* measured_toughness = "laboratory.mode_i_toughness";
+
 /// [laboratory]: measured values, by key, in SI.
 using LaboratoryValues = std::map<std::string, double>;
 

@@ -322,7 +322,7 @@ std::string lines(const Value&... value) {
 
 std::string function_text(const TimeFunction& f, const Quantity& quantity) {
     switch (f.kind) {
-        case TimeFunction::Kind::constant: return std::isnan(f.value) ? "\"free\"" : toml::number(f.value);
+        case TimeFunction::Kind::constant: return std::isnan(f.value) ? "\"free\"" : toml_number(f.value);
         case TimeFunction::Kind::keep: return "\"keep\"";
         default: return inline_table(f, quantity);
     }
@@ -351,8 +351,8 @@ std::string settings_lines(const std::string& before, const Settings& settings) 
 }
 
 std::string stage_text(const Stage& stage) {
-    std::string text = fmt::format("\n[stage.{}]\n", toml::key(stage.name));
-    for (const auto& [condition, settings] : stage.settings) text += settings_lines(toml::key(condition) + ".", settings);
+    std::string text = fmt::format("\n[stage.{}]\n", toml_key(stage.name));
+    for (const auto& [condition, settings] : stage.settings) text += settings_lines(toml_key(condition) + ".", settings);
     TomlEntries entries;
     if (stage.platens) std::visit(AddMotion{entries}, *stage.platens);
     if (stage.without_platens) entries.given(program_keys::presence_of_platens, std::string("absent"));
@@ -363,7 +363,7 @@ std::string stage_text(const Stage& stage) {
     }
     TomlEntries until;
     program_keys::visit_until(until, stage);
-    for (const Condition& condition : stage.until) until.add(condition.name, toml::number(condition.value));
+    for (const Condition& condition : stage.until) until.add(condition.name, toml_number(condition.value));
     entries.add(program_keys::until, until.inline_table());
     entries.given(program_keys::must_end_by, stage.must_end_by);
     return text + entries.lines();
@@ -404,10 +404,10 @@ std::string program_text(const Program& program) {
         if (!program.platens->top.empty()) text += "\n[platens.top]\n" + lines(program.platens->top);
     }
     for (const BoundaryCondition& condition : program.boundary_conditions) {
-        text += fmt::format("\n[boundary.{}]\n{}{}", toml::key(condition.name), lines(condition.region),
+        text += fmt::format("\n[boundary.{}]\n{}{}", toml_key(condition.name), lines(condition.region),
                             settings_lines("", condition.start));
     }
-    for (const ProbeRequest& probe : program.probes) text += fmt::format("\n[probe.{}]\n{}", toml::key(probe.name), lines(probe));
+    for (const ProbeRequest& probe : program.probes) text += fmt::format("\n[probe.{}]\n{}", toml_key(probe.name), lines(probe));
     for (std::size_t i = 0; i < program.initial_velocities.size(); ++i) {
         text += fmt::format("\n[initial.{}]\n{}", i, lines(program.initial_velocities[i]));
     }

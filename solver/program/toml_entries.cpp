@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include "share/base/toml_file.hpp"
 
 namespace graincrack {
 namespace {
@@ -17,36 +17,22 @@ std::string list(const std::vector<Item>& items, const Text& text_of) {
 
 }  // namespace
 
-// As TOML writes what is no whole number.
-std::string toml::number(double value) {
+std::string toml_number(double value) {
     const std::string text = fmt::format("{}", value);
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-std::string toml::quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    return out + "\"";
-}
-
-std::string toml::key(const std::string& name) {
-    const bool is_bare = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-    });
-    return is_bare ? name : quoted(name);
-}
-
 void TomlEntries::given(const std::string& key, const std::string& value) {
-    if (!value.empty()) add(key, toml::quoted(value));
+    if (!value.empty()) add(key, toml_string(value));
 }
 
 void TomlEntries::given(const std::string& key, const std::vector<std::string>& value) {
-    if (!value.empty()) add(key, list(value, toml::quoted));
+    if (!value.empty()) add(key, list(value, toml_string));
 }
 
 void TomlEntries::given(const std::string& key, const Quantity& of, const std::optional<double>& value, const char* none) {
     if (value && *value == 0 && none != nullptr) {
-        add(key, toml::quoted(none));
+        add(key, toml_string(none));
     } else if (value) {
         given(key, of, *value);
     }
@@ -54,7 +40,7 @@ void TomlEntries::given(const std::string& key, const Quantity& of, const std::o
 
 void TomlEntries::given(const std::string& key, const Quantity& /*of*/, const std::vector<double>& value) {
     if (value.empty()) return;
-    add(key, list(value, toml::number));
+    add(key, list(value, toml_number));
 }
 
 std::string TomlEntries::lines(const std::string& before) const {

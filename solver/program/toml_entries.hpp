@@ -13,12 +13,8 @@
 
 namespace graincrack {
 
-namespace toml {
-std::string number(double value);
-std::string quoted(const std::string& text);
-/// A name as a key: bare where TOML allows it.
-std::string key(const std::string& name);
-}  // namespace toml
+/// As TOML writes what is no whole number.
+std::string toml_number(double value);
 
 class TomlEntries {
 public:
@@ -29,7 +25,7 @@ public:
     void given(const std::string& key, const std::string& value);
     void given(const std::string& key, const std::vector<std::string>& value);
     void given(const std::string& key, bool value) { add(key, value ? "true" : "false"); }
-    void given(const std::string& key, const Quantity& /*of*/, double value) { add(key, toml::number(value)); }
+    void given(const std::string& key, const Quantity& /*of*/, double value) { add(key, toml_number(value)); }
     void given(const std::string& key, const Quantity& /*of*/, std::int64_t value) { add(key, std::to_string(value)); }
     void given(const std::string& key, const Quantity& of, const std::optional<double>& value, const char* none = nullptr);
     void given(const std::string& key, const Quantity& of, const std::vector<double>& value);

@@ -136,6 +136,9 @@ protected:
 };
 
 TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
+    const std::string behind =
+        "# of the user\n[study] # usual\npoints = 20\n[temperature]\ntemperatures = [0, # K\n 300]\nyoung_modulus = [1, 1]";
+    write_material("[fitted] # earlier\nporosity = \"1\" # %\n# on discs\ntensile_strength = \"1\" # MPa\n\n" + behind);
     const FolderDecision first = ask();
     EXPECT_EQ(first.decision.ending, Ending::requested);
     EXPECT_EQ(first.requested_time, 0);
@@ -154,6 +157,9 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     ASSERT_EQ(calibrated.fitted.size(), 5U);
     EXPECT_EQ(calibrated.fitted.at("confined_strength_8MPa").find("193.5 MPa; "), 0U);
     EXPECT_EQ(calibrated.fitted.count("tensile_strength"), 1U);
+    const std::string file = text("calibrated.toml");
+    EXPECT_TRUE(file.ends_with(behind)) << file;
+    EXPECT_NE(file.find("\n[fitted] # earlier\n# on discs\ntensile_strength = \"8.8 MPa; "), std::string::npos) << file;
     const std::string report = text("report.md");
     for (const char* part :
          {"# Augig granite: calibrated",

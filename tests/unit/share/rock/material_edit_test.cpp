@@ -37,6 +37,21 @@ TEST_F(MaterialWith, ChangesItsLinesAndNoOthers) {
               "cohesion = \"71 MPa\"                     # was 70 MPa\nfriction_angle = 0.5 # rad\n");
 }
 
+TEST_F(MaterialWith, KeepsCommentsAndSpellings) {
+    const std::string head = "name = \"stone\"\nrock.young_modulus = \"25 GPa\" # [1] Table 5\n";
+    const std::string rest =
+        "[phases.mica] # black\nfraction = 1\n[phases.mica.thermal_expansion_axes]\nalong = [1e-5, # cold\n 2e-5] # hot\n"
+        "across = [0,\n 0]\ntemperatures = [0, 300]\n\n[fitted]\nyoung_modulus = \"25\"\n# of the user\n[study]\npoints = 9\n";
+    EXPECT_EQ(material_with(file(head + rest), {{"rock.young_modulus", "30 GPa"}, {"rock.density", "2700"}}),
+              "name = \"stone\"\nrock.young_modulus = \"30 GPa\"           # was 25 GPa; [1] Table 5\n"
+              "rock.density = 2700                     # added\n" +
+                  rest);
+    const std::string along = material_with(file(head + rest), {{"phases.mica.thermal_expansion_axes.along", "3e-5"}});
+    EXPECT_NE(along.find("\nalong = \"3e-5\"                          # was [1e-5, # cold …; hot\nacross"), std::string::npos)
+        << along;
+    EXPECT_NE(material_with(file(head), {{"contact.law", "a\"b"}}).find("law = \"a\\\"b\""), std::string::npos);
+}
+
 TEST_F(MaterialWith, AddsTables) {
     const std::string stone = file("name = \"stone\"\n");
     const std::string changed = material_with(stone, {{"laboratory.cohesion", "21 MPa"},
@@ -118,7 +133,8 @@ TEST_F(MaterialWith, ChangesTablesOnALine) {
 }
 
 TEST_F(MaterialWith, SaysWhatItCannotSet) {
-    const std::string stone = file("name = \"stone\"\npairs = {within = {cohesion = 1.5}}\n");
+    const std::string stone =
+        file("name = \"stone\"\n[phases.mica]\nfraction = 1\nthermal_expansion = {temperatures = [0], values = [1e-5]}\n");
     const auto with = [&](const std::string& key, const std::string& value) {
         return [=] { std::ignore = material_with(stone, {{key, value}}); };
     };
@@ -126,8 +142,8 @@ TEST_F(MaterialWith, SaysWhatItCannotSet) {
                                 {"contact.cohesoin: unknown key", "did you mean contact.cohesion?"});
     expect_one_line<UsageError>(with("rock.density", "1 MPa"), {"rock.density", "kg/m3"});
     expect_one_line<UsageError>(with("name", "a \"b\""), {"name=a \"b\"", "without quotes"});
-    expect_one_line<InputError>(with("pairs.within.cohesion", "2"),
-                                {"stone.toml: line 2", "pairs.within.cohesion shares its line"});
+    expect_one_line<InputError>(with("phases.mica.thermal_expansion", "1e-5"),
+                                {"stone.toml: phases.mica.thermal_expansion is a table there", "take the table out"});
 }
 
 TEST(MaterialKeys, HoldQuantities) {
