@@ -109,12 +109,14 @@ std::string KindPrior::lacks(const std::vector<Target>& targets) const {
 std::optional<LocalSurface> KindPrior::surface(const Target& target) const {
     const KindModel* const found = model(target);
     if (found == nullptr) return std::nullopt;
+    LinearModel of_rock = *found;
+    of_rock.inverse(0, 0) += found->rock_variance / found->variance;  // of the constant
     return LocalSurface(
         [kind = kind_, changed = changed_, target](const DesignPoint& point) {
             const KindCoordinates at = changed->at(point);
             return Located{kind->factors(at, target.confining_pressure), KindSurface::log_unit(target.property, at)};
         },
-        *found);
+        std::move(of_rock), true);
 }
 
 bool KindPrior::ends_at(const DesignPoint& point) const {

@@ -8,6 +8,7 @@
 
 #include "post/calibrate/local_surface.hpp"
 #include "post/calibrate/study.hpp"
+#include "post/kind/kind_surface.hpp"
 
 namespace graincrack::calibrate {
 

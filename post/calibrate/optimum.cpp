@@ -138,7 +138,7 @@ void update(Optimum& optimum, const std::vector<Residual>& residuals) {
         known(i) = deviation * deviation;
         total(i) = known(i) + surface->variance(optimum.point);
         optimum.deviations.push_back((surface->value(optimum.point) - value) / deviation);
-        optimum.freedom = std::min(optimum.freedom, surface->freedom());
+        optimum.freedom = std::min(optimum.freedom, surface->model().freedom);
     }
     const Eigen::MatrixXd weighted = slopes.transpose() * known.cwiseInverse().asDiagonal();
     optimum.gain = (weighted * slopes).ldlt().solve(weighted);
@@ -173,7 +173,7 @@ Draws draw(const Box& box, const Optimum& optimum, const std::vector<Residual>& 
         std::map<const LocalSurface*, Eigen::VectorXd> off;  // coefficients
         for (const LocalSurface* const surface : surfaces) {
             if (surface == nullptr) continue;
-            off[surface] = surface->drawn(Eigen::VectorXd::NullaryExpr(surface->terms(optimum.point).size(), normal));
+            off[surface] = surface->model().sample(Eigen::VectorXd::NullaryExpr(surface->model().coefficients.size(), normal));
         }
         Eigen::VectorXd values(optimum.gain.cols());
         for (double& of_prior : values) of_prior = optimum.prior * normal();

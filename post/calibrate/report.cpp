@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "post/measure/toughness.hpp"
-#include "post/statistics/response_surface.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
@@ -183,10 +182,12 @@ std::string surfaces_text(const Fit& fit) {
                 {r.target.symbol(), fmt::format("no surface; {} of {} tests have a value", r.measured, r.tests), "", "", "", ""});
             continue;
         }
-        const LocalSurface& s = *r.surface;
-        text +=
-            markdown_row({r.target.symbol(), std::to_string(s.n_values()), std::to_string(s.n_quadratic()), percent(s.scatter()),
-                          percent(s.prediction_error()), r.target.text(r.target.of_logarithm(s.value(fit.optimum.point)))});
+        const LinearModel& m = r.surface->model();
+        const auto n_quadratic =
+            std::count_if(m.terms.begin(), m.terms.end(), [](const SurfaceTerm& t) { return t.degree() > 1; });
+        text += markdown_row({r.target.symbol(), std::to_string(m.n_values), std::to_string(n_quadratic), percent(m.scatter()),
+                              percent(m.prediction_error()),
+                              r.target.text(r.target.of_logarithm(r.surface->value(fit.optimum.point)))});
     }
     return text;
 }
@@ -203,7 +204,7 @@ std::string predictions_text(const Fit& fit, const Draws& draws) {
         if (!fit.responses[r].surface) continue;
         const LocalSurface& surface = *fit.responses[r].surface;
         const double mean = surface.value(fit.optimum.point);
-        const double deviation = std::hypot(surface.scatter(), std::sqrt(surface.variance(fit.optimum.point)));
+        const double deviation = std::hypot(surface.model().scatter(), std::sqrt(surface.variance(fit.optimum.point)));
         const auto between = [&](double low, double high) {
             return fmt::format("{} to {}", t.text(t.of_logarithm(low)), t.text(t.of_logarithm(high)));
         };
@@ -252,8 +253,9 @@ std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters,
         for (Eigen::Index k = 0; k < point.size(); ++k) {
             const Parameter& p = parameters[static_cast<std::size_t>(k)];
             const double by_log = p.coordinate_by_log(p.value(point(k)));
-            all.push_back({response.target.symbol(), p.key,
-                           estimate(gradient(k) * by_log, covariance(k, k) * by_log * by_log, response.surface->freedom())});
+            all.push_back(
+                {response.target.symbol(), p.key,
+                 estimate(gradient(k) * by_log, covariance(k, k) * by_log * by_log, response.surface->model().freedom)});
         }
     }
     return all;

@@ -104,7 +104,7 @@ std::size_t specimens_for(const Test& test, const Fit& fit, const Study& study) 
         const Target& t = response.target;
         if (t.use != Use::fit || !test.has(t) || t.is_elastic()) continue;
         if (!response.surface) return most;
-        const double scatter = std::pow(response.surface->scatter(), 2) * static_cast<double>(specimens_of(response, study));
+        const double scatter = response.surface->model().variance * static_cast<double>(specimens_of(response, study));
         const bool is_of_kind = response.surface->is_of_kind();
         const double known = is_of_kind ? response.surface->variance(fit.optimum.point) : INFINITY;
         const auto half = [&] {

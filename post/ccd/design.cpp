@@ -116,16 +116,16 @@ Factor parse_factor(const std::string& text) {
     return {given.name, given.values[0], given.values[1]};
 }
 
-ResponseSurface fit_quadratic(const std::vector<std::vector<double>>& coded, const std::vector<double>& response) {
+LinearModel fit_quadratic(const std::vector<std::vector<double>>& coded, const std::vector<double>& response) {
     const std::vector<SurfaceTerm> terms = quadratic_terms(coded.empty() ? 0 : coded[0].size());
-    auto surface = ResponseSurface::fit(terms, coded, response);
+    auto surface = LinearModel::fit(terms, coded, response);
     if (surface) return *std::move(surface);
     throw InputError(fmt::format("ccd: {} runs do not determine the {} terms of the model; more runs at other factors are needed",
                                  coded.size(), terms.size()));
 }
 
-ResponseSurface fit_response(const TableFile& table, const Runs& runs, const std::string& response, const ModelChoice& choice) {
-    ResponseSurface full = fit_quadratic(runs.coded, table.numbers(response));
+LinearModel fit_response(const TableFile& table, const Runs& runs, const std::string& response, const ModelChoice& choice) {
+    LinearModel full = fit_quadratic(runs.coded, table.numbers(response));
     return choice.reduce ? eliminate_backward(std::move(full), choice.alpha) : full;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "post/statistics/response_surface.hpp"
+#include "post/statistics/linear_model.hpp"
 #include "share/base/table_file.hpp"
 
 namespace graincrack::ccd {
@@ -60,8 +60,8 @@ struct ModelChoice {
     double alpha = 0.1;  ///< p above which a term is left out
 };
 /// The full quadratic through a response, with a value for each run. \throws InputError if there are too few runs for its terms
-ResponseSurface fit_quadratic(const std::vector<std::vector<double>>& coded, const std::vector<double>& response);
+LinearModel fit_quadratic(const std::vector<std::vector<double>>& coded, const std::vector<double>& response);
 /// A model of one response. \throws InputError for a missing column or too few runs
-ResponseSurface fit_response(const TableFile& table, const Runs& runs, const std::string& response, const ModelChoice& choice);
+LinearModel fit_response(const TableFile& table, const Runs& runs, const std::string& response, const ModelChoice& choice);
 
 }  // namespace graincrack::ccd

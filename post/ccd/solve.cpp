@@ -79,7 +79,7 @@ double distance(const Place& a, const Place& b) {
 }
 double norm(const Place& a) { return distance(a, Place(a.size(), 0.0)); }
 
-double desirability(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals, const Place& place) {
+double desirability(const std::vector<LinearModel>& models, const std::vector<Goal>& goals, const Place& place) {
     std::vector<double> values;
     for (std::size_t i = 0; i < goals.size(); ++i) values.push_back(goals[i](models[i].value(place)));
     return overall_desirability(values);
@@ -116,7 +116,7 @@ Place descend(const Objective& objective, Place start, double step) {
 
 /// The point nearest to the centre at which all targets are met, by iteration: for the models linearised at a point the nearest
 /// solution is known, and the next iteration linearises there. Empty if the iteration does not converge.
-std::optional<Place> nearest_to_centre(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals, Place place) {
+std::optional<Place> nearest_to_centre(const std::vector<LinearModel>& models, const std::vector<Goal>& goals, Place place) {
     constexpr double fraction = 0.3;  // of each correction: the full one may overshoot where the models are curved
     const auto q = static_cast<Eigen::Index>(models.size());
     const auto n = static_cast<Eigen::Index>(place.size());
@@ -125,8 +125,8 @@ std::optional<Place> nearest_to_centre(const std::vector<ResponseSurface>& model
         Eigen::VectorXd targets(q);
         const Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(place.data(), n);
         for (Eigen::Index i = 0; i < q; ++i) {
-            const ResponseSurface& model = models[static_cast<std::size_t>(i)];
-            jacobian.row(i) = model.slopes(place).transpose() * model.coefficients;
+            const LinearModel& model = models[static_cast<std::size_t>(i)];
+            jacobian.row(i) = model.gradient(place).transpose();
             targets(i) = goals[static_cast<std::size_t>(i)].target - model.value(place) + jacobian.row(i).dot(at);
         }
         Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -141,8 +141,8 @@ std::optional<Place> nearest_to_centre(const std::vector<ResponseSurface>& model
 }
 
 /// One optimum in place of the many that a search finds on a line (or a surface) of equal desirability.
-std::vector<Optimum> without_choice(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals,
-                                    const Region& region, std::vector<Optimum> optima) {
+std::vector<Optimum> without_choice(const std::vector<LinearModel>& models, const std::vector<Goal>& goals, const Region& region,
+                                    std::vector<Optimum> optima) {
     const auto targets = static_cast<std::size_t>(
         std::count_if(goals.begin(), goals.end(), [](const Goal& g) { return g.kind == Goal::Kind::target; }));
     constexpr double met = 1 - 1e-6;
@@ -197,7 +197,7 @@ std::vector<Place> Region::grid(std::size_t per_factor) const {
     return points;
 }
 
-std::vector<Optimum> solve(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals, const Region& region) {
+std::vector<Optimum> solve(const std::vector<LinearModel>& models, const std::vector<Goal>& goals, const Region& region) {
     const Objective objective = [&](const Place& place) {
         return region.holds(place) ? -desirability(models, goals, place) : norm(place);
     };
@@ -230,12 +230,12 @@ std::vector<Optimum> solve(const std::vector<ResponseSurface>& models, const std
     return without_choice(models, goals, region, std::move(distinct));
 }
 
-ConfidenceRegion::ConfidenceRegion(std::vector<ResponseSurface> models, std::vector<double> targets)
+ConfidenceRegion::ConfidenceRegion(std::vector<LinearModel> models, std::vector<double> targets)
     : models_(std::move(models)), targets_(std::move(targets)) {
     const std::size_t q = models_.size();
     if (q == 0) return;
-    int freedom = models_[0].freedom();
-    for (const ResponseSurface& model : models_) freedom = std::min(freedom, model.freedom());
+    int freedom = models_[0].freedom;
+    for (const LinearModel& model : models_) freedom = std::min(freedom, model.freedom);
     const int second = freedom - static_cast<int>(q) + 1;
     if (second < 1) return;
     Eigen::MatrixXd residuals(models_[0].residuals.size(), static_cast<Eigen::Index>(q));
@@ -250,7 +250,7 @@ double ConfidenceRegion::operator()(const Place& coded) const {
     Eigen::VectorXd difference(q);
     Eigen::VectorXd root(q);  // of the leverages
     for (Eigen::Index i = 0; i < q; ++i) {
-        const ResponseSurface& model = models_[static_cast<std::size_t>(i)];
+        const LinearModel& model = models_[static_cast<std::size_t>(i)];
         difference(i) = model.value(coded) - targets_[static_cast<std::size_t>(i)];
         root(i) = std::sqrt(model.leverage(coded));
     }

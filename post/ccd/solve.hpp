@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "post/statistics/response_surface.hpp"
+#include "post/statistics/linear_model.hpp"
 
 namespace graincrack::ccd {
 
@@ -60,7 +60,7 @@ struct Optimum {
 /// All places of the largest desirability that the search finds, the nearest to the centre first: a grid, then simplexes
 /// (Nelder–Mead, GSL) from its best points. One place if the goals leave factors free. Empty if the desirability is 0 everywhere.
 /// \param models one for each goal
-std::vector<Optimum> solve(const std::vector<ResponseSurface>& models, const std::vector<Goal>& goals, const Region& region);
+std::vector<Optimum> solve(const std::vector<LinearModel>& models, const std::vector<Goal>& goals, const Region& region);
 
 /// The factors for which the targets lie within the joint 95 % confidence region of the responses' means (Box & Hunter
 /// 1954): δᵀ V⁻¹ δ ≤ q ν/(ν − q + 1) F(q, ν − q + 1), δ the q differences to the targets, V_ij = S_ij √(h_i h_j), S the
@@ -68,7 +68,7 @@ std::vector<Optimum> solve(const std::vector<ResponseSurface>& models, const std
 class ConfidenceRegion {
 public:
     /// \param models of the responses that have targets, one for each; the same runs in all
-    ConfidenceRegion(std::vector<ResponseSurface> models, std::vector<double> targets);
+    ConfidenceRegion(std::vector<LinearModel> models, std::vector<double> targets);
     /// True if the residuals have enough degrees of freedom for a region.
     [[nodiscard]] bool is_known() const { return limit_ > 0; }
     /// The statistic over its limit: up to 1 within the region.
@@ -76,7 +76,7 @@ public:
     [[nodiscard]] bool holds(const std::vector<double>& coded) const { return (*this)(coded) <= 1; }
 
 private:
-    std::vector<ResponseSurface> models_;
+    std::vector<LinearModel> models_;
     std::vector<double> targets_;
     Eigen::MatrixXd covariance_;
     double limit_ = 0;

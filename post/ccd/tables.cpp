@@ -18,19 +18,19 @@ std::vector<Factor> parse_factors(const std::vector<std::string>& texts) {
     return factors;
 }
 
-void write_terms(TableWriter& table, const std::string& response, const ResponseSurface& model) {
+void write_terms(TableWriter& table, const std::string& response, const LinearModel& model) {
     for (std::size_t i = 0; i < model.terms.size(); ++i) {
         const double error = model.standard_error(i);
-        const Estimate value = estimate(model.coefficients[static_cast<Eigen::Index>(i)], error * error, model.freedom());
-        const bool known = model.freedom() > 0;
+        const Estimate value = estimate(model.coefficients[static_cast<Eigen::Index>(i)], error * error, model.freedom);
+        const bool known = model.freedom > 0;
         table.row({response, model.terms[i].name(), value.value, known ? Cell(error) : Cell(),
                    known ? Cell(value.value / error) : Cell(), model.p_value(i), value.low, value.high});
     }
 }
 
 /// Sums of squares; that of a term is what leaving it out alone would add to the residual (partial, type III).
-void write_anova(TableWriter& table, const std::string& response, const ResponseSurface& model) {
-    const double variance = model.variance();
+void write_anova(TableWriter& table, const std::string& response, const LinearModel& model) {
+    const double variance = model.variance;
     const auto row = [&](const std::string& source, double sum, int freedom, std::optional<double> f, std::optional<double> p) {
         table.row({response, source, sum, static_cast<std::int64_t>(freedom), freedom > 0 ? Cell(sum / freedom) : Cell(), f, p});
     };
@@ -42,7 +42,7 @@ void write_anova(TableWriter& table, const std::string& response, const Response
         const double sum = model.coefficients(k) * model.coefficients(k) / model.inverse(k, k);
         row(model.terms[i].name(), sum, 1, variance > 0 ? std::optional(sum / variance) : std::nullopt, model.p_value(i));
     }
-    row("residual", model.residual_sum(), model.freedom(), std::nullopt, std::nullopt);
+    row("residual", model.residual_sum(), model.freedom, std::nullopt, std::nullopt);
     if (const auto lack = model.lack_of_fit()) {
         row("lack of fit", lack->sum, lack->freedom, lack->f, lack->p);
         row("pure error", lack->pure_error_sum, lack->pure_error_freedom, std::nullopt, std::nullopt);
@@ -50,20 +50,20 @@ void write_anova(TableWriter& table, const std::string& response, const Response
     row("total", model.total_sum(), static_cast<int>(model.response.size()) - 1, std::nullopt, std::nullopt);
 }
 
-void write_summary(TableWriter& table, const std::string& response, const ResponseSurface& model) {
+void write_summary(TableWriter& table, const std::string& response, const LinearModel& model) {
     const auto tested = model.significance();
     const auto lack = model.lack_of_fit();
     std::string names;
     for (const SurfaceTerm& term : model.terms) names += (names.empty() ? "" : ", ") + term.name();
     table.row({response, names, static_cast<std::int64_t>(model.response.size()), model.r_squared(), model.adjusted_r_squared(),
-               model.predicted_r_squared(), model.press(), model.freedom() > 0 ? Cell(std::sqrt(model.variance())) : Cell(),
+               model.predicted_r_squared(), model.press(), model.freedom > 0 ? Cell(std::sqrt(model.variance)) : Cell(),
                tested ? Cell(tested->f) : Cell(), tested ? Cell(tested->p) : Cell(), lack ? Cell(lack->f) : Cell(),
                lack ? Cell(lack->p) : Cell()});
 }
 
 struct FitTableForm {
     std::vector<std::string> columns;
-    void (*write)(TableWriter&, const std::string&, const ResponseSurface&);
+    void (*write)(TableWriter&, const std::string&, const LinearModel&);
 };
 
 FitTableForm form_of(FitTable kind) {
@@ -143,7 +143,7 @@ std::vector<Cell> solution_row(const Problem& problem, std::size_t index, const 
     row.push_back(extent ? Cell(extent->share) : Cell());
     row.push_back(extent ? Cell(std::string(extent->reaches_edge ? "yes" : "no")) : Cell());
     row.emplace_back(static_cast<std::int64_t>(optimum.free_factors));
-    for (const ResponseSurface& model : problem.models) {
+    for (const LinearModel& model : problem.models) {
         const Estimate mean = model.confidence(optimum.coded);
         const Estimate single = model.prediction(optimum.coded);
         row.emplace_back(mean.value);
@@ -203,7 +203,7 @@ void write_fit(std::ostream& out, const std::string& file, const FitOptions& opt
     if (options.responses.empty()) throw UsageError("ccd fit: no response; give --response NAME, a column of the table");
     const TableFile input(file);
     const Runs runs = read_runs(input, parse_factors(options.model.factors));
-    std::vector<ResponseSurface> models;
+    std::vector<LinearModel> models;
     for (const auto& response : options.responses) models.push_back(fit_response(input, runs, response, options.model.choice));
     const FitTableForm form = form_of(options.table);
     TableWriter table(out, form.columns, format);
@@ -214,8 +214,8 @@ Problem solve_problem(const std::string& file, const SolveOptions& options) {
     std::vector<Goal> goals = parse_goals(options.goals);
     const TableFile input(file);
     Runs runs = read_runs(input, parse_factors(options.model.factors));
-    std::vector<ResponseSurface> models;
-    std::vector<ResponseSurface> with_target;
+    std::vector<LinearModel> models;
+    std::vector<LinearModel> with_target;
     std::vector<double> targets;
     for (Goal& goal : goals) {
         set_limits(goal, input.numbers(goal.response));

@@ -57,7 +57,7 @@ void add_goals(OptionSet set, GoalOptions& options);
 struct Problem {
     Runs runs;
     std::vector<Goal> goals;
-    std::vector<ResponseSurface> models;
+    std::vector<LinearModel> models;
     std::vector<Optimum> optima;
     ConfidenceRegion confidence;  ///< of the responses with targets
 };

@@ -13,8 +13,8 @@
 
 #include "post/run/likeness.hpp"
 #include "post/run/test_label.hpp"
+#include "post/statistics/linear_model.hpp"
 #include "post/statistics/nonlinear_fit.hpp"
-#include "post/statistics/response_surface.hpp"
 #include "share/base/error.hpp"
 #include "share/options/option_set.hpp"
 
@@ -117,10 +117,10 @@ std::optional<Estimate> curvature_of(std::span<const double> confining, std::spa
     const double scale = *std::max_element(confining.begin(), confining.end());
     std::vector<std::vector<double>> factors;
     for (const double pressure : confining) factors.push_back({pressure / scale});
-    const auto fit = ResponseSurface::fit(quadratic_terms(1), std::move(factors), {strength.begin(), strength.end()});
+    const auto fit = LinearModel::fit(quadratic_terms(1), std::move(factors), {strength.begin(), strength.end()});
     if (!fit) return std::nullopt;
     const double unit = 1 / (scale * scale);
-    return estimate(fit->coefficients(2) * unit, std::pow(fit->standard_error(2) * unit, 2), fit->freedom());
+    return estimate(fit->coefficients(2) * unit, std::pow(fit->standard_error(2) * unit, 2), fit->freedom);
 }
 
 /// \throws InputError if two compression tests do not belong to one envelope

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
@@ -72,12 +70,6 @@ std::vector<double> factors_of(const KindCoordinates& at, double pressure, const
     return factors;
 }
 
-Eigen::VectorXd row_of(const std::vector<SurfaceTerm>& terms, const std::vector<double>& factors) {
-    Eigen::VectorXd row(static_cast<Eigen::Index>(terms.size()));
-    std::transform(terms.begin(), terms.end(), row.begin(), [&](const SurfaceTerm& term) { return term(factors); });
-    return row;
-}
-
 /// Constant, linear terms of the factors that vary, and behind them products and squares of those that are continuous.
 std::vector<SurfaceTerm> terms_of(const std::vector<std::vector<double>>& factors) {
     std::vector<SurfaceTerm> terms = quadratic_terms(factors.front().size());
@@ -93,57 +85,18 @@ std::vector<SurfaceTerm> terms_of(const std::vector<std::vector<double>>& factor
     return terms;
 }
 
-/// Least squares in which coefficients of products and squares are drawn to 0, as normal numbers about it, with that weight by
-/// which the values are most likely (empirical Bayes, restricted likelihood); each is at most about the scatter of a specimen, as
-/// few values would bend without end. A choice of some of these terms would have intervals that do not know that it was one:
-/// forward by PRESS, those of 95 % hold 87 % of new specimens. \throws InputError if the values do not determine the linear terms
+/// Products and squares are drawn to 0. A choice of some of them would have intervals that do not know that it was one: forward
+/// by PRESS, those of 95 % hold 87 % of new specimens. \throws InputError if the values do not determine the linear terms
 KindModel fit_model(const std::string& property, const std::vector<std::vector<double>>& factors,
                     const std::vector<double>& logarithms) {
-    KindModel model;
-    model.terms = terms_of(factors);
-    std::vector<SurfaceTerm> linear = model.terms;
-    std::erase_if(linear, [](const SurfaceTerm& term) { return term.degree() > 1; });
-    const auto n = static_cast<Eigen::Index>(logarithms.size());
-    const auto p = static_cast<Eigen::Index>(model.terms.size());
-    const auto freedom = n - static_cast<Eigen::Index>(linear.size());
-    if (freedom < 2 || !ResponseSurface::fit(linear, factors, logarithms)) {
-        throw InputError(
-            fmt::format("surface of a kind: {} has {} values, which do not determine its {} linear terms; {} or more "
-                        "at different ratios are needed",
-                        property, n, linear.size(), linear.size() + 2));
-    }
-    Eigen::MatrixXd x(n, p);
-    for (Eigen::Index i = 0; i < n; ++i) x.row(i) = row_of(model.terms, factors[static_cast<std::size_t>(i)]);
-    const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(logarithms.data(), n);
-    Eigen::VectorXd drawn = Eigen::VectorXd::Ones(p);
-    drawn.head(n - freedom).setZero();
-    double most = -std::numeric_limits<double>::infinity();
-    for (double weight = 1; weight < 1e4; weight *= 1.5) {
-        const Eigen::LLT<Eigen::MatrixXd> matrix(x.transpose() * x + Eigen::MatrixXd((weight * drawn).asDiagonal()));
-        const Eigen::VectorXd coefficients = matrix.solve(x.transpose() * y);
-        const Eigen::VectorXd residuals = y - x * coefficients;
-        const double sum = residuals.squaredNorm() + weight * drawn.cwiseProduct(coefficients).squaredNorm();
-        const double log_root = matrix.matrixLLT().diagonal().array().log().sum();
-        const double likelihood =
-            drawn.sum() * std::log(weight) / 2 - log_root - static_cast<double>(freedom) * std::log(sum) / 2;
-        if (likelihood <= most) continue;
-        most = likelihood;
-        model.coefficients = coefficients;
-        model.variance = sum / static_cast<double>(freedom);
-        const Eigen::MatrixXd inverse = matrix.solve(Eigen::MatrixXd::Identity(p, p));
-        model.covariance = model.variance * inverse;
-        const Eigen::ArrayXd leverages = (x * inverse).cwiseProduct(x).rowwise().sum();
-        model.freedom = static_cast<int>(std::lround(static_cast<double>(n) - leverages.sum()));
-        model.prediction_error = std::sqrt((residuals.array() / (1 - leverages)).square().mean());
-    }
-    model.n_values = static_cast<int>(n);
-    return model;
-}
-
-/// ln of a mean over its unit, and the variance of that by the coefficients.
-std::pair<double, double> mean_at(const KindModel& model, const std::vector<double>& factors) {
-    const Eigen::VectorXd row = row_of(model.terms, factors);
-    return {row.dot(model.coefficients), row.dot(model.covariance * row)};
+    std::vector<SurfaceTerm> terms = terms_of(factors);
+    const auto n_linear = static_cast<std::size_t>(
+        std::count_if(terms.begin(), terms.end(), [](const SurfaceTerm& term) { return term.degree() < 2; }));
+    if (auto fitted = LinearModel::fit_restricted(std::move(terms), n_linear, factors, logarithms)) return {*std::move(fitted)};
+    throw InputError(
+        fmt::format("surface of a kind: {} has {} values, which do not determine its {} linear terms; {} or more "
+                    "at different ratios are needed",
+                    property, logarithms.size(), n_linear, n_linear + 2));
 }
 
 /// What a surface does not vary, by the key of a material file.
@@ -310,9 +263,9 @@ KindSurface::KindSurface(std::vector<KindRow> rows, std::string kind) : kind_(st
         int n = 0;
         for (auto row = rocks; row != rows.end(); ++row) {
             if (row->property != property.name || !holds(row->at, row->confining_pressure)) continue;
-            const auto [mean, variance] = mean_at(model, factors_in(*row));
-            sum += std::pow(std::log(row->value) - log_unit(property, row->at) - mean, 2) - model.variance / row->specimens -
-                   variance;
+            const std::vector<double> at = factors_in(*row);
+            sum += std::pow(std::log(row->value) - log_unit(property, row->at) - model.value(at), 2) -
+                   model.variance * (1 / row->specimens + model.leverage(at));
             ++n;
         }
         model.rock_variance = std::max(floor_of_rocks * floor_of_rocks, n > 0 ? sum / n : 0);
@@ -367,9 +320,10 @@ std::optional<KindPrediction> KindSurface::predict(const KindCoordinates& at, co
                                                    double confining_pressure) const {
     const KindModel* const found = model(property, confining_pressure);
     if (found == nullptr || !holds(at, confining_pressure)) return std::nullopt;
-    const auto [mean, variance] = mean_at(*found, factors(at, confining_pressure));
-    const double of_mean = variance + found->rock_variance;
-    return KindPrediction{std::exp(mean + log_unit(property, at)), std::sqrt(of_mean), std::sqrt(of_mean + found->variance)};
+    const std::vector<double> here = factors(at, confining_pressure);
+    const double of_mean = found->variance * found->leverage(here) + found->rock_variance;
+    return KindPrediction{std::exp(found->value(here) + log_unit(property, at)), std::sqrt(of_mean),
+                          std::sqrt(of_mean + found->variance)};
 }
 
 }  // namespace graincrack

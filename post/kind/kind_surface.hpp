@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "post/measure/property.hpp"
-#include "post/statistics/response_surface.hpp"
+#include "post/statistics/linear_model.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack {
@@ -45,19 +45,12 @@ std::vector<KindRow> read_kind_rows(const std::string& file);
 /// The rows of kinds/surface.tsv beside the materials; none if it is not there.
 std::vector<KindRow> kind_rows();
 
-/// A quantity of a kind: ln(value over its unit) is linear in terms of some factors, with the scatter of single specimens.
-struct KindModel {
-    std::vector<SurfaceTerm> terms;
-    Eigen::VectorXd coefficients;
-    Eigen::MatrixXd covariance;  ///< of the coefficients
-    double variance = 0;         ///< of a single specimen about the surface
+/// A quantity of a kind: ln(value over its unit), with the scatter of single specimens.
+struct KindModel : LinearModel {
     /// Of what a rock differs from the surface in all of its specimens: the mean over the rows of calibrated rocks, which are not
     /// in the fit, less what scatter and fit have of it. It is .03² at least, a floor that was set beforehand: four rocks cannot
     /// show less.
     double rock_variance = 0;
-    int freedom = 0;              ///< degrees of freedom
-    int n_values = 0;             ///< of the design
-    double prediction_error = 0;  ///< √(PRESS/n)
 };
 
 /// Half of specimens, and 95 %, lie within so many standard deviations.

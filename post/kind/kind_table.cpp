@@ -10,9 +10,9 @@ void write_kind_terms(std::ostream& out, const KindSurface& surface, TableFormat
         format);
     for (const auto& [property, model] : surface.models()) {
         for (std::size_t k = 0; k < model.terms.size(); ++k) {
-            const auto i = static_cast<Eigen::Index>(k);
-            table.row({property, surface.name_of(model.terms[k]), model.coefficients(i), std::sqrt(model.covariance(i, i)),
-                       std::sqrt(model.variance), std::sqrt(model.rock_variance), model.prediction_error, model.n_values});
+            table.row({property, surface.name_of(model.terms[k]), model.coefficients(static_cast<Eigen::Index>(k)),
+                       model.standard_error(k), model.scatter(), std::sqrt(model.rock_variance), model.prediction_error(),
+                       model.n_values});
         }
     }
 }

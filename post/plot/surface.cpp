@@ -146,7 +146,7 @@ std::vector<Place> places_of(const GridValues& grid, double level) {
 }
 
 /// Round levels of a response, thin, and the target, thick. \return what is to be labelled
-std::vector<LabelledContour> draw_response(Chart& chart, const Plane& plane, const ResponseSurface& model, const ccd::Goal& goal,
+std::vector<LabelledContour> draw_response(Chart& chart, const Plane& plane, const LinearModel& model, const ccd::Goal& goal,
                                            std::size_t index) {
     const Colour colour = palette::series(index);
     const bool odd = index % 2 == 1;

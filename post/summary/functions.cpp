@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "post/fit/mohr_coulomb.hpp"
-#include "post/statistics/response_surface.hpp"
+#include "post/statistics/linear_model.hpp"
 #include "post/statistics/statistics.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
@@ -96,7 +96,7 @@ Number lack_of_fit_p(const Values& x, const Values& y) {
     std::vector<Values> factors;
     for (const double value : x) factors.push_back({value});
     const std::vector<SurfaceTerm> line{{{0}}, {{1}}};
-    const auto test = ResponseSurface::fit(line, std::move(factors), y).value().lack_of_fit();
+    const auto test = LinearModel::fit(line, std::move(factors), y).value().lack_of_fit();
     return test ? Number(test->p) : std::nullopt;
 }
 

@@ -68,11 +68,11 @@ TEST(LocalSurface, HasTheTermsThatPredict) {
     const auto quadratic = [](double x, double y) { return 2 + 0.5 * x - y + 0.3 * x * x; };
     const auto surface = LocalSurface::fit(unit, points, values_at(points, quadratic, 1e-6));
     ASSERT_TRUE(surface.has_value());
-    EXPECT_GE(surface->n_quadratic(), 1);
+    EXPECT_GE(surface->model().terms.size(), 4U);
     EXPECT_NEAR(surface->value(point(0.7, -0.2)), quadratic(0.7, -0.2), 1e-5);
     EXPECT_NEAR(surface->gradient(point(0.7, -0.2))(0), 0.5 + 0.6 * 0.7, 1e-5);
     EXPECT_NEAR(surface->gradient(point(0.7, -0.2))(1), -1, 1e-5);
-    EXPECT_NEAR(surface->scatter(), 1e-6, 4e-7);
+    EXPECT_NEAR(surface->model().scatter(), 1e-6, 4e-7);
     // In another box the coordinates of a design point stay the same.
     const Box half{point(0.25, 0), point(0.5, 0.5)};
     const std::vector<DesignPoint> inside = sobol_points(half, 0, 20);
@@ -87,21 +87,21 @@ TEST(LocalSurface, ScatterAndPress) {
         points, [](double x, double y) { return x + y; }, 0.1);
     values[3] = std::nan("");
     const auto surface = LocalSurface::fit(unit, points, values);
-    EXPECT_EQ(surface->n_values(), 19);
-    EXPECT_EQ(surface->freedom(), 19 - 3 - surface->n_quadratic());
+    EXPECT_EQ(surface->model().n_values, 19);
+    EXPECT_EQ(surface->model().freedom, 19 - static_cast<int>(surface->model().terms.size()));
     double sum = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i != 3) sum += std::pow(values[i] - surface->value(points[i]), 2);
     }
-    EXPECT_NEAR(surface->scatter(), std::sqrt(sum / surface->freedom()), 1e-9);
-    EXPECT_GT(surface->prediction_error(), std::sqrt(sum / 19));
+    EXPECT_NEAR(surface->model().scatter(), std::sqrt(sum / surface->model().freedom), 1e-9);
+    EXPECT_GT(surface->model().prediction_error(), std::sqrt(sum / 19));
     double press = 0;  // each value predicted by the surface without it
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i == 3) continue;
-        const double leverage = surface->variance(points[i]) / (surface->scatter() * surface->scatter());
+        const double leverage = surface->variance(points[i]) / (surface->model().scatter() * surface->model().scatter());
         press += std::pow((values[i] - surface->value(points[i])) / (1 - leverage), 2);
     }
-    EXPECT_NEAR(surface->prediction_error(), std::sqrt(press / 19), 1e-9);
+    EXPECT_NEAR(surface->model().prediction_error(), std::sqrt(press / 19), 1e-9);
     EXPECT_FALSE(LocalSurface::fit(unit, {points.begin(), points.begin() + 4}, {1, 2, 3, 4}).has_value());
 }
 

@@ -25,8 +25,8 @@ constexpr double degrees = 180 / std::numbers::pi;
 struct Table7 {
     TableFile table{table7};
     Runs runs = read_runs(table, {});
-    ResponseSurface cohesion(const ModelChoice& choice = {}) const { return fit_response(table, runs, "C_MPa", choice); }
-    ResponseSurface friction(const ModelChoice& choice = {}) const { return fit_response(table, runs, "phi_deg", choice); }
+    LinearModel cohesion(const ModelChoice& choice = {}) const { return fit_response(table, runs, "C_MPa", choice); }
+    LinearModel friction(const ModelChoice& choice = {}) const { return fit_response(table, runs, "phi_deg", choice); }
     std::vector<Goal> goals() const {
         std::vector<Goal> goals{parse_goal("C_MPa=21", Goal::Kind::target, "--target"),
                                 parse_goal("phi_deg=53", Goal::Kind::target, "--target")};
@@ -34,12 +34,12 @@ struct Table7 {
         set_limits(goals[1], table.numbers("phi_deg"));
         return goals;
     }
-    std::vector<Optimum> solve_with(const std::vector<ResponseSurface>& models) const {
+    std::vector<Optimum> solve_with(const std::vector<LinearModel>& models) const {
         return solve(models, goals(), Region(runs.coded));
     }
 };
 
-void expect_coefficients(const std::string& response, const ResponseSurface& model, const std::vector<double>& expected,
+void expect_coefficients(const std::string& response, const LinearModel& model, const std::vector<double>& expected,
                          double tolerance) {
     ASSERT_EQ(model.terms.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -78,7 +78,7 @@ TEST(CcdDesign, CountsAndStars) {
 
 TEST(CcdDesign, RotatableMeansThatOnlyTheDistanceCounts) {
     const auto runs = coded_runs(3, Star::rotatable, 6);
-    const ResponseSurface model = fit_quadratic(runs, std::vector<double>(runs.size(), 1.0));
+    const LinearModel model = fit_quadratic(runs, std::vector<double>(runs.size(), 1.0));
     const double r = 1.2;
     const double along = model.leverage({r, 0, 0});
     EXPECT_NEAR(model.leverage({0, -r, 0}), along, 1e-10);
@@ -134,8 +134,8 @@ TEST(CcdFit, StrengthsOfTable7GiveTheUnroundedSurface) {
         test::verify("calibration: Table 7, phi of every run rounded (deg)", to_tenths(friction.back()),
                      paper.table.numbers("phi_deg")[i], 1e-15, "as printed, to 0.1");
     }
-    const ResponseSurface C = fit_quadratic(paper.runs.coded, cohesion);
-    const ResponseSurface phi = fit_quadratic(paper.runs.coded, friction);
+    const LinearModel C = fit_quadratic(paper.runs.coded, cohesion);
+    const LinearModel phi = fit_quadratic(paper.runs.coded, friction);
     expect_coefficients("C of unrounded values", C, {11.098, 7.388, -4.938, -7.467, 1.322, 6.901}, 0.0006);
     expect_coefficients("phi of unrounded values", phi, {66.962, -4.654, 15.738, 4.785, -0.608, -7.955}, 0.0006);
     expect_contact(paper, paper.solve_with({C, phi}), 74.62, 48.77);
@@ -143,7 +143,7 @@ TEST(CcdFit, StrengthsOfTable7GiveTheUnroundedSurface) {
 
 TEST(CcdSolve, Table7GivesThePapersOptimum) {
     const Table7 paper;
-    const std::vector<ResponseSurface> models{paper.cohesion(), paper.friction()};
+    const std::vector<LinearModel> models{paper.cohesion(), paper.friction()};
     const auto optimum = paper.solve_with(models);
     ASSERT_EQ(optimum.size(), 1U);  // the other root, (5.75, 4.51), lies outside the design
     EXPECT_EQ(optimum[0].free_factors, 0U);
@@ -185,7 +185,7 @@ TEST(CcdFit, EliminationKeepsTheParentsOfWhatIsLeft) {
     Normal normal(20140435);
     std::vector<double> response;
     for (const auto& x : runs) response.push_back(5 * x[0] * x[1] + 0.01 * normal());
-    const ResponseSurface reduced = eliminate_backward(fit_quadratic(runs, response), 0.01);
+    const LinearModel reduced = eliminate_backward(fit_quadratic(runs, response), 0.01);
     std::string names;
     for (const SurfaceTerm& term : reduced.terms) names += term.name() + ",";
     EXPECT_EQ(names, "1,x1,x2,x1 x2,");
@@ -193,14 +193,14 @@ TEST(CcdFit, EliminationKeepsTheParentsOfWhatIsLeft) {
 
 TEST(CcdFit, PressIsThatOfLeavingEachRunOut) {
     const Table7 paper;
-    const ResponseSurface model = paper.cohesion();
+    const LinearModel model = paper.cohesion();
     double press = 0;
     for (std::size_t i = 0; i < 13; ++i) {
         auto runs = model.factors;
         auto response = model.response;
         runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(i));
         response.erase(response.begin() + static_cast<std::ptrdiff_t>(i));
-        const ResponseSurface without = fit_quadratic(runs, response);
+        const LinearModel without = fit_quadratic(runs, response);
         press += std::pow(model.response[i] - without.value(model.factors[i]), 2);
     }
     EXPECT_NEAR(model.press(), press, 1e-9 * press);
@@ -242,8 +242,8 @@ TEST(CcdSolve, FewerTargetsThanFactorsGiveTheNearestToTheCentre) {
         sphere.push_back(std::pow(x[0] - 2, 2) + x[1] * x[1] + x[2] * x[2]);
     }
     const Region region(runs);
-    const ResponseSurface first = fit_quadratic(runs, plane);
-    const ResponseSurface second = fit_quadratic(runs, sphere);
+    const LinearModel first = fit_quadratic(runs, plane);
+    const LinearModel second = fit_quadratic(runs, sphere);
     const auto target = [](const std::string& text) { return parse_goal(text, Goal::Kind::target, "--target"); };
     const auto on_plane = solve({first}, {target("y=-9:3:9")}, region);
     ASSERT_EQ(on_plane.size(), 1U);

@@ -145,7 +145,7 @@ TEST(Coverage, PowerLawsOfSize) {
     });
 }
 
-TEST(Coverage, ResponseSurfaces) {
+TEST(Coverage, LinearModels) {
     const auto runs = ccd::coded_runs(2, ccd::Star::rotatable, 5);
     const std::vector<double> planted{11, 7, -5, -7, 1, 7};  // as Eq 19: 1, x1, x2, x1 x2, x1², x2²
     const auto terms = quadratic_terms(2);
@@ -158,11 +158,11 @@ TEST(Coverage, ResponseSurfaces) {
     expect_coverage(20140435, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> response;
         for (const auto& x : runs) response.push_back(truth(x) + 2 * normal());
-        const ResponseSurface model = ccd::fit_quadratic(runs, response);
+        const LinearModel model = ccd::fit_quadratic(runs, response);
         for (std::size_t i = 0; i < terms.size(); ++i) {
             const double error = model.standard_error(i);
             const double coefficient = model.coefficients(static_cast<Eigen::Index>(i));
-            coverage.add(terms[i].name(), estimate(coefficient, error * error, model.freedom()), planted[i]);
+            coverage.add(terms[i].name(), estimate(coefficient, error * error, model.freedom), planted[i]);
         }
         coverage.add("mean", model.confidence(place), truth(place));
         coverage.add("single run", model.prediction(place), truth(place) + 2 * normal());
@@ -182,7 +182,7 @@ TEST(Coverage, JointRegionOfFactors) {
             a.push_back(first(x) + 2 * common);
             b.push_back(second(x) - 3 * common + 1.5 * normal());
         }
-        const std::vector<ResponseSurface> models{ccd::fit_quadratic(runs, a), ccd::fit_quadratic(runs, b)};
+        const std::vector<LinearModel> models{ccd::fit_quadratic(runs, a), ccd::fit_quadratic(runs, b)};
         coverage.add("region", ccd::ConfidenceRegion(models, {first(place), second(place)}).holds(place));
     });
 }

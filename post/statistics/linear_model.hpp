@@ -1,8 +1,9 @@
-// Response surfaces: a polynomial of degree two in several factors, fitted to runs by least squares, reduced or extended term by
-// term, with its errors and what it predicts.
+// Linear models: a response as a sum of terms of several factors, whose coefficients are fitted to observations by least squares
+// or restricted likelihood, reduced or extended term by term, and updated; with their errors and what they predict.
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ struct FTest {
     double p = 0;
 };
 
-/// Lack of fit against pure error from runs at equal factors.
+/// Lack of fit against pure error from observations at equal factors.
 struct LackOfFit : FTest {
     double sum = 0;
     int freedom = 0;
@@ -41,70 +42,85 @@ struct LackOfFit : FTest {
     int pure_error_freedom = 0;
 };
 
-struct ResponseSurface {
+struct LinearModel {
     std::vector<SurfaceTerm> terms;
-    std::vector<std::vector<double>> factors;  ///< of each run
-    std::vector<double> response;              ///< of each run
-    Eigen::MatrixXd design;                    ///< terms of each run, X
-    Eigen::MatrixXd inverse;                   ///< (XᵀX)⁻¹
     Eigen::VectorXd coefficients;
-    Eigen::VectorXd residuals;  ///< of each run
-    Eigen::VectorXd leverages;  ///< of each run
+    Eigen::MatrixXd inverse;  ///< covariance of the coefficients over `variance`; by least squares (XᵀX)⁻¹
+    double variance = 0;      ///< of an observation about the model; 0 without degrees of freedom
+    int freedom = 0;          ///< degrees of freedom
+    int n_values = 0;         ///< observations of fit and updates
 
-    /// Least squares. Empty if there are fewer runs than terms, or the terms depend on each other there.
-    static std::optional<ResponseSurface> fit(std::vector<SurfaceTerm> terms, std::vector<std::vector<double>> factors,
-                                              std::vector<double> response);
+    std::vector<std::vector<double>> factors;  ///< of each observation of the fit, as all that follows
+    std::vector<double> response;
+    Eigen::MatrixXd design;  ///< terms, X
+    Eigen::VectorXd residuals;
+    Eigen::VectorXd leverages;
 
-    [[nodiscard]] int freedom() const { return static_cast<int>(design.rows() - design.cols()); }
+    /// Least squares. Empty if there are fewer observations than terms, or the terms depend on each other there.
+    static std::optional<LinearModel> fit(std::vector<SurfaceTerm> terms, std::vector<std::vector<double>> factors,
+                                          std::vector<double> response);
+    /// Least squares in which the coefficients behind the first `n_free` are drawn to 0, as normal numbers about it, with that
+    /// weight by which the observations are most likely (empirical Bayes, restricted likelihood); each is at most about the
+    /// scatter of an observation, as few of these would bend without end. Empty unless there are two observations more than free
+    /// terms, which they determine.
+    static std::optional<LinearModel> fit_restricted(std::vector<SurfaceTerm> terms, std::size_t n_free,
+                                                     std::vector<std::vector<double>> factors, std::vector<double> response);
+    /// Bayesian update by one more observation. \param scatter its variance over `variance`
+    void update(const std::vector<double>& at, double value, double scatter);
+    /// How far coefficients are off that have these standard normal numbers, one a coefficient.
+    [[nodiscard]] Eigen::VectorXd sample(const Eigen::VectorXd& normal) const;
+
     [[nodiscard]] double residual_sum() const { return residuals.squaredNorm(); }  ///< Σ (y − ŷ)²
     [[nodiscard]] double total_sum() const;                                        ///< Σ (y − ȳ)²
-    /// Σ of squared residuals, each predicted without its own run (Allen 1974).
+    /// Σ of squared residuals, each predicted without its own observation (Allen 1974).
     [[nodiscard]] double press() const;
     /// The same with one more term; infinite if it depends on the others.
     [[nodiscard]] double press_with(const SurfaceTerm& term) const;
-    /// Residual variance; 0 without degrees of freedom.
-    [[nodiscard]] double variance() const { return freedom() > 0 ? residual_sum() / freedom() : 0; }
+    [[nodiscard]] double scatter() const { return std::sqrt(variance); }
+    [[nodiscard]] double prediction_error() const;  ///< √(PRESS/n)
     [[nodiscard]] double standard_error(std::size_t term) const;
     [[nodiscard]] double r_squared() const;
     /// Corrected for the number of terms; empty without degrees of freedom.
     [[nodiscard]] std::optional<double> adjusted_r_squared() const;
     [[nodiscard]] double predicted_r_squared() const;
 
+    [[nodiscard]] Eigen::VectorXd row(const std::vector<double>& at) const;  ///< the terms there
     [[nodiscard]] double value(const std::vector<double>& at) const { return row(at).dot(coefficients); }
-    /// Variance of the fitted mean over the residual variance, xᵀ (XᵀX)⁻¹ x.
+    /// Variance of the mean over that of an observation.
     [[nodiscard]] double leverage(const std::vector<double>& at) const;
     /// The mean with its 95 % confidence interval.
     [[nodiscard]] Estimate confidence(const std::vector<double>& at) const { return with_interval(at, 0); }
-    /// A single new run with its 95 % prediction interval.
+    /// A single new observation with its 95 % prediction interval.
     [[nodiscard]] Estimate prediction(const std::vector<double>& at) const { return with_interval(at, 1); }
-    /// Derivative of each term by each factor: terms × factors.
-    [[nodiscard]] Eigen::MatrixXd slopes(const std::vector<double>& at) const;
+    /// Derivatives of the mean by the factors.
+    [[nodiscard]] Eigen::VectorXd gradient(const std::vector<double>& at) const;
 
     /// Partial F test of a term (1 degree of freedom): p of leaving it out. Empty without degrees of freedom.
     [[nodiscard]] std::optional<double> p_value(std::size_t term) const;
     /// F test of all terms but the constant.
     [[nodiscard]] std::optional<FTest> significance() const;
-    /// Empty without repeated runs that scatter, or without degrees of freedom beyond them.
+    /// Empty without repeated observations that scatter, or without degrees of freedom beyond them.
     [[nodiscard]] std::optional<LackOfFit> lack_of_fit() const;
 
 private:
-    [[nodiscard]] Eigen::VectorXd row(const std::vector<double>& at) const;
+    LinearModel() = default;
+    LinearModel(std::vector<SurfaceTerm> of, std::vector<std::vector<double>> at, std::vector<double> values);
+    /// Fits with a weight that draws each coefficient to 0, or none. \return the restricted likelihood, its logarithm
+    double solve(const Eigen::VectorXd& weights);
     [[nodiscard]] Estimate with_interval(const std::vector<double>& at, double own_variance) const;
 };
 
 /// Leaves out, one by one, the term with the largest p above alpha; never the constant, nor a term whose product or square
 /// is still there (hierarchy).
-ResponseSurface eliminate_backward(ResponseSurface surface, double alpha);
+LinearModel eliminate_backward(LinearModel model, double alpha);
 
 /// Adds, one by one, the candidate that reduces PRESS most, until none reduces it or the degrees of freedom are as few as half of
-/// the runs.
-ResponseSurface extend_forward(ResponseSurface surface, const std::vector<SurfaceTerm>& candidates);
+/// the observations.
+LinearModel extend_forward(LinearModel model, const std::vector<SurfaceTerm>& candidates);
 
 /// P(F > f) of Fisher's distribution.
 double f_tail(double f, int numerator_freedom, int denominator_freedom);
 /// The f that is exceeded with the probability `tail`.
 double f_quantile(double tail, int numerator_freedom, int denominator_freedom);
-/// P(|t| > …) of Student's distribution.
-double t_tail(double t, int freedom);
 
 }  // namespace graincrack
