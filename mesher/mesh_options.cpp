@@ -316,20 +316,17 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
 /// A mesh or a picture from elsewhere.
 void add_import(OptionSet set, ImportRequest& request) {
     add_text(set, "file", request.file,
-             "mesh of Gmsh (MSH 2.2, 4.1), Neper (.msh) or Abaqus (.inp), or picture of labels (PNG, or integers as "
-             "text); - for stdin")
+             "mesh of Gmsh (MSH 2.2, 4.1) or Neper (.msh), or picture of labels (PNG, or integers as text); - for stdin")
         .type_name("FILE|-")
         .required();
-    add_choice<std::optional<MeshFormat>>(set.usual(), "--format", request.format,
-                                          {{"gmsh", MeshFormat::gmsh},
-                                           {"neper", MeshFormat::neper},
-                                           {"abaqus", MeshFormat::abaqus},
-                                           {"labels", MeshFormat::labels}},
-                                          "format of the file; default: told by its content");
+    add_choice<std::optional<MeshFormat>>(
+        set.usual(), "--format", request.format,
+        {{"gmsh", MeshFormat::gmsh}, {"neper", MeshFormat::neper}, {"labels", MeshFormat::labels}},
+        "format of the file; default: told by its content");
     add_choice<std::optional<GrainChoice>>(
         set.usual(), "--grain", request.grains,
         {{"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}},
-        "what is a grain: an element, a geometrical entity (elset of Neper and Abaqus, piece of a picture), or what is connected "
+        "what is a grain: an element, a geometrical entity (elset of Neper, piece of a picture), or what is connected "
         "of a physical group; default: entity, or element where there is one entity only");
     add_choice<CrystalChoice>(
         set.usual(), "--crystals", request.crystals, {{"elastic", CrystalChoice::elastic}, {"break", CrystalChoice::breaking}},
@@ -410,16 +407,6 @@ void take_fabric(const MaterialFabric& material, Fabric& fabric) {
     }
 }
 
-/// The words of a command line, with --slit and --slit-angle for --notch and --notch-angle, as scripts call them too.
-std::vector<std::string> with_one_word_for_slits(int argc, const char* const* argv) {
-    constexpr std::string_view other = "--notch";
-    std::vector<std::string> words(argv, argv + argc);
-    for (std::string& word : words) {
-        if (word.starts_with(other)) word.replace(0, other.size(), "--slit");
-    }
-    return words;
-}
-
 /// As many grains as have this mean diameter. The mean area of crystals whose diameters vary by s is that of the mean diameter
 /// times 1 + s²; diameters of triangles hardly vary. \throws UsageError if no specimen has so few or so many
 std::int64_t grains_of_size(const Request& request, double diameter) {
@@ -453,16 +440,13 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
         add_fabric_options(set, options);
     }
     ImportRequest imported;
-    OptionSet import_set = line.options().add_subcommand("import", "a mesh of Gmsh, Neper or Abaqus, or a picture of labels");
+    OptionSet import_set = line.options().add_subcommand("import", "a mesh of Gmsh or Neper, or a picture of labels");
     add_import(import_set, imported);
     add_fabric_options(import_set, options);
     const auto complete = [&] {
         if (options.material) take_grains(line, options.material->grains, options, kind_options);
     };
-    const std::vector<std::string> words = with_one_word_for_slits(argc, argv);
-    std::vector<const char*> arguments;
-    for (const std::string& word : words) arguments.push_back(word.c_str());
-    if (!line.parse(argc, arguments.data(), complete)) return std::nullopt;
+    if (!line.parse(argc, argv, complete)) return std::nullopt;
     for (std::size_t i = 0; i < sets.size(); ++i) {
         if (sets[i].is_called()) kinds[i].make(kind_options, options.request);
     }

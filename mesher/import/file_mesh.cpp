@@ -116,9 +116,6 @@ std::vector<std::string> phase_names_of(const FileMesh& file, const FileElement&
         names.push_back(found->second);
     }
     if (element.physical > 0) names.push_back(std::to_string(element.physical));
-    if (const auto found = file.entity_names.find(element.entity); found != file.entity_names.end()) {
-        names.push_back(found->second);
-    }
     names.push_back(std::to_string(grain));
     return names;
 }

@@ -13,7 +13,7 @@
 
 namespace graincrack::mesher {
 
-/// What is one grain: an element, a geometrical entity (of Gmsh; the elset of Neper and Abaqus) or a physical group.
+/// What is one grain: an element, a geometrical entity (of Gmsh; the elset of Neper) or a physical group.
 enum class GrainChoice { element, entity, physical };
 
 /// A line, a triangle or a quadrangle.
@@ -33,7 +33,6 @@ struct FileMesh {
     std::vector<FileElement> elements;
     std::map<std::int64_t, std::string> surface_names;     ///< of physical groups of triangles
     std::map<std::int64_t, std::string> line_names;        ///< of physical groups of lines
-    std::map<std::int64_t, std::string> entity_names;      ///< of grains, where a format names them
     std::map<std::int64_t, std::int64_t> group_of_entity;  ///< of Neper
     std::string without_groups;                            ///< what to say if nothing gives the phases
     std::vector<std::string> notes;

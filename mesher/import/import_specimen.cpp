@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "mesher/fabric/crystals.hpp"
-#include "mesher/import/abaqus.hpp"
 #include "mesher/import/gmsh.hpp"
 #include "mesher/import/label_table.hpp"
 #include "share/base/error.hpp"
@@ -28,11 +27,10 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr const char* known_formats =
-    "a mesh of Gmsh (.msh), Neper (.msh) or Abaqus (.inp), or a picture of labels (PNG, or integers as text) is needed";
+    "a mesh of Gmsh or Neper (.msh) or a picture of labels (PNG, or integers as text) is needed";
 
 std::optional<MeshFormat> format_of(std::string_view bytes) {
     if (is_gmsh(bytes)) return MeshFormat::gmsh;
-    if (is_abaqus(bytes)) return MeshFormat::abaqus;
     if (looks_like_labels(bytes)) return MeshFormat::labels;
     return std::nullopt;
 }
@@ -60,8 +58,11 @@ std::string name_of_file(const ImportRequest& request) { return request.file == 
 MeshFormat known_format(std::string_view bytes, const ImportRequest& request) {
     const std::string name = name_of_file(request);
     const auto format = request.format ? request.format : format_of(bytes);
-    if (!format) throw InputError(fmt::format("{}: begins with \"{}\"; {}", name, beginning(bytes), known_formats));
-    return *format;
+    if (format) return *format;
+    const bool is_abaqus = trimmed(bytes).starts_with('*');
+    throw InputError(
+        fmt::format("{}: begins with \"{}\"; {}", name, beginning(trimmed(bytes)),
+                    is_abaqus ? "a file of Abaqus is converted by: meshio convert --ascii mesh.inp mesh.msh" : known_formats));
 }
 
 LabelOptions label_options(const ImportRequest& request, const PhaseKey& key) {
@@ -114,7 +115,6 @@ ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
             mesh.phases = key.phases();
             return with_grains(std::move(mesh), request.grains, name);
         }
-        case MeshFormat::abaqus: return imported_mesh(read_abaqus(bytes, name), request.grains, key, name);
         case MeshFormat::neper:
         case MeshFormat::gmsh: break;
     }

@@ -16,7 +16,7 @@
 namespace graincrack::mesher {
 
 /// Meshes of Neper are told from Gmsh's by their sections.
-enum class MeshFormat { gmsh, neper, abaqus, labels };
+enum class MeshFormat { gmsh, neper, labels };
 
 struct ImportRequest {
     std::string file;                   ///< "-" for stdin

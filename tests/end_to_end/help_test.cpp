@@ -142,7 +142,7 @@ TEST(Help, ExamplesOfThePostprocessorAndOfEachOfItsCommandsRun) {
         "\ngraincrack-solve uniaxial rectangle.h5 -o default.h5" + test +
         "\ngraincrack-solve uniaxial rectangle.h5 -o half-as-fast.h5" + std::regex_replace(test, std::regex("400mm"), "320mm") +
         "\ngraincrack-solve triaxial rectangle.h5 -o triaxial.h5 --confining-pressure 1MPa" + test +
-        "\ngraincrack-mesh rectangle --width 20mm --height 40mm --edge 2.5mm --notch 6mm --quiet -o notched.h5"
+        "\ngraincrack-mesh rectangle --width 20mm --height 40mm --edge 2.5mm --slit 6mm --quiet -o notched.h5"
         "\ngraincrack-solve tension notched.h5 -o notched-tension.h5" +
         test +
         "\ngraincrack-post strength brazilian.h5 brazilian-coarse.h5 uniaxial.h5 weak.h5 >strength.tsv\n"

@@ -103,13 +103,6 @@ TEST(MeshOptions, TwoLinesAreSaidAndWhatIsWrong) {
     const std::string short_zone = shell.run(made + "brittle.toml -o s.h5").err;
     EXPECT_EQ(n_lines(short_zone), 3);
     EXPECT_TRUE(has(short_zone, "warning: 0.37 elements a contact zone between crystals, 353 um long: ")) << short_zone;
-    EXPECT_EQ(
-        shell
-            .run("graincrack-mesh rectangle --width 20mm --height 20mm --grains 250 --notch 6mm --notch-angle 20deg -q -o a.h5\n"
-                 "graincrack-mesh rectangle --width 20mm --height 20mm --grains 250 --slit 6mm --slit-angle 20deg -q -o b.h5")
-            .err,
-        "");
-    EXPECT_EQ(hash_of(shell, "a.h5"), hash_of(shell, "b.h5"));
     const std::string round = "graincrack-mesh rectangle --width 40mm --height 40mm --grains 250 --hole 0,0,6mm -o s.h5";
     EXPECT_TRUE(has(shell.run(round).err, "warning: hole_1 is a polygon of ")) << "of triangles";
     EXPECT_FALSE(has(shell.run(round + " --tessellation trigon --seed 3").err, "hole_1"));

@@ -72,7 +72,7 @@ TEST(Pipeline, CracksOfDirectTensionAreTensile) {
 TEST(Pipeline, ToughnessOfANotchedPlate) {
     const Shell shell;
     const std::string table = shell.must(
-        "graincrack-mesh rectangle --width 40mm --height 80mm --grains 700 --notch 16mm --quiet -o - | graincrack-solve tension "
+        "graincrack-mesh rectangle --width 40mm --height 80mm --grains 700 --slit 16mm --quiet -o - | graincrack-solve tension "
         "- "
         "--material augig-granite --fracture-energy 57.8J/m2 --mass-scaling selective --frames 0 --quiet -o - | "
         "graincrack-post toughness -");

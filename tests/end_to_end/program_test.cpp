@@ -193,9 +193,9 @@ double shear_strength_of(const Shell& shell, const std::string& notch, const std
 // A notch as long as the specimen is wide is a joint, and programs are found by their names.
 TEST(Programs, AJointThroughTheWholeWidthSlidesWhereRockBears) {
     const Shell shell;
-    const double joint = shear_strength_of(shell, " --notch 40mm");
+    const double joint = shear_strength_of(shell, " --slit 40mm");
     const double rock = shear_strength_of(shell, "");
-    EXPECT_NEAR(shear_strength_of(shell, " --notch 40mm --notch-angle 0deg", "joint-shear"), 1.82, 0.1);  // without teeth, 5 %
+    EXPECT_NEAR(shear_strength_of(shell, " --slit 40mm --slit-angle 0deg", "joint-shear"), 1.82, 0.1);  // without teeth, 5 %
     EXPECT_GT(joint, 1.8);  // 5 MPa · tan 20°, and the teeth of the joint
     EXPECT_LT(joint, 0.8 * rock);
     const Outcome outcome =

@@ -28,13 +28,6 @@ inline const std::string msh_41 =
 
 inline const std::string neper_msh = read_bytes(GRAINCRACK_TEST_DATA "/meshes/two-squares-neper.msh");
 
-inline const std::string abaqus =
-    "** by hand\n*Heading\n two squares\n*Node\n1, 0., 0., 0.\n2, 1, 0\n3, 2, 0\n4, 0, 1\n5, 1.e0, +1\n6, 2, 1\n"
-    "*Element, type=T2D2, elset=crack\n11, 2, 5\n*Element, type=T2D2, elset=Loaded\n12, 3, 6\n"
-    "*ELEMENT, TYPE=CPS3\n1, 1, 2, 5\n2, 1,\n5, 4\n*Element, type=CPE3R, elset=face9\n3, 2, 3, 6\n4, 2, 6, 5\n"
-    "*Elset, elset=face7, generate\n1, 2\n*Elset, elset=ELSET_Quartz\nface7\n*Elset, elset=\"feld spar\"\n3, 4,\n"
-    "*Elset, elset=all, generate\n1, 4, 1\n*Nset, nset=ends\n1, 3\n*Solid section, elset=all\n1.\n";
-
 /// A text with one part of it replaced; that part must be there.
 inline std::string with(std::string text, const std::string& part, const std::string& other) {
     text.replace(text.find(part), part.size(), other);  // throws if it is not there
