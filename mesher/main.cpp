@@ -18,6 +18,7 @@
 #include "mesher/mesh_report.hpp"
 #include "mesher/plane/triangulation.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/progress.hpp"
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
@@ -29,8 +30,12 @@ namespace {
 using namespace graincrack;
 using namespace graincrack::mesher;
 
-void print(std::ostream& stream, const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) stream << line << '\n';
+template <class Line>
+void print(std::ostream& stream, const std::vector<Line>& lines) {
+    for (const auto& line : lines) {
+        const Remark remark(line);
+        stream << (remark.code.empty() ? "" : "warning: ") << remark.text << '\n';
+    }
 }
 
 /// Writes the specimen with what made it.
@@ -50,18 +55,19 @@ void write(H5Output& file, const Specimen& specimen, const std::string& input_di
 }
 
 /// Says what a specimen is and what is wrong with it, and if asked for more the rest of the lines.
-void tell(const MeshOptions& options, const Specimen& specimen, std::vector<std::string> lines) {
-    if (options.verbosity == Verbosity::quiet) return;
-    print(std::cerr, summary_of(specimen, options.output));
+void tell(const MeshOptions& options, const Specimen& specimen, std::vector<Remark> lines) {
+    std::ostream& out = diagnostics(options.verbosity);
+    for (const std::string& line : summary_of(specimen, options.output)) say(out, line);
     if (options.material) {
-        write_notes(std::cerr, "graincrack-mesh", *options.material);
-        const std::vector<std::string> zones = describe_zones(*options.material, specimen);
+        write_notes(out, "graincrack-mesh", *options.material);
+        const std::vector<Remark> zones = describe_zones(*options.material, specimen);
         lines.insert(lines.end(), zones.begin(), zones.end());
     }
-    for (const std::string& line : lines) {
-        const bool is_warning = line.starts_with("warning: ");
-        if (is_warning || options.verbosity == Verbosity::verbose) {
-            std::cerr << (is_warning ? "graincrack-mesh: " : "  ") << line << '\n';
+    for (const Remark& line : lines) {
+        if (!line.code.empty()) {
+            warn(out, "graincrack-mesh", line, options.output);
+        } else if (options.verbosity == Verbosity::verbose) {
+            say(out, "  " + line.text);
         }
     }
 }
@@ -110,7 +116,7 @@ int run(int argc, char** argv) {
     write(file, specimen, "", *options, argc, argv, start);
 
     // Report
-    std::vector<std::string> lines = describe_mesh(specimen, request, report);
+    std::vector<Remark> lines = describe_mesh(specimen, request, report);
     if (length(options->moved) > 0) {
         lines.push_back(fmt::format("moved by ({}, {}), so that the middle of its extent is the origin",
                                     format_length(options->moved.x), format_length(options->moved.y)));

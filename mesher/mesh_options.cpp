@@ -310,7 +310,7 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
         "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose "
         "contact zones elements must resolve",
         "NAME|FILE", "");
-    add_text(set.usual(), "-o,--output", options.output, "specimen file to write; - for stdout").type_name("FILE|-");
+    add_output_file(set.usual(), options.output, "specimen file to write; - for stdout", {".h5"}).type_name("FILE|-");
 }
 
 /// A mesh or a picture from elsewhere.

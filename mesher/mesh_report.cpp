@@ -43,7 +43,7 @@ bool has_phases_of(const Material& material, const Specimen& specimen) {
 
 }  // namespace
 
-std::vector<std::string> describe_zones(const Material& material, const Specimen& specimen) {
+std::vector<Remark> describe_zones(const Material& material, const Specimen& specimen) {
     if (!has_phases_of(material, specimen)) return {};
     constexpr PlaneCondition plane = PlaneCondition::stress;  // in plane strain zones are the same, as Ẽ Gf = K²
     const auto between = fabric_of(material, plane, std::nullopt, specimen.phase_names).contacts;
@@ -70,17 +70,18 @@ std::vector<std::string> describe_zones(const Material& material, const Specimen
         zones.shortest = std::min(zones.shortest, zone);
         zones.longest = std::max(zones.longest, zone);
     }
-    std::vector<std::string> lines;
+    std::vector<Remark> lines;
     for (const Zones& zones : kinds) {
         if (!(zones.longest > 0)) continue;
         const bool are_equal = zones.longest < (1 + 1e-9) * zones.shortest;
         const std::string of = !are_equal ? zones.of : &zones == kinds.data() ? "between crystals" : "within crystals";
         const Zones& other = kinds[&zones == kinds.data() ? 1 : 0];
         const bool is_short = zones.elements() < fewest_of_zone && !(other.elements() < zones.elements());
-        lines.push_back(
-            fmt::format("{}{:.2g} elements a contact zone {}, {} long{}", is_short ? "warning: " : "", zones.elements(), of,
+        lines.emplace_back(
+            fmt::format("{:.2g} elements a contact zone {}, {} long{}", zones.elements(), of,
                         format_quantity(zones.shortest, Dimension::length, 3),
-                        is_short ? ": with fewer than one strengths depend on the size of elements; make them smaller" : ""));
+                        is_short ? ": with fewer than one strengths depend on the size of elements; make them smaller" : ""),
+            is_short ? "short_zone" : "");
     }
     return lines;
 }
@@ -156,7 +157,7 @@ std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
 }
 
 /// Sizes and angles of crystals, which are made once and have no preferred direction to speak of.
-void describe_crystals(const Specimen& specimen, const Fabric& fabric, const MeshReport& r, std::vector<std::string>& lines) {
+void describe_crystals(const Specimen& specimen, const Fabric& fabric, const MeshReport& r, std::vector<Remark>& lines) {
     const MeshStatistics& s = specimen.statistics;
     lines.push_back(fmt::format(
         "crystals: equal-area diameter mean {}, CV {:.4f}{} ({} requested); areas met to {:.0e}; {} short edges were removed{}",
@@ -170,7 +171,7 @@ void describe_crystals(const Specimen& specimen, const Fabric& fabric, const Mes
                                 s.psi6, s.area_error));
 }
 
-void describe_triangles(const MeshStatistics& s, const MeshReport& report, std::vector<std::string>& lines) {
+void describe_triangles(const MeshStatistics& s, const MeshReport& report, std::vector<Remark>& lines) {
     lines.push_back(size_line("edge", s.mean_edge, s.edge_variation, s.min_edge, s.max_edge));
     lines.push_back(size_line("equal-area diameter", s.mean_diameter, s.diameter_variation, s.min_diameter, s.max_diameter));
     lines.push_back(fmt::format("smallest angle {:.1f} deg, psi6 {:.3f} (at most {:.3f} in eight equal parts), area error {:.1e}",
@@ -203,7 +204,7 @@ std::string note_on_holes(const Specimen& specimen, const Request& request) {
 
 /// Triangles that are not as they should be.
 void add_notes_on_triangles(const Specimen& specimen, const Request& request, const MeshReport& report,
-                            std::vector<std::string>& lines) {
+                            std::vector<Remark>& lines) {
     const MeshStatistics& s = specimen.statistics;
     const double spread = request.fabric.spread;
     if (request.fabric.grading || s.elongation > 0) {
@@ -217,14 +218,15 @@ void add_notes_on_triangles(const Specimen& specimen, const Request& request, co
                                     format_length(*request.notch), format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
     }
     if (report.n_flaws + request.region.loops.size() > 1 && report.min_angle < smallest_angle) {
-        lines.push_back(
-            "warning: holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short");
+        lines.emplace_back(
+            "holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short",
+            "small_angle");
     }
     if (s.psi6 > max_psi6 || report.psi6_of_parts > max_psi6_of_parts) {
-        lines.push_back(
-            fmt::format("warning: after {} attempts parts of the mesh still have a preferred direction, which is hardly "
-                        "avoidable with so few grains",
-                        report.attempts));
+        lines.emplace_back(fmt::format("after {} attempts parts of the mesh still have a preferred direction, which is hardly "
+                                       "avoidable with so few grains",
+                                       report.attempts),
+                           "preferred_directions");
     }
 }
 
@@ -251,10 +253,10 @@ std::vector<std::string> summary_of(const Specimen& specimen, const std::string&
     return lines;
 }
 
-std::vector<std::string> describe_mesh(const Specimen& specimen, const Request& request, const MeshReport& report) {
+std::vector<Remark> describe_mesh(const Specimen& specimen, const Request& request, const MeshReport& report) {
     const Fabric& fabric = request.fabric;
     const MeshStatistics& s = specimen.statistics;
-    std::vector<std::string> lines{
+    std::vector<Remark> lines{
         fmt::format("{}: {} nodes, {} boundary edges", specimen.tessellation, specimen.n_nodes(), specimen.n_boundary_edges())};
     if (fabric.has_crystals()) {
         describe_crystals(specimen, fabric, report, lines);
@@ -262,7 +264,7 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const Request& 
         describe_triangles(s, report, lines);
     }
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("loading arc {:.2f} deg", degrees(specimen.loading_arc)));
-    if (const std::string sides = note_on_holes(specimen, request); !sides.empty()) lines.push_back("warning: " + sides);
+    if (const std::string sides = note_on_holes(specimen, request); !sides.empty()) lines.emplace_back(sides, "coarse_hole");
     if (fabric.strength.modulus) lines.push_back(strength_line(specimen, fabric.strength));
     if (fabric.open.fraction) lines.push_back(open_line(specimen));
     if (s.elongation > 0) {
@@ -271,7 +273,7 @@ std::vector<std::string> describe_mesh(const Specimen& specimen, const Request& 
     if (fabric.grading) lines.push_back(grading_line(fabric, report));
     if (report.n_flaws > 0 || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
     if (!fabric.has_crystals()) add_notes_on_triangles(specimen, request, report, lines);
-    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("warning: " + note);
+    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.emplace_back(note, "few_crystals");
     return lines;
 }
 

@@ -5,19 +5,20 @@
 #include <vector>
 
 #include "mesher/mesh.hpp"
+#include "share/base/events.hpp"
 #include "share/file/specimen.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack::mesher {
 
-// Lines that begin with "warning: " say that something is wrong; the others are for those who ask for more.
+// Warnings say that something is wrong; the other lines are for those who ask for more.
 
 /// What a specimen is: its shape, grains and elements, and a line with its phases, if it has several or one with a name.
 /// \param output name of its file, "" for none
 std::vector<std::string> summary_of(const Specimen& specimen, const std::string& output);
 
 /// Statistics of a specimen, a line each. Lengths in mm, angles in degrees.
-std::vector<std::string> describe_mesh(const Specimen& specimen, const Request& request, const MeshReport& report);
+std::vector<Remark> describe_mesh(const Specimen& specimen, const Request& request, const MeshReport& report);
 
 /// Expected counts and file size of a request, a line each. \throws UsageError as `plan_mesh`
 std::vector<std::string> describe_plan(const Request& request);
@@ -25,6 +26,6 @@ std::vector<std::string> describe_plan(const Request& request);
 /// How many elements, in mean lengths of contacts, lie in the zone in which the contacts of a material soften: of those between
 /// and of those within crystals the class with the fewest, by the energies of the material. The fewest of all is a warning if it
 /// is below one. Nothing if the specimen has other phases than the material.
-std::vector<std::string> describe_zones(const Material& material, const Specimen& specimen);
+std::vector<Remark> describe_zones(const Material& material, const Specimen& specimen);
 
 }  // namespace graincrack::mesher

@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/sha256.hpp"
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
@@ -61,6 +62,9 @@ void print_program(const SolveOptions& options, const Specimen& specimen) {
         program_text(program));
 }
 
+/// A strength over the axial stress; a Brazilian test has the load over D t as that.
+double factor_of_strength(const RunHeader& h) { return h.loading() == Loading::splitting ? 2 / std::numbers::pi : 1; }
+
 /// The strength a test is made for (brazilian: from load over D t), or the largest stress of one that did not fail; of bending
 /// the largest load.
 std::string strength_of(const SimulationSummary& s, double width) {
@@ -71,78 +75,81 @@ std::string strength_of(const SimulationSummary& s, double width) {
         return fmt::format("{}largest load {:.4g} kN/m at a span of {:.4g} mm (plane {}); ", failed,
                            h.peak_axial_stress * width * 1e-3, h.span * 1e3, name_of(h.plane));
     }
-    const double factor = h.loading() == Loading::splitting ? 2 / std::numbers::pi : 1;
     const bool is_first_peak = s.strength && h.loading() == Loading::compression;
     return fmt::format("{}{} {:.2f} MPa ({}plane {}); ", failed, s.strength ? "strength" : "largest stress",
-                       factor * s.strength.value_or(h.peak_axial_stress) * 1e-6, is_first_peak ? "first peak, " : "",
-                       name_of(h.plane));
+                       factor_of_strength(h) * s.strength.value_or(h.peak_axial_stress) * 1e-6,
+                       is_first_peak ? "first peak, " : "", name_of(h.plane));
 }
 
 /// Error of the energy balance over the largest stored energy up to which a run is beyond doubt.
 constexpr double trusted_residual = 0.005;
 
 /// The result, what tells whether to trust it, and where it is; then what is wrong.
-void print_summary(const SimulationSummary& s, const Specimen& specimen, const std::string& output) {
+void print_summary(std::ostream& out, const SimulationSummary& s, const Specimen& specimen, const std::string& output) {
     const RunHeader& h = s.header;
+    add_to_outcome("stop_reason", h.stop_reason);
+    if (s.strength && h.loading() != Loading::bending) add_to_outcome("strength", factor_of_strength(h) * *s.strength);
     if (h.heat != 0) {
-        tell(fmt::format("{}: {} before axial loading, with {} contacts past their peak\n", h.test, h.heat_label(),
-                         std::ceil(s.cracks_before)));
+        say(out, fmt::format("{}: {} before axial loading, with {} contacts past their peak", h.test, h.heat_label(),
+                             std::ceil(s.cracks_before)));
     }
-    tell(fmt::format("{}: ended by {}; {}cracks: {} tensile, {} shear\n", h.test, h.stop_reason, strength_of(s, specimen.width),
-                     std::ceil(s.cracks.tensile), std::ceil(s.cracks.shear)));
-    tell(
+    say(out, fmt::format("{}: ended by {}; {}cracks: {} tensile, {} shear", h.test, h.stop_reason, strength_of(s, specimen.width),
+                         std::ceil(s.cracks.tensile), std::ceil(s.cracks.shear)));
+    say(out,
         fmt::format("{}: energy balance error {:.2e} of the stored energy; platen forces differ by {:.2f} %; damping carried "
-                    "{:.2f} % of the load before the peak\n",
+                    "{:.2f} % of the load before the peak",
                     h.test, h.energy_balance_error, 100 * h.platen_force_difference, 100 * h.damping_load));
-    if (output != "-") tell(fmt::format("{}: written to {} after {:.1f} s\n", h.test, output, s.wall_time));
+    if (output != "-") say(out, fmt::format("{}: written to {} after {:.1f} s", h.test, output, s.wall_time));
     const std::string few = h.loading() == Loading::program ? "" : note_on_few_crystals(specimen);
-    if (!few.empty()) tell(fmt::format("{}: warning: {}\n", h.test, few));
+    const auto caution = [&](const std::string& code, const std::string& text) { warn(out, h.test, {text, code}, output); };
+    if (!few.empty()) caution("few_crystals", few);
     if (h.damping_load > trusted_damping_load) {
-        tell(fmt::format(
-            "{}: warning: damping carries {:.1f} % of the load before the peak, more than {:.0f} %; the strength is too high by "
-            "that fraction, where grains slide by several times as much: use a smaller --rate-tolerance, a slower --rate "
-            "or --damping-form combined\n",
-            h.test, 100 * h.damping_load, 100 * trusted_damping_load));
+        caution("damping_load",
+                fmt::format(
+                    "damping carries {:.1f} % of the load before the peak, more than {:.0f} %; the strength is too high by "
+                    "that fraction, where grains slide by several times as much: use a smaller --rate-tolerance, a slower --rate "
+                    "or --damping-form combined",
+                    100 * h.damping_load, 100 * trusted_damping_load));
     }
-    if (!s.equilibrium_warning.empty()) tell(fmt::format("{}: warning: {}\n", h.test, s.equilibrium_warning));
+    if (!s.equilibrium_warning.empty()) caution("equilibrium", s.equilibrium_warning);
     if (h.energy_balance_error > trusted_residual) {
-        tell(fmt::format(
-            "{}: warning: the error of the energy balance is {:.1f} % of the stored energy, more than {:.1f} %: do not "
-            "rely on results after that time (`history`, energy_balance_error), or use another --contact-law, "
-            "--mass-scaling none or a slower --rate\n",
-            h.test, 100 * h.energy_balance_error, 100 * trusted_residual));
+        caution("energy_balance",
+                fmt::format("the error of the energy balance is {:.1f} % of the stored energy, more than {:.1f} %: do not "
+                            "rely on results after that time (`history`, energy_balance_error), or use another --contact-law, "
+                            "--mass-scaling none or a slower --rate",
+                            100 * h.energy_balance_error, 100 * trusted_residual));
     }
 }
 
-void print_details(const SimulationSummary& s) {
+void print_details(std::ostream& out, const SimulationSummary& s) {
     const RunHeader& h = s.header;
     const std::string scaling = h.mass_scaling_factor > 0 ? fmt::format(" (mass scaling {:.3g})", h.mass_scaling_factor) : "";
-    tell(fmt::format("{}: {} steps of {:.3g} s{}, {:.1f} ns per grain and step; damping absorbed {:.1f} % of the work\n", h.test,
-                     h.steps, h.time_step, scaling, s.ns_per_grain_step, 100 * h.damping_share));
+    say(out, fmt::format("{}: {} steps of {:.3g} s{}, {:.1f} ns per grain and step; damping absorbed {:.1f} % of the work",
+                         h.test, h.steps, h.time_step, scaling, s.ns_per_grain_step, 100 * h.damping_share));
     if (s.ranks.balance.threads > 1) {
-        tell(fmt::format("{}: {} threads: the busiest has {:.2f} times the mean work on nodes, {:.2f} times on forces\n", h.test,
-                         s.ranks.balance.threads, s.ranks.balance.nodes, s.ranks.balance.forces));
+        say(out, fmt::format("{}: {} threads: the busiest has {:.2f} times the mean work on nodes, {:.2f} times on forces",
+                             h.test, s.ranks.balance.threads, s.ranks.balance.nodes, s.ranks.balance.forces));
     }
 }
 
 /// The messages between the ranks of a run.
-void print_ranks(const SimulationSummary& s) {
+void print_ranks(std::ostream& out, const SimulationSummary& s) {
     const RankSummary& r = s.ranks;
-    tell(fmt::format(
-        "{}: {} ranks: {} ghost nodes of {} at most, {} {}, {:.1f} kB and {:.1f} messages a step and rank, {:.1f} % of the time "
-        "waited\n",
-        s.header.test, r.ranks, r.ghost_nodes, r.own_nodes, r.neighbours, r.neighbours == 1 ? "neighbour" : "neighbours",
-        r.bytes_a_step * 1e-3, r.messages_a_step, 100 * r.waited));
+    say(out,
+        fmt::format("{}: {} ranks: {} ghost nodes of {} at most, {} {}, {:.1f} kB and {:.1f} messages a step and rank, {:.1f} % "
+                    "of the time waited",
+                    s.header.test, r.ranks, r.ghost_nodes, r.own_nodes, r.neighbours,
+                    r.neighbours == 1 ? "neighbour" : "neighbours", r.bytes_a_step * 1e-3, r.messages_a_step, 100 * r.waited));
 }
 
 /// Says so where the fracture energy in sliding leaves no softening.
-void print_sudden_loss(const SimulationRequest& request) {
+void print_sudden_loss(std::ostream& out, const SimulationRequest& request) {
     const ContactLaw law = make_contact_law(request.contact, request.law);
     if (description_of(law.variant).reads(&ContactParameters::mode_ii_fracture_energy) && !law.softens_in_shear) {
-        tell(fmt::format(
-            "{}: note: G_II, {:.4g} J/m2, does not exceed the {:.4g} J/m2 that a closed contact absorbs up to its peak: "
-            "its cohesion is lost at once\n",
-            name_of(request.loading.test), law.g2, contact_law::energy_to_sliding_peak(law)));
+        say(out, fmt::format(
+                     "{}: note: G_II, {:.4g} J/m2, does not exceed the {:.4g} J/m2 that a closed contact absorbs up to its peak: "
+                     "its cohesion is lost at once",
+                     name_of(request.loading.test), law.g2, contact_law::energy_to_sliding_peak(law)));
     }
 }
 
@@ -211,8 +218,8 @@ int solve(int argc, char** argv, const Ranks& ranks) {
     });
     if (!options) return 0;
     options->request.ranks = &ranks;
-    const bool is_verbose = options->verbosity == Verbosity::verbose;
-    if (options->verbosity != Verbosity::quiet) write_notes(std::cerr, "graincrack-solve", options->request.material);
+    std::ostream& out = diagnostics(options->verbosity);
+    write_notes(out, "graincrack-solve", options->request.material);
     catch_stop_signals();
     catch_checkpoint_signal();
     std::optional<H5Input> opened;
@@ -241,11 +248,11 @@ int solve(int argc, char** argv, const Ranks& ranks) {
     provenance.input_digest = digest;
     provenance.specimen_configuration = configuration_of(input);
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
-    if (options->verbosity != Verbosity::quiet) print_summary(summary, specimen, options->output);
-    if (is_verbose) {
-        print_details(summary);
-        print_sudden_loss(options->request);
-        if (!ranks.is_alone()) print_ranks(summary);
+    print_summary(out, summary, specimen, options->output);
+    if (options->verbosity == Verbosity::verbose) {
+        print_details(out, summary);
+        print_sudden_loss(out, options->request);
+        if (!ranks.is_alone()) print_ranks(out, summary);
     }
     if (options->request.sensitivity) print_sensitivity(options->output == "-" ? stderr : stdout, summary.sensitivity);
     return 0;

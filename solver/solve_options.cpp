@@ -181,7 +181,7 @@ OptionSet add_test(OptionSet tool, SolveOptions& options, RawOptions& raw, Commo
     add_text(command, "specimen", options.specimen, "specimen file, - for stdin").required().type_name("FILE");
     add_contact_options(command, raw.contact);
     add_run_options(command, options.request, raw, test);
-    add_text(command.usual(), "-o,--output", options.output, "run file, - for stdout").type_name("FILE");
+    add_output_file(command.usual(), options.output, "run file, - for stdout", {".h5"});
     add_flag(command, "--print-program", options.print_program,
              "print the test as a loading program for `graincrack-solve program`, and run nothing");
     add_dry_run(command, common, "print counts, time step, steps, memory and file size, and run nothing");
@@ -209,7 +209,7 @@ OptionSet add_program(OptionSet tool, SolveOptions& options, RawOptions& raw, Co
              "run made with --save-state from which to start, instead of the program's start_from; or a checkpoint of "
              "this program, to resume it")
         .type_name("FILE");
-    add_text(command.usual(), "-o,--output", options.output, "run file, - for stdout").type_name("FILE");
+    add_output_file(command.usual(), options.output, "run file, - for stdout", {".h5"});
     add_dry_run(command, common, "print counts, time step, steps, memory and file size, and run nothing");
     return command;
 }

@@ -24,7 +24,7 @@ constexpr double largest_extent = 1e4;  ///< m
 constexpr double smallest_extent = 1e-9;
 
 /// The mesh with the middle of its extent, or the point that was asked for, at the origin.
-void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std::vector<std::string>& notes) {
+void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std::vector<Remark>& notes) {
     Point origin = placement.origin.value_or(outline.middle);
     if (!placement.origin) {
         // What is off by no more than its roundness is not moved.
@@ -90,7 +90,7 @@ PlaneMesh plane_mesh_of(ImportedMesh& mesh, std::vector<Side> sides) {
 
 /// Phases that grains have, those with an order first.
 void give_phases(Specimen& specimen, const std::vector<int>& imported_grain, const ImportedMesh& mesh,
-                 std::vector<std::string>& notes) {
+                 std::vector<Remark>& notes) {
     const auto name_of = [&](std::size_t grain) {
         return mesh.phase_of_grain[grain].empty() ? "rock" : mesh.phase_of_grain[grain];
     };
@@ -113,12 +113,12 @@ void give_phases(Specimen& specimen, const std::vector<int>& imported_grain, con
     }
     const auto unnamed = std::count(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end(), "");
     if (unnamed > 0 && names.size() > 1) {
-        notes.push_back(fmt::format("warning: {} grains have no phase and are of \"rock\"", unnamed));
+        notes.emplace_back(fmt::format("{} grains have no phase and are of \"rock\"", unnamed), "no_phase");
     }
 }
 
 /// Grains that touch make one body of rock; more than one is told.
-void tell_bodies(const Specimen& specimen, std::vector<std::string>& notes) {
+void tell_bodies(const Specimen& specimen, std::vector<Remark>& notes) {
     const auto grains = grain_of_nodes(specimen);
     UnionFind bodies(specimen.n_grains());
     std::size_t n_bodies = specimen.n_grains();
@@ -129,13 +129,15 @@ void tell_bodies(const Specimen& specimen, std::vector<std::string>& notes) {
         bodies.join(a, b);
         --n_bodies;
     }
-    if (n_bodies > 1) notes.push_back(fmt::format("warning: the grains make {} bodies that share no sides", n_bodies));
+    if (n_bodies > 1) {
+        notes.emplace_back(fmt::format("the grains make {} bodies that share no sides", n_bodies), "several_bodies");
+    }
 }
 
 }  // namespace
 
 Specimen assemble(ImportedMesh mesh, const Placement& placement, CrystalChoice crystals, const std::string& name,
-                  std::vector<std::string>& notes) {
+                  std::vector<Remark>& notes) {
     if (placement.scale != 1) {
         for (Point& p : mesh.points) p = placement.scale * p;
     }

@@ -28,6 +28,6 @@ enum class CrystalChoice { elastic, breaking };
 /// of contacts within them are not (`name_crystals`): they follow from the phases. \throws InputError as `clean`, or if the
 /// specimen is none that can be tested, or each crystal that is to break has one element
 Specimen assemble(ImportedMesh mesh, const Placement& placement, CrystalChoice crystals, const std::string& name,
-                  std::vector<std::string>& notes);
+                  std::vector<Remark>& notes);
 
 }  // namespace graincrack::mesher

@@ -70,7 +70,7 @@ public:
 private:
     [[noreturn]] void fail(const std::string& message) const { throw InputError(name_ + ": " + message); }
     [[nodiscard]] Point at(int p) const { return mesh_.points[static_cast<std::size_t>(p)]; }
-    void note(const std::string& text) { mesh_.notes.push_back(text); }
+    void note(const Remark& remark) { mesh_.notes.push_back(remark); }
 
     /// Gives points new numbers; a line with a point of number −1 is left out.
     void renumber(const std::vector<int>& number, std::vector<Point> points) {
@@ -129,10 +129,10 @@ private:
             if (first[p] == p) points.push_back(mesh_.points[p]);
         }
         if (points.size() == mesh_.points.size()) return;
-        note(fmt::format(
-            "warning: {} of {} points lie where others do and were joined with them; sides that were apart there are grain "
-            "boundaries now (lines of the name crack make broken ones)",
-            mesh_.points.size() - points.size(), mesh_.points.size()));
+        note({fmt::format("{} of {} points lie where others do and were joined with them; sides that were apart there are grain "
+                          "boundaries now (lines of the name crack make broken ones)",
+                          mesh_.points.size() - points.size(), mesh_.points.size()),
+              "joined_points"});
         renumber(number, std::move(points));
     }
 

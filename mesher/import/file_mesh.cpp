@@ -237,10 +237,11 @@ private:
         const std::set<std::string> phases(mesh_.phase_of_grain.begin(), mesh_.phase_of_grain.end());
         if (phases.size() > max_phases) {
             if (key_.is_given()) reader_.fail(fmt::format("{} phases; at most {} fit", phases.size(), max_phases));
-            mesh_.notes.push_back(
-                fmt::format("warning: {} physical groups are more than the {} phases that fit: all grains are \"rock\"; "
+            mesh_.notes.emplace_back(
+                fmt::format("{} physical groups are more than the {} phases that fit: all grains are \"rock\"; "
                             "--phase-key FILE gives them phases",
-                            phases.size(), max_phases));
+                            phases.size(), max_phases),
+                "many_groups");
             std::fill(mesh_.phase_of_grain.begin(), mesh_.phase_of_grain.end(), "");
         }
         if (!has_physical_ && file_.group_of_entity.empty() && !key_.is_given() && !file_.without_groups.empty()) {

@@ -10,6 +10,7 @@
 
 #include "mesher/import/imported_mesh.hpp"
 #include "mesher/import/phase_key.hpp"
+#include "share/base/events.hpp"
 
 namespace graincrack::mesher {
 
@@ -35,7 +36,7 @@ struct FileMesh {
     std::map<std::int64_t, std::string> line_names;        ///< of physical groups of lines
     std::map<std::int64_t, std::int64_t> group_of_entity;  ///< of Neper
     std::string without_groups;                            ///< what to say if nothing gives the phases
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
 };
 
 /// A name as one of a phase, a part or a flaw: small letters, digits, _ and, between them, -.

@@ -112,8 +112,9 @@ private:
             if (i == 0) first = physical;
         }
         if (n_physical > 1 && dimension == 2) {
-            mesh_.notes.push_back(
-                fmt::format("warning: entity {} is of {} physical groups: the first, {}, counts", tag, n_physical, first));
+            mesh_.notes.emplace_back(
+                fmt::format("entity {} is of {} physical groups: the first, {}, counts", tag, n_physical, first),
+                "several_groups");
         }
         if (dimension > 0) {
             for (std::size_t n = text_.count("the number of bounding entities", 2); n > 0; --n) text_.integer("an entity");

@@ -186,10 +186,10 @@ std::vector<std::string> write_new_key(const ImportRequest& request) {
     return describe_labels(rows);
 }
 
-std::vector<std::string> describe(const Import& import) {
+std::vector<Remark> describe(const Import& import) {
     const Specimen& specimen = import.specimen;
     const MeshStatistics& s = specimen.statistics;
-    std::vector<std::string> lines{
+    std::vector<Remark> lines{
         fmt::format("from {}: {} nodes, {} boundary edges", import.format, specimen.n_nodes(), specimen.n_boundary_edges()),
         fmt::format("edge mean {}, CV {:.4f}, min {}, max {}; smallest angle {:.1f} deg, psi6 {:.3f}", mm(s.mean_edge),
                     s.edge_variation, mm(s.min_edge), mm(s.max_edge), s.min_angle * 180 / std::numbers::pi, s.psi6),
@@ -200,11 +200,12 @@ std::vector<std::string> describe(const Import& import) {
         for (const std::string& line : describe_labels(import.labels)) lines.push_back(line);
     }
     if (specimen.n_elements() == specimen.n_grains() && s.psi6 > preferred) {
-        lines.push_back(
-            "warning: edges have preferred directions (psi6), which steer cracks; Gmsh's Mesh.Algorithm = 5 makes meshes "
-            "without");
+        lines.emplace_back(
+            "edges have preferred directions (psi6), which steer cracks; Gmsh's Mesh.Algorithm = 5 makes meshes "
+            "without",
+            "preferred_directions");
     }
-    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.push_back("warning: " + note);
+    if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.emplace_back(note, "few_crystals");
     lines.insert(lines.end(), import.notes.begin(), import.notes.end());
     return lines;
 }

@@ -40,10 +40,10 @@ ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request);
 
 struct Import {
     Specimen specimen;
-    std::string digest;              ///< SHA-256 of the file
-    std::string format;              ///< "Gmsh 4.1, binary"
-    std::vector<LabelRow> labels;    ///< of a picture
-    std::vector<std::string> notes;  ///< what was decided, a line each; "warning: …" where something is wrong
+    std::string digest;            ///< SHA-256 of the file
+    std::string format;            ///< "Gmsh 4.1, binary"
+    std::vector<LabelRow> labels;  ///< of a picture
+    std::vector<Remark> notes;     ///< what was decided, a line each; warnings where something is wrong
 
     /// Whether the file says of what phases its grains are.
     [[nodiscard]] bool has_phases() const { return specimen.phase_names != Specimen{}.phase_names; }
@@ -59,7 +59,7 @@ Import import_specimen(const ImportRequest& request, Fabric fabric, std::uint64_
 /// \throws UsageError if there is such a file, which is not the key of the request
 std::vector<std::string> write_new_key(const ImportRequest& request);
 
-/// What came out, a line each: "warning: …" where something is wrong. Lengths in mm, angles in degrees.
-std::vector<std::string> describe(const Import& import);
+/// What came out, a line each: warnings where something is wrong. Lengths in mm, angles in degrees.
+std::vector<Remark> describe(const Import& import);
 
 }  // namespace graincrack::mesher

@@ -7,6 +7,7 @@
 #include "mesher/import/label_table.hpp"
 #include "mesher/plane/geometry.hpp"
 #include "mesher/plane/triangulation.hpp"
+#include "share/base/events.hpp"
 
 namespace graincrack::mesher {
 
@@ -27,9 +28,9 @@ struct ImportedMesh {
     std::vector<std::string> phase_of_grain;  ///< "" where the file does not say
     std::vector<std::string> phases;          ///< order of their numbers; others follow as they appear
     std::vector<NamedLine> lines;
-    std::vector<LabelRow> labels;    ///< of a picture
-    std::string format;              ///< "Gmsh 4.1, binary", for the report
-    std::vector<std::string> notes;  ///< what was decided, a line each; "warning: …" of what is wrong or lost
+    std::vector<LabelRow> labels;  ///< of a picture
+    std::string format;            ///< "Gmsh 4.1, binary", for the report
+    std::vector<Remark> notes;     ///< what was decided, a line each; warnings of what is wrong or lost
 };
 
 }  // namespace graincrack::mesher

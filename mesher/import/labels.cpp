@@ -101,21 +101,21 @@ RefinedMesh triangles_of(const LabelNetwork& network, double element, const std:
 std::string count(int n, const std::string& one, const std::string& many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
 
 /// What a key has phases for and the picture does not have.
-std::vector<std::string> notes_on_key(const std::vector<LabelRow>& rows, const PhaseKey::OfLabels& phases) {
+std::vector<Remark> notes_on_key(const std::vector<LabelRow>& rows, const PhaseKey::OfLabels& phases) {
     std::set<int> labels;
     std::set<int> colours;
     for (const LabelRow& row : rows) {
         labels.insert(row.label);
         if (row.colour) colours.insert(*row.colour);
     }
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     for (const auto& [label, phase] : phases.by_number) {
         if (labels.count(label) > 0) continue;
-        notes.push_back(fmt::format("warning: no grain has the label {} of the phase {}", label, phase));
+        notes.emplace_back(fmt::format("no grain has the label {} of the phase {}", label, phase), "unused_label");
     }
     for (const auto& [colour, phase] : phases.by_colour) {
         if (colours.count(colour) > 0) continue;
-        notes.push_back(fmt::format("warning: no grain has the colour {} of the phase {}", colour_text(colour), phase));
+        notes.emplace_back(fmt::format("no grain has the colour {} of the phase {}", colour_text(colour), phase), "unused_label");
     }
     return notes;
 }
@@ -130,8 +130,8 @@ void check_phases(const std::vector<LabelRow>& rows, const PhaseKey::OfLabels& p
     }
 }
 
-std::vector<std::string> notes_on_pieces(const LabelPieces& pieces, const LabelOptions& options) {
-    std::vector<std::string> notes;
+std::vector<Remark> notes_on_pieces(const LabelPieces& pieces, const LabelOptions& options) {
+    std::vector<Remark> notes;
     if (pieces.joined > 0) {
         notes.push_back(fmt::format("{} of fewer than {} pixels joined a neighbour", count(pieces.joined, "piece", "pieces"),
                                     options.smallest_piece));
@@ -166,7 +166,7 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
     const double pixel = options.pixel_size;
     const double element = element_in_pixels(pieces, options, name);
     imported.notes = notes_on_pieces(pieces, options);
-    for (std::string& note : notes_on_key(imported.labels, options.phases)) imported.notes.push_back(std::move(note));
+    for (Remark& note : notes_on_key(imported.labels, options.phases)) imported.notes.push_back(std::move(note));
 
     LabelBoundaries boundaries = label_boundaries(pieces);
     const int joined_junctions = join_near_junctions(boundaries, static_cast<int>(std::min(element / element_of_side, 2.0)));

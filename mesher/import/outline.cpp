@@ -57,7 +57,7 @@ std::vector<Chain> chains_of(const std::vector<OpenSide>& sides) {
 
 class OutlineFinder {
 public:
-    OutlineFinder(const ImportedMesh& mesh, const std::string& name, std::vector<std::string>& notes)
+    OutlineFinder(const ImportedMesh& mesh, const std::string& name, std::vector<Remark>& notes)
         : mesh_(mesh), name_(name), notes_(notes) {}
 
     Outline find(const std::string& shape) {
@@ -231,20 +231,21 @@ private:
             }
         }
         if (n_lost > 0) {
-            notes_.push_back(
-                fmt::format("warning: {} lines of cracks and flaws lie between no two grains and were passed over", n_lost));
+            notes_.emplace_back(
+                fmt::format("{} lines of cracks and flaws lie between no two grains and were passed over", n_lost), "lost_lines");
         }
         for (const std::string& each : unused) {
-            notes_.push_back(fmt::format(
-                "warning: lines \"{}\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
-                "flaw-NAME-broken are cracks or of a class of flaws",
-                each));
+            notes_.emplace_back(
+                fmt::format("lines \"{}\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
+                            "flaw-NAME-broken are cracks or of a class of flaws",
+                            each),
+                "unknown_lines");
         }
     }
 
     const ImportedMesh& mesh_;
     const std::string& name_;
-    std::vector<std::string>& notes_;
+    std::vector<Remark>& notes_;
     std::vector<Chain> chains_;  ///< the outer one first
     Point low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Point high_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -253,7 +254,7 @@ private:
 
 }  // namespace
 
-Outline outline_of(const ImportedMesh& mesh, const std::string& shape, const std::string& name, std::vector<std::string>& notes) {
+Outline outline_of(const ImportedMesh& mesh, const std::string& shape, const std::string& name, std::vector<Remark>& notes) {
     return OutlineFinder(mesh, name, notes).find(shape);
 }
 

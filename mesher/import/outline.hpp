@@ -24,7 +24,7 @@ struct Outline {
 /// inner, a half-disc bottom and rim, any other a part "side"; holes are hole_1, …. Lines with names make parts of these names.
 /// \param shape of the specimen, if it is not to be told by the outline (a beam is a rectangle)
 /// \param notes lines whose names fit no place are told here
-Outline outline_of(const ImportedMesh& mesh, const std::string& shape, const std::string& name, std::vector<std::string>& notes);
+Outline outline_of(const ImportedMesh& mesh, const std::string& shape, const std::string& name, std::vector<Remark>& notes);
 
 /// What contacts along a line of a name are: of `crack`, `flaw-NAME` and `flaw-NAME-broken`.
 std::optional<FlawKind> flaw_of_line(const std::string& name);

@@ -16,6 +16,7 @@
 #include "post/chart/picture_style.hpp"
 #include "post/options/command.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {
@@ -121,8 +122,8 @@ void write_decision(const CalibrateOptions& options, const Call& call) {
         const std::string time = requested_time > 0 ? fmt::format(" (about {} of processor time, {} by the clock)",
                                                                   duration_text(requested_time), duration_text(by_the_clock))
                                                     : "";
-        fmt::print(call.diagnostics(), "graincrack-post: calibrate: {} {} wanted{}: {}\n", n, n == 1 ? "run is" : "runs are",
-                   time, decision.reason);
+        say(call.diagnostics(), fmt::format("graincrack-post: calibrate: {} {} wanted{}: {}", n, n == 1 ? "run is" : "runs are",
+                                            time, decision.reason));
         return;
     }
     if (decision.ending == Ending::calibrated) {

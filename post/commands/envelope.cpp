@@ -8,6 +8,7 @@
 #include "post/options/command.hpp"
 #include "post/run/likeness.hpp"
 #include "post/table/column.hpp"
+#include "share/base/events.hpp"
 
 namespace graincrack {
 
@@ -164,10 +165,11 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     row.add("plane", plane_of_compression(runs));
     print_left_out(diagnostics, "envelope", tests.left_out);
     if (tests.at_strain_limit > 0) {
-        fmt::print(diagnostics,
-                   "graincrack-post: envelope: {} of {} runs were stopped at the strain limit; their largest stress is taken as "
-                   "a strength, so that C and phi depend on that limit\n",
-                   tests.at_strain_limit, runs.size());
+        say(diagnostics,
+            fmt::format(
+                "graincrack-post: envelope: {} of {} runs were stopped at the strain limit; their largest stress is taken as "
+                "a strength, so that C and phi depend on that limit",
+                tests.at_strain_limit, runs.size()));
     }
     if (format == TableFormat::aligned) {
         write_to_terminal(out, envelope, tests, plane_of_compression(runs));

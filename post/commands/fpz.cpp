@@ -8,6 +8,7 @@
 
 #include "post/fit/paper_rock.hpp"
 #include "post/options/command.hpp"
+#include "share/base/events.hpp"
 #include "share/base/units.hpp"
 #include "share/options/option_set.hpp"
 #include "share/rock/material.hpp"
@@ -180,7 +181,7 @@ Command fpz_command() {
             std::vector<std::string> notes;
             const KnownRock rock = known_rock(read_incomplete_material_of(call, options.material), options, notes);
             write_fpz_table(call.out, rock, options.format);
-            for (const std::string& note : notes) fmt::print(call.diagnostics(), "fpz: note: {}\n", note);
+            for (const std::string& note : notes) say(call.diagnostics(), fmt::format("fpz: note: {}", note));
         });
 }
 

@@ -9,6 +9,7 @@
 #include "post/kind/kind_table.hpp"
 #include "post/options/command.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/text.hpp"
 #include "share/base/units.hpp"
 #include "share/file/output_file.hpp"
@@ -64,13 +65,14 @@ Command init_command() {
             if (options.list) return write_kinds(call.out);
             write_new_material(options.kind.empty() ? usual_kind : options.kind, options.name, settings_of(options.settings));
             if (options.kind.empty()) {
-                fmt::print(call.diagnostics(), "{}.toml: of the kind {}; --kind names another, --list shows all\n", options.name,
-                           usual_kind);
+                say(call.diagnostics(),
+                    fmt::format("{}.toml: of the kind {}; --kind names another, --list shows all", options.name, usual_kind));
             }
-            fmt::print(call.diagnostics(), "{}.toml: enter your {}values, then use it as --material {}.toml\n", options.name,
-                       options.settings.empty() ? "" : "other ", options.name);
-            fmt::print(call.diagnostics(),
-                       "{}.toml: unless measured, K_IC is tensile_strength/6.88 (Zhang 2002), K_IIC twice that\n", options.name);
+            say(call.diagnostics(), fmt::format("{}.toml: enter your {}values, then use it as --material {}.toml", options.name,
+                                                options.settings.empty() ? "" : "other ", options.name));
+            say(call.diagnostics(),
+                fmt::format("{}.toml: unless measured, K_IC is tensile_strength/6.88 (Zhang 2002), K_IIC twice that",
+                            options.name));
         });
 }
 

@@ -10,6 +10,7 @@
 #include "post/report/report.hpp"
 #include "post/view/view_page.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/quantities.hpp"
 #include "share/base/text.hpp"
 #include "share/file/h5_file.hpp"
@@ -35,7 +36,7 @@ Command cracks_command() {
         "cracks", "grains and cracks as VTK series; tables of cracks, events, fragments and directions",
         {"uniaxial.h5 -o cracks", "brazilian.h5 --event-distance 10mm -o cracks"}, one_run,
         [](OptionSet set, Options& options) {
-            add_output(set, options.folder, "folder for grains.pvd, cracks.pvd and the tables").type_name("FOLDER");
+            add_output(set, options.folder, "folder for grains.pvd, cracks.pvd and the tables", {});
             add_events(set, options.crack_export.events);
             add_crack_label(set, options.crack_export.label);
             add_format(set, options.crack_export.format);
@@ -61,7 +62,7 @@ Command report_command() {
                      "is found where the run names it");
             add_crack_label(set, options.report.label);
             add_text(set, "--view", options.view, "write the page of view too, and link to it: .html").type_name("FILE");
-            add_output(set, options.page, "page: .html");
+            add_output(set, options.page, "page: .html", {".html"});
         },
         [](const Options& options, const Call& call) {
             require_ending(options.page, ".html");
@@ -94,7 +95,7 @@ Command view_command() {
                 "most frames of a run in the page, evenly chosen; the first, that of the peak and the last are among them", 3,
                 1000);
             add_crack_label(set, options.view.label);
-            add_output(set, options.page, "page: .html");
+            add_output(set, options.page, "page: .html", {".html"});
         },
         [](const Options& options, const Call& call) {
             require_ending(options.page, ".html");
@@ -134,7 +135,7 @@ Command film_command() {
         one_run,
         [](OptionSet set, FilmOptions& options) {
             add_output(set, options.output,
-                       "film: .mp4 (H.264) or .webm (VP9), which ffmpeg encodes, or a folder of numbered PNG")
+                       "film: .mp4 (H.264) or .webm (VP9), which ffmpeg encodes, or a folder of numbered PNG", {})
                 .type_name("FILE|FOLDER");
             add_choice<FilmSteps>(
                 set, "--by", options.contents.steps,
@@ -165,7 +166,7 @@ Command export_command() {
         "export", "the mesh of a specimen for other programs: Gmsh, VTK", {"disc.h5 -o disc.msh", "uniaxial.h5 -o uniaxial.vtu"},
         FileArguments{"file", "specimen or run"},
         [](OptionSet set, Options& options) {
-            add_output(set, options.mesh, "mesh: .msh (Gmsh) or .vtu (VTK); - is stdout");
+            add_output(set, options.mesh, "mesh: .msh (Gmsh) or .vtu (VTK); - is stdout", {".msh", ".vtu"});
             add_choice<std::optional<MeshFormat>>(set, "--format", options.format,
                                                   {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}},
                                                   "MSH 2.2 of Gmsh or an XML file of VTK; default: by the ending of --output");
@@ -176,8 +177,8 @@ Command export_command() {
             write_whole_file(options.mesh, format == MeshFormat::gmsh ? gmsh_text(mesh) : vtu_text(mesh));
             const std::vector<std::string> lost = losses(mesh, format);
             if (lost.empty()) return;
-            fmt::print(call.diagnostics(), "graincrack-post: export: {} {}\n",
-                       options.mesh == "-" ? "stdout" : printable(options.mesh), fmt::join(lost, ", "));
+            say(call.diagnostics(), fmt::format("graincrack-post: export: {} {}",
+                                                options.mesh == "-" ? "stdout" : printable(options.mesh), fmt::join(lost, ", ")));
         });
 }
 

@@ -25,6 +25,7 @@
 #include "post/table/column.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/file/output_file.hpp"
 #include "share/options/option_set.hpp"
 
@@ -303,6 +304,7 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     cracks_list.write(pvd({{"cracks", "vtp"}}, times));
     grains_list.commit();
     cracks_list.commit();
+    add_output_to_outcome(folder);
 }
 
 namespace {

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/progress.hpp"
 #include "share/file/output_file.hpp"
 
@@ -100,6 +101,7 @@ void PictureFolder::commit() {
     fs::remove_all(folder_, cause);
     if (!cause) fs::rename(part_, folder_, cause);
     if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", name_, cause.message()));
+    add_output_to_outcome(name_);
 }
 
 bool has_ffmpeg() { return std::system("command -v ffmpeg >/dev/null 2>&1") == 0; }

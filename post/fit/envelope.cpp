@@ -16,6 +16,7 @@
 #include "post/statistics/linear_model.hpp"
 #include "post/statistics/nonlinear_fit.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/options/option_set.hpp"
 
 namespace graincrack {
@@ -288,7 +289,9 @@ std::optional<double> strength_for_fit(const RunData& run, const Strength& stren
 }
 
 void print_left_out(std::ostream& diagnostics, const std::string& command, const std::vector<std::string>& left_out) {
-    for (const std::string& reason : left_out) fmt::print(diagnostics, "graincrack-post: {}: left out: {}\n", command, reason);
+    for (const std::string& reason : left_out) {
+        say(diagnostics, fmt::format("graincrack-post: {}: left out: {}", command, reason));
+    }
 }
 
 EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {

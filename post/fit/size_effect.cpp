@@ -13,6 +13,7 @@
 #include "post/statistics/nonlinear_fit.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 
 namespace graincrack {
 
@@ -157,10 +158,11 @@ void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs
         print_left_out(diagnostics, "size-effect", s.left_out);
     }
     if (at_strain_limit > 0) {
-        fmt::print(diagnostics,
-                   "graincrack-post: size-effect: {} of {} runs were stopped at the strain limit; their largest stress is taken "
-                   "as a strength, so that the exponent depends on that limit\n",
-                   at_strain_limit, runs.size());
+        say(diagnostics,
+            fmt::format(
+                "graincrack-post: size-effect: {} of {} runs were stopped at the strain limit; their largest stress is taken "
+                "as a strength, so that the exponent depends on that limit",
+                at_strain_limit, runs.size()));
     }
     std::vector<FitRow> rows;
     for (const SizeSeries& s : all) {

@@ -51,24 +51,24 @@ std::vector<Caveat> find_caveats(const BrazilianSplit& split, bool splits_early,
     if (specimen.shape == "disc" && width_of_part(specimen, BoundaryPart::top) > 0) {
         const double angle = 2 * std::acos(std::min(1.0, specimen.height / specimen.width));
         const double degrees = 180 / std::numbers::pi;
-        found.push_back(
-            {"flat poles", fmt::format("with flat poles of {:.3g} degrees the tensile strength is {:.2f} times 2F/(πtD) (Wang "
-                                       "et al. 2004)",
-                                       angle * degrees, strength_share_of_arcs(angle))});
+        found.push_back({"flat_poles", "flat poles",
+                         fmt::format("with flat poles of {:.3g} degrees the tensile strength is {:.2f} times 2F/(πtD) (Wang "
+                                     "et al. 2004)",
+                                     angle * degrees, strength_share_of_arcs(angle))});
     }
     if (!split.spanning_stress) {
         found.push_back(
-            {fmt::format("open cracks never span {:.2g} D", spanning_share),
+            {"no_split", fmt::format("open cracks never span {:.2g} D", spanning_share),
              fmt::format("the disc did not split: its open cracks never span {:.2g} of the diameter", spanning_share)});
     } else if (const double off = 1 - *split.spanning_stress / peak; splits_early && off > 0.05) {
-        found.push_back({"the largest load is not the load at splitting",
+        found.push_back({"split_before_peak", "the largest load is not the load at splitting",
                          fmt::format("when open cracks spanned the disc, the load was {:.0f} % below the largest load, which may "
                                      "be the load of the halves",
                                      100 * off)});
     }
     if (split.first_crack_radius && *split.first_crack_radius > nearest_to_platens) {
         found.push_back(
-            {fmt::format("first cracks outside {} R", nearest_to_platens),
+            {"crushed_at_platens", fmt::format("first cracks outside {} R", nearest_to_platens),
              fmt::format(
                  "the first cracks are on average {:.2f} radii from the centre, near the platens: the disc was crushed there "
                  "before it split",

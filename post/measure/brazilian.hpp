@@ -11,6 +11,7 @@ namespace graincrack {
 
 /// A caveat: a reason to doubt the strength of a test.
 struct Caveat {
+    std::string code;  ///< of its warning, as of `Remark`
     std::string kind;  ///< without numbers, so that the runs that have it can be counted: "first cracks outside 0.5 R"
     std::string text;  ///< with them: "first cracks at 0.81 R, not inside 0.5 R"
 };

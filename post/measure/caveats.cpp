@@ -19,14 +19,15 @@ void object_to_end(std::vector<Caveat>& found, const RunData& run) {
     if (strength.has_peak()) return;
     const std::string& kind = strength.peak_kind;
     const std::string when = kind == "cap" ? "by the strain limit" : "before it was stopped (" + run.header.stop_reason + ")";
-    found.push_back({did_not_fail, fmt::format("{} {}: its largest stress, {:.4g} MPa, is no strength", did_not_fail, when,
-                                               strength.value() * 1e-6)});
+    found.push_back(
+        {"did_not_fail", did_not_fail,
+         fmt::format("{} {}: its largest stress, {:.4g} MPa, is no strength", did_not_fail, when, strength.value() * 1e-6)});
 }
 
 void object_to_damping(std::vector<Caveat>& found, const RunHeader& header) {
     if (!(header.damping_load > trusted_damping_load)) return;
     found.push_back(
-        {"damping carries load",
+        {"damping_load", "damping carries load",
          fmt::format(
              "damping carries {:.2g} % of the load; where grains slide, the strength is too high by several times this share",
              100 * header.damping_load)});
@@ -39,7 +40,7 @@ std::vector<Caveat> caveats_of(const RunData& run, const std::optional<Brazilian
     if (split) found = split->caveats;
     object_to_end(found, run);
     const std::string equilibrium = equilibrium_warning(run.header, run.history);
-    if (!equilibrium.empty()) found.push_back({"far from equilibrium", equilibrium});
+    if (!equilibrium.empty()) found.push_back({"equilibrium", "far from equilibrium", equilibrium});
     object_to_damping(found, run.header);
     return found;
 }

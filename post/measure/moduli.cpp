@@ -10,6 +10,7 @@
 #include "post/statistics/statistics.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {
@@ -301,7 +302,7 @@ void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs,
     if (!out) return;  // the command says so
     for (const ModuliRow& r : rows) {
         if (const std::string caveat = r.caveat(); !caveat.empty()) {
-            diagnostics << "moduli: " << printable(r.file) << ": warning: " << caveat << '\n';
+            warn(diagnostics, "moduli: " + printable(r.file), {caveat, "moduli"}, r.file);
         }
     }
 }

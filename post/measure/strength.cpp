@@ -13,6 +13,7 @@
 #include "post/statistics/statistics.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {
@@ -260,12 +261,10 @@ void write_strength_table(std::ostream& out, const std::vector<std::string>& run
                           StrengthKind kind, ColumnChoice columns) {
     std::vector<StrengthRow> rows;
     CaveatCount count;
-    std::vector<std::string> doubts;
+    std::vector<std::vector<Caveat>> doubts;
     for (const std::string& run : runs) {
         const StrengthRow& row = rows.emplace_back(read_strength_row(run, kind));
-        const std::vector<Caveat> caveats = caveats_of(row.run, row.split);
-        for (const Caveat& caveat : caveats) doubts.push_back(printable(row.run.name) + ": warning: " + caveat.text);
-        count.add(row.run, caveats);
+        count.add(row.run, doubts.emplace_back(caveats_of(row.run, row.split)));
     }
     if (format == TableFormat::aligned) {
         write_strengths_to_terminal(out, rows, diagnostics);
@@ -274,9 +273,12 @@ void write_strength_table(std::ostream& out, const std::vector<std::string>& run
     }
     out.flush();
     if (!out) return;  // the command says so
-    for (const std::string& line : doubts) diagnostics << "strength: " << line << '\n';
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::string& file = rows[i].run.name;
+        for (const Caveat& each : doubts[i]) warn(diagnostics, "strength: " + printable(file), {each.text, each.code}, file);
+    }
     const std::string tension = count.tension_line();
-    if (!tension.empty()) diagnostics << "strength: warning: " << tension << '\n';
+    if (!tension.empty()) warn(diagnostics, "strength", {tension, "tension"});
 }
 
 }  // namespace graincrack

@@ -9,6 +9,7 @@
 #include "post/run/likeness.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
+#include "share/base/events.hpp"
 
 namespace graincrack {
 
@@ -122,7 +123,7 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
     write_table(out, summary_columns(), terminal, rows, format);
     out.flush();
     if (!out) return;  // the command says so
-    for (const std::string& line : doubts.lines()) diagnostics << "strength: warning: " << line << '\n';
+    for (const std::string& line : doubts.lines()) warn(diagnostics, "strength", {line, "caveats"});
 }
 
 }  // namespace graincrack

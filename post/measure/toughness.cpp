@@ -11,6 +11,7 @@
 #include "post/run/crystals.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/text.hpp"
 #include "share/base/units.hpp"
 #include "share/file/specimen_measures.hpp"
@@ -262,7 +263,7 @@ void write_toughness_table(std::ostream& out, const std::vector<std::string>& ru
     if (!out) return;  // the command says so
     for (const ToughnessRow& row : rows) {
         const std::string warning = row.toughness.warning();
-        if (!warning.empty()) diagnostics << "toughness: " << printable(row.run.name) << ": warning: " << warning << '\n';
+        if (!warning.empty()) warn(diagnostics, "toughness: " + printable(row.run.name), {warning, "toughness"}, row.run.name);
     }
 }
 

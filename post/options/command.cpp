@@ -15,10 +15,7 @@ const std::string& Call::file() const {
     throw UsageError(fmt::format("{}: takes one file, not {}", command, files.size()));
 }
 
-std::ostream& Call::diagnostics() const {
-    static std::ostream nowhere(nullptr);
-    return verbosity == Verbosity::quiet ? nowhere : std::cerr;
-}
+std::ostream& Call::diagnostics() const { return graincrack::diagnostics(verbosity); }
 
 void add_format(OptionSet set, TableFormat& format) {
     add_choice<TableFormat>(set, "--format", format,
@@ -45,8 +42,8 @@ TableFormat format_for(const std::optional<TableFormat>& format, const std::ostr
     return format.value_or(is_terminal ? TableFormat::aligned : TableFormat::tsv);
 }
 
-Option add_output(OptionSet set, std::string& output, const std::string& help) {
-    return add_text(set, "-o,--output", output, help).required().type_name("FILE");
+Option add_output(OptionSet set, std::string& output, const std::string& help, const std::vector<std::string>& endings) {
+    return add_output_file(set, output, help, endings).required();
 }
 
 Option add_laboratory_material(OptionSet set, std::string& material) {

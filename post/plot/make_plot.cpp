@@ -22,7 +22,7 @@ void add_limits(OptionSet set, const std::string& option, std::optional<AxisLimi
 void add_picture(OptionSet set, PlotOptions& options) {
     static constexpr Quantity width{"width", Dimension::length, 0.04, 2, "width of a picture on paper"};
     static constexpr Quantity resolution{"dpi", Dimension::one, 10, 2400, "pixels of a PNG to an inch"};
-    add_output(set, options.picture, "picture: .png, .svg or .pdf");
+    add_output(set, options.picture, "picture: .png, .svg or .pdf", {".png", ".svg", ".pdf"});
     add_quantity(set, "--width", options.size.width, width,
                  "width on paper; letters of 6 to 7 pt in a column of 84 mm, of 8 to 10 pt over two of 174 mm");
     add_quantity(set.seldom(), "--dpi", options.size.resolution, resolution,

@@ -25,6 +25,7 @@
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/units.hpp"
 #include "solver/law/table.hpp"
 
@@ -237,7 +238,7 @@ Content read_content(const std::vector<std::string>& runs, ReportOptions& option
         content.curves.push_back(run_data(run, options.label));
         const TestReport& t = content.tests.back();
         if (i == 0) content.other_material = drop_other_material(options, t.data.header, diagnostics);
-        if (i == 0 && !content.other_material.empty()) diagnostics << "report: " << content.other_material << '\n';
+        if (i == 0 && !content.other_material.empty()) say(diagnostics, "report: " + content.other_material);
         require_one_material(t.data, content.tests.front().data);
         progress.update(static_cast<double>(i + 1) / static_cast<double>(runs.size()), t.data.name);
     }

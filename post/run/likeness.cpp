@@ -14,6 +14,7 @@
 
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 #include "share/base/text.hpp"
 #include "share/base/units.hpp"
 
@@ -373,8 +374,8 @@ std::vector<std::size_t> once_each(const RunList& runs, const std::string& comma
         }
         std::size_t left_out = i;
         if (runs[i]->header.steps > runs[*same]->header.steps) std::swap(*same, left_out);
-        fmt::print(diagnostics, "{}: {} is the same test of the same specimen as {}, and counts once\n", command,
-                   printable(runs[left_out]->name), printable(runs[*same]->name));
+        say(diagnostics, fmt::format("{}: {} is the same test of the same specimen as {}, and counts once", command,
+                                     printable(runs[left_out]->name), printable(runs[*same]->name)));
     }
     return kept;
 }

@@ -14,6 +14,7 @@
 #include <new>
 #include <string_view>
 
+#include "share/base/events.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {
@@ -50,13 +51,15 @@ void remember_signal(int signal) {
 
 constexpr std::size_t longest_message = 1500;  // bytes; a list of all columns of a table has some thousand
 
-int report(const std::string& tool, const std::string& message, ExitCode code) {
+int report(const std::string& tool, const std::string& message, int code) {
     std::string line = message;
     for (char& c : line) {
         if (c == '\n') c = ' ';
     }
-    std::fprintf(stderr, "%s: %s\n", tool.c_str(), shortened(printable(line), longest_message).c_str());
-    return static_cast<int>(code);
+    line = tool + ": " + shortened(printable(line), longest_message);
+    std::fprintf(stderr, "%s\n", line.c_str());
+    end_events(code, line);
+    return code;
 }
 
 /// Opens what the caller has closed of stdin, stdout and stderr, so that no other file takes its place; using the first two
@@ -79,9 +82,8 @@ void flush_stdout() {
 
 }  // namespace
 
-void tell(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
-
 int run_tool(const std::string& tool, const std::function<int()>& body) {
+    constexpr int internal = static_cast<int>(ExitCode::internal);
     name_of_tool = tool.c_str();
     open_closed_streams();
     std::signal(SIGPIPE, SIG_DFL);  // a reader that closes the pipe ends the tool without a message
@@ -89,16 +91,16 @@ int run_tool(const std::string& tool, const std::function<int()>& body) {
     try {
         const int code = body();
         flush_stdout();
+        end_events(code, "");
         return code;
     } catch (const Interrupted& stopped) {
-        std::fprintf(stderr, "%s: stopped by signal %d\n", tool.c_str(), stopped.signal());
-        return 128 + stopped.signal();
+        return report(tool, "stopped by signal " + std::to_string(stopped.signal()), 128 + stopped.signal());
     } catch (const Error& error) {
-        return report(tool, error.what(), error.code());
+        return report(tool, error.what(), static_cast<int>(error.code()));
     } catch (const std::bad_alloc&) {
-        return report(tool, "out of memory: use a smaller specimen or fewer frames", ExitCode::internal);
+        return report(tool, "out of memory: use a smaller specimen or fewer frames", internal);
     } catch (const std::exception& error) {
-        return report(tool, std::string("internal error: ") + error.what(), ExitCode::internal);
+        return report(tool, std::string("internal error: ") + error.what(), internal);
     }
 }
 

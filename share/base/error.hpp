@@ -49,10 +49,8 @@ private:
     int signal_;
 };
 
-/// Prints a text on stderr. What cannot be written there, as on a full disk, is lost and does not end the work.
-void tell(const std::string& text);
-
-/// Runs the body of a tool's main and turns what it throws into one line on stderr, `tool: message`, and an exit code.
+/// Runs the body of a tool's main and turns what it throws into one line on stderr, `tool: message`, and an exit code; with the
+/// last of its events.
 int run_tool(const std::string& tool, const std::function<int()>& body);
 
 /// Catches SIGINT, SIGTERM, SIGHUP, and SIGXCPU and SIGUSR2, by which schedulers warn, from here on, so that work ends at the

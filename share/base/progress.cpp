@@ -8,12 +8,10 @@
 #include <cstdio>
 #include <utility>
 
-#include "share/base/error.hpp"
-
 namespace graincrack {
 namespace {
 
-constexpr double terminal_interval = 0.2;  // s between two prints
+constexpr double shortest_interval = 0.2;  // s between two events, or two prints on a terminal
 constexpr double log_interval = 30.0;      // s, where stderr is no terminal
 constexpr int bar_width = 24;
 
@@ -26,6 +24,11 @@ double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::ste
     return std::chrono::duration<double>(b - a).count();
 }
 
+void show(const std::string& text) {
+    static_cast<void>(std::fputs(text.c_str(), stderr));
+    std::fflush(stderr);
+}
+
 }  // namespace
 
 Progress::Progress(std::string label, Verbosity verbosity)
@@ -33,37 +36,42 @@ Progress::Progress(std::string label, Verbosity verbosity)
       verbosity_(verbosity),
       terminal_(isatty(STDERR_FILENO) != 0),
       start_(std::chrono::steady_clock::now()),
-      last_print_(start_) {}
+      last_print_(start_),
+      last_event_(start_) {}
 
 Progress::~Progress() { finish(); }
 
 void Progress::update(double share, const std::string& detail) {
-    if (verbosity_ == Verbosity::quiet) return;
+    if (ended_) return;
     const auto now = std::chrono::steady_clock::now();
-    const bool due = seconds_between(last_print_, now) >= (terminal_ ? terminal_interval : log_interval);
-    if (!due) return;
-    last_print_ = now;
+    const bool tells = seconds_between(last_event_, now) >= shortest_interval;
+    const bool prints =
+        verbosity_ != Verbosity::quiet && seconds_between(last_print_, now) >= (terminal_ ? shortest_interval : log_interval);
+    if (!tells && !prints) return;
     share = std::clamp(share, 0.0, 1.0);
     const double elapsed = seconds_between(start_, now);
     const std::string left = share > 0.005 ? clock_text(elapsed / share * (1 - share)) : std::string("?");
+    const std::string state = fmt::format("{}, at most {} left", detail, left);
+    if (tells) {
+        last_event_ = now;
+        tell_progress(label_, share, state);
+    }
+    if (!prints) return;
+    last_print_ = now;
     if (terminal_) {
         const auto filled = static_cast<std::size_t>(share * bar_width);
         const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
-        tell(fmt::format("\r\033[K{} [{}] {:3.0f} %, {}, at most {} left", label_, bar, 100 * share, detail, left));
-        std::fflush(stderr);
+        show(fmt::format("\r\033[K{} [{}] {:3.0f} %, {}", label_, bar, 100 * share, state));
         open_ = true;
     } else {
-        tell(fmt::format("{}: {:.0f} %, {}, at most {} left\n", label_, 100 * share, detail, left));
+        show(fmt::format("{}: {:.0f} %, {}\n", label_, 100 * share, state));
     }
 }
 
 void Progress::finish() {
-    if (open_) {
-        tell("\r\033[K");
-        std::fflush(stderr);
-        open_ = false;
-    }
-    verbosity_ = Verbosity::quiet;
+    if (open_) show("\r\033[K");
+    open_ = false;
+    ended_ = true;
 }
 
 }  // namespace graincrack

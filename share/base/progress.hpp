@@ -1,15 +1,14 @@
-// Progress of a long computation on stderr: a bar on a terminal, otherwise a line every half minute.
+// Progress of a long computation: on stderr a bar on a terminal, otherwise a line every half minute; events.
 #pragma once
 
 #include <chrono>
 #include <string>
 
+#include "share/base/events.hpp"
+
 namespace graincrack {
 
-/// How much a tool says on stderr.
-enum class Verbosity { quiet, normal, verbose };
-
-/// Shows the completed share of the work and an upper estimate of the time left. Prints nothing when quiet.
+/// Shows the completed share of the work and an upper estimate of the time left, as events too. Prints nothing when quiet.
 class Progress {
 public:
     /// \param label what is being done, e.g. "uniaxial"
@@ -29,8 +28,10 @@ private:
     Verbosity verbosity_;
     bool terminal_;
     bool open_ = false;
+    bool ended_ = false;
     std::chrono::steady_clock::time_point start_;
     std::chrono::steady_clock::time_point last_print_;
+    std::chrono::steady_clock::time_point last_event_;
 };
 
 }  // namespace graincrack

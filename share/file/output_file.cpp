@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 
 namespace graincrack {
 
@@ -192,6 +193,7 @@ void OutputFile::commit() {
     if (mode_) ::fchmod(file_, *mode_);  // a file system without modes keeps none
     if (::fsync(file_) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) refuse(name_, errno);
     ::close(std::exchange(file_, -1));
+    if (!is_covered()) add_output_to_outcome(name_);
 }
 
 void require_no_hdf5(const OutputFile& file) {

@@ -129,12 +129,14 @@ std::string description_of(const CLI::App& app, const WrittenRows& written) {
 
 /// What the user may have meant otherwise, and with --verbose the options that hold; nothing with --quiet.
 void print_notes(const CLI::App& app) {
-    if (app.count("--quiet") > 0) return;
-    for (const std::string& note : bare_number_notes()) std::cerr << app.get_name() << ": note: " << note << '\n';
+    std::ostream& out = diagnostics(app.count("--quiet") > 0 ? Verbosity::quiet : Verbosity::normal);
+    for (const std::string& note : bare_number_notes()) say(out, fmt::format("{}: note: {}", app.get_name(), note));
     if (app.count("--verbose") > 0) std::cerr << effective_configuration(app);
 }
 
 // --- errors ----------------------------------------------------------------------------------------------------------
+
+using Arguments = std::vector<std::string>::const_iterator;
 
 /// What was parsed, for the messages.
 struct Call {
@@ -270,6 +272,15 @@ std::string conversion_message(const Call& call) {
                        flag->results().back(), name, name, name);
 }
 
+/// The value of an option of the tool, before the command line is read: what is wrong with that is an event. "" if it has none
+std::string value_of(const std::string& option, Arguments begin, Arguments end) {
+    for (; begin != end; ++begin) {
+        if (begin->starts_with(option + "=")) return begin->substr(option.size() + 1);
+        if (*begin == option && begin + 1 != end) return *(begin + 1);
+    }
+    return "";
+}
+
 /// The first of some options that was given (or not); nullptr if there is none.
 const CLI::Option* first_of(const std::set<CLI::Option*>& options, bool given) {
     const auto found = std::find_if(options.begin(), options.end(), [given](auto* o) { return (o->count() > 0) == given; });
@@ -393,11 +404,16 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
     app.set_config("--config", "", "TOML file with options by their names")->type_name("FILE")->configurable(false);
     app.add_flag("--print-config", common.print_config, "print the effective options as TOML for --config and exit")
         ->configurable(false);
-    const auto say = [&common](Verbosity verbosity) { return [&common, verbosity] { common.verbosity = verbosity; }; };
-    CLI::Option* quiet = app.add_flag_callback("-q,--quiet", say(Verbosity::quiet), "print errors only");
+    const auto speak = [&common](Verbosity verbosity) { return [&common, verbosity] { common.verbosity = verbosity; }; };
+    CLI::Option* quiet = app.add_flag_callback("-q,--quiet", speak(Verbosity::quiet), "print errors only");
     CLI::Option* verbose =
-        app.add_flag_callback("-v,--verbose", say(Verbosity::verbose), "print more: the effective options, as TOML");
+        app.add_flag_callback("-v,--verbose", speak(Verbosity::verbose), "print more: the effective options, as TOML");
     quiet->excludes(verbose);
+    app.add_option_function<std::string>(
+           "--events", [](const std::string&) {},
+           "write progress, warnings and the outcome as JSON lines to a file, or to an open descriptor")
+        ->type_name("FILE|NUMBER")
+        ->configurable(false);
 }
 
 CommandLine::~CommandLine() = default;
@@ -418,6 +434,7 @@ bool CommandLine::parse(int argc, const char* const* argv, const std::function<v
     Call call{app, {argv + std::min(argc, 1), argv + argc}};
     const auto ends = std::find(call.arguments.begin(), call.arguments.end(), "--");
     const bool print_config = std::find(call.arguments.begin(), ends, "--print-config") != ends;
+    if (const std::string events = value_of("--events", call.arguments.begin(), ends); !events.empty()) open_events(events);
     std::vector<CLI::Option*> required;
     for_each_app(app, [&](CLI::App& each) {
         if (each.get_parent() != nullptr) each.fallthrough();

@@ -1,5 +1,5 @@
 // What the command lines of the three tools have in common: quantities with units, configuration files,
-// --version, --print-config, --quiet, --verbose. Options are declared by option_set.hpp.
+// --version, --print-config, --events, --quiet, --verbose. Options are declared by option_set.hpp.
 //
 // A program reads its command line like this:
 //
@@ -59,7 +59,8 @@ struct WrittenRows {
 /// The command line of a tool.
 class CommandLine {
 public:
-    /// Sets up --help and --help-all (with `examples` at their end), --version, --config, --print-config, --quiet, --verbose.
+    /// Sets up --help and --help-all (with `examples` at their end), --version, --config, --print-config, --quiet, --verbose,
+    /// --events.
     /// \param libraries versions of the libraries of this tool alone, for --version: "CGAL 5.5.1"
     /// \param written what it writes
     CommandLine(const std::string& tool, const std::string& description, CommonOptions& common, const std::string& examples,

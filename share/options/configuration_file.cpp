@@ -70,9 +70,9 @@ void ConfigurationFile::apply_default(const CLI::Option* option) const {
     }
 }
 
-std::optional<Quantity> ConfigurationFile::bounds(const CLI::Option* option) const {
+ConfigurationFile::Value ConfigurationFile::value(const CLI::Option* option) const {
     const auto value = values_.find(option);
-    return value == values_.end() ? std::nullopt : value->second.bounds;
+    return value == values_.end() ? Value{} : value->second;
 }
 
 void ConfigurationFile::check_section(const TomlFile& toml, const TomlSection& section) const {

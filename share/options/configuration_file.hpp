@@ -18,7 +18,8 @@ class ConfigurationFile : public CLI::Config {
 public:
     struct Value {
         std::function<void(const std::string&)> read;
-        std::optional<Quantity> bounds;  ///< of a quantity or a whole number
+        std::optional<Quantity> bounds = {};    ///< of a quantity or a whole number
+        std::vector<std::string> endings = {};  ///< of the name of a file
     };
     explicit ConfigurationFile(CLI::App& app) : app_(app) {}
 
@@ -31,8 +32,8 @@ public:
     /// Keeps the function that reads the value of an option: its default is applied once it is known which subcommand runs.
     void remember(const CLI::Option* option, const Value& value) { values_[option] = value; }
     void apply_default(const CLI::Option* option) const;
-    /// Between which bounds the value of an option is, if it has some.
-    [[nodiscard]] std::optional<Quantity> bounds(const CLI::Option* option) const;
+    /// What is kept of an option.
+    [[nodiscard]] Value value(const CLI::Option* option) const;
 
 private:
     void check_section(const TomlFile& toml, const TomlSection& section) const;

@@ -27,6 +27,7 @@ std::string type_of(const CLI::Option& option, const std::optional<Quantity>& bo
     if (option.get_expected_min() == 0) return "flag";
     if (bounds) return is_whole(option) ? "integer" : "quantity";
     if (std::all_of(alternatives.begin(), alternatives.end(), is_word)) return "choice";
+    if (option.get_type_name() == "FOLDER") return "folder";
     const auto is_file = [](const std::string& text) { return text == "FILE" || text == "FOLDER" || text == "-"; };
     return std::all_of(alternatives.begin(), alternatives.end(), is_file) ? "file" : "text";
 }
@@ -49,10 +50,10 @@ std::set<std::string> keys_of(const std::set<CLI::Option*>& options) {
     return keys;
 }
 
-Json describe(const CLI::Option& option, const std::optional<Quantity>& bounds, bool usual) {
+Json describe(const CLI::Option& option, const ConfigurationFile::Value& kept, bool usual) {
     const bool is_positional = !option.nonpositional();
     const std::vector<std::string> alternatives = CLI::detail::split(option.get_type_name(), '|');
-    const std::string type = type_of(option, bounds, alternatives);
+    const std::string type = type_of(option, kept.bounds, alternatives);
     Json own{{"name", CLI::detail::to_lower(key_of(option))}};
     const auto add = [&](const char* name, const auto& value, bool holds) {
         if (holds) own[name] = value;
@@ -60,7 +61,8 @@ Json describe(const CLI::Option& option, const std::optional<Quantity>& bounds, 
     if (!option.get_snames().empty()) own["short"] = option.get_snames().front();
     add("positional", true, is_positional);
     own["type"] = type;
-    if (bounds) add_bounds(own, *bounds, type == "integer");
+    if (kept.bounds) add_bounds(own, *kept.bounds, type == "integer");
+    add("endings", kept.endings, !kept.endings.empty());
     for (const std::string& word : alternatives) {
         if (type != "flag" && is_word(word)) own["choices"].push_back(word);
     }
@@ -105,7 +107,7 @@ nlohmann::ordered_json describe(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {
         if (is_help(option, &app) && app.get_parent() != nullptr) continue;  // each command has them
         own["options"].push_back(
-            describe(*option, file->bounds(option), std::find(usual.begin(), usual.end(), option) != usual.end()));
+            describe(*option, file->value(option), std::find(usual.begin(), usual.end(), option) != usual.end()));
     }
     for (const CLI::App* command : app.get_subcommands(nullptr)) own["commands"].push_back(describe(*command));
     return own;

@@ -122,6 +122,12 @@ Option add_files(OptionSet set, const std::string& name, std::vector<std::string
     return Option(several ? added : added->expected(1, CLI::detail::expected_max_vector_size - 1));
 }
 
+Option add_output_file(OptionSet set, std::string& target, const std::string& help, const std::vector<std::string>& endings) {
+    CLI::Option* added = set.app().add_option("-o,--output", target, help)->type_name(endings.empty() ? "FOLDER" : "FILE");
+    if (auto* file = configuration_file(set.app()); file != nullptr) file->remember(added, {nullptr, std::nullopt, endings});
+    return Option(added);
+}
+
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help) {
     return Option(set.app().add_flag(option, target, help));
 }

@@ -73,6 +73,8 @@ Option add_texts(OptionSet set, const std::string& option, std::vector<std::stri
 /// Adds a positional argument of files. \param several any number; else one, and the caller refuses more
 Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help,
                  bool several = true);
+/// Adds -o, --output. \param endings of the name of a file, the usual one first: ".png"; none for a folder
+Option add_output_file(OptionSet set, std::string& target, const std::string& help, const std::vector<std::string>& endings);
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help);
 /// The same where the flag stands for an action.
 Option add_flag(OptionSet set, const std::string& option, const std::function<void()>& action, const std::string& help);

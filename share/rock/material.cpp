@@ -85,14 +85,15 @@ std::optional<Magnitudes> magnitudes_of(const Quantity& quantity) {
 
 /// Adds what a value makes doubtful. \param text as it stands in the file
 void note_value(const std::string& text, const Quantity& quantity, double value, const std::string& where,
-                std::vector<std::string>& notes) {
+                std::vector<Remark>& notes) {
     constexpr double far = 1000;
     const std::string bare = bare_number_note(text, quantity, where);
-    if (!bare.empty()) notes.push_back("note: " + bare);
+    if (!bare.empty()) notes.emplace_back(bare);
     const auto rocks = magnitudes_of(quantity);
     if (!rocks || value == 0 || (value > rocks->low / far && value < rocks->high * far)) return;
-    notes.push_back(fmt::format("warning: {}: {} is more than {} times {} any rock's; is its unit right?", where,
-                                format_quantity(value, quantity.dimension), far, value < rocks->low ? "below" : "above"));
+    notes.emplace_back(fmt::format("{}: {} is more than {} times {} any rock's; is its unit right?", where,
+                                   format_quantity(value, quantity.dimension), far, value < rocks->low ? "below" : "above"),
+                       "unusual_value");
 }
 
 /// The keys of [ratios], bound to `ratios`, which must stay where it is; the ratio of the fracture energy is "process_zone".
@@ -375,7 +376,13 @@ Material read_material(const std::string& name_or_file) {
 }
 
 void write_notes(std::ostream& out, std::string_view program, const Material& material) {
-    for (const std::string& note : material.notes) out << program << ": " << printable(note) << '\n';
+    for (const Remark& note : material.notes) {
+        if (note.code.empty()) {
+            say(out, fmt::format("{}: note: {}", program, printable(note.text)));
+        } else {
+            warn(out, std::string(program), note, material.file.string());
+        }
+    }
 }
 
 IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {

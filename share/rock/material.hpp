@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "share/base/events.hpp"
 #include "share/base/quantities.hpp"
 #include "share/rock/contact_parameters.hpp"
 #include "share/rock/fracture_process_zone.hpp"
@@ -48,8 +49,7 @@ struct Material {
     /// A value of [laboratory]; empty if it has none.
     [[nodiscard]] std::optional<double> laboratory_value(const std::string& key) const;
     FittedProperties fitted;
-    std::vector<std::string>
-        notes;  ///< on its values, for `write_notes`: "note: …" without a unit, "warning: …" far off any rock's
+    std::vector<Remark> notes;  ///< on its values, for `write_notes`: notes of those without a unit, warnings far off any rock's
 };
 
 /// Reads a material, a name or a file as `materials` finds it. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
@@ -85,7 +85,7 @@ void take_laboratory(IncompleteMaterial& material);
 /// give \throws InputError if E, ν or σt is in neither table
 Rock rock_of_laboratory(const IncompleteMaterial& material, std::vector<std::string>& notes);
 
-/// Writes the notes on the values of a material, a line each: "PROGRAM: note: …".
+/// Says the notes on the values of a material, a line each: "PROGRAM: note: …".
 void write_notes(std::ostream& out, std::string_view program, const Material& material);
 
 /// How the fracture energy of a contact is chosen (--fracture-energy).

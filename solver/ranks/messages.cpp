@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "share/base/error.hpp"
+#include "share/base/events.hpp"
 
 namespace graincrack {
 namespace {
@@ -31,11 +32,12 @@ int words_of(std::size_t bytes) {
     return static_cast<int>(words);
 }
 
-/// Rank 0 prints. What another rank prints goes into a file, which is shown only if that rank fails alone.
+/// Rank 0 prints, and writes events. What another rank prints goes into a file, which is shown only if that rank fails alone.
 class KeptOutput {
 public:
     explicit KeptOutput(int rank) {
         if (rank == 0) return;
+        leave_events();
         file_ = std::tmpfile();
         if (file_ == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr) return;
         terminal_ = ::dup(STDERR_FILENO);

@@ -67,7 +67,7 @@ public:
           recorder_(specimen, request, setup_),
           header_(make_header(request, program_, setup_)),
           progress_(label, request.ranks->is_first() ? verbosity : Verbosity::quiet),
-          is_quiet_(verbosity == Verbosity::quiet),
+          verbosity_(verbosity),
           team_(request.threads_for(specimen.n_elements())) {
         set_initial_velocities(program_, setup_.assemblage, specimen, state_);
         if (begins_without_platens() && request.restart.empty()) remove_platens(state_);
@@ -179,9 +179,11 @@ private:
         if (signal == 0) return;
         const std::string checkpoint = output_ ? output_->write_checkpoint() : "";
         if (output_) output_->wait();
-        if (!checkpoint.empty() && !is_quiet_) {
-            tell(fmt::format("{}: the test so far is in {}; the same command with --restart {} resumes it\n", header_.test,
-                             checkpoint, checkpoint));
+        if (!checkpoint.empty()) {
+            add_to_outcome("checkpoint", checkpoint);
+            say(diagnostics(verbosity_),
+                fmt::format("{}: the test so far is in {}; the same command with --restart {} resumes it", header_.test,
+                            checkpoint, checkpoint));
         }
         throw Interrupted(signal);
     }
@@ -210,7 +212,7 @@ private:
     Recorder recorder_;
     RunHeader header_;
     Progress progress_;
-    bool is_quiet_;
+    Verbosity verbosity_;
     ThreadTeam team_;
     std::optional<FrameProgress> frames_;  ///< of the checkpoint that the run resumes from
     std::optional<RunOutput> output_;
@@ -248,10 +250,9 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
             summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
         } catch (const Interrupted&) {
             simulation.finish({}, summary.wall_time);
-            if (verbosity != Verbosity::quiet) {
-                tell(fmt::format("{}: {} has the test without its sensitivities; the same command{} starts it anew\n",
-                                 summary.header.test, output, request.restart.empty() ? "" : " without --restart"));
-            }
+            say(diagnostics(verbosity),
+                fmt::format("{}: {} has the test without its sensitivities; the same command{} starts it anew",
+                            summary.header.test, output, request.restart.empty() ? "" : " without --restart"));
             throw;
         }
     }

@@ -23,19 +23,19 @@ Specimen two_phases() {
     return s;
 }
 
-bool is_warning(const std::string& line) { return line.starts_with("warning: "); }
+bool is_warning(const Remark& line) { return !line.code.empty(); }
 
 TEST(ContactZones, AreThoseOfTheMaterial) {
     Material material = augig_granite();
     const auto lines = describe_zones(material, two_phases());  // (9 pi/32) (K_IC/tc)²
     ASSERT_EQ(lines.size(), 1U);
-    EXPECT_NE(lines[0].find("elements a contact zone between crystals, 3.41 mm long"), std::string::npos) << lines[0];
+    EXPECT_NE(lines[0].text.find("elements a contact zone between crystals, 3.41 mm long"), std::string::npos) << lines[0].text;
     EXPECT_FALSE(is_warning(lines[0]));
     material.contact.fracture_energy = 20;  // of 87 J/m²
     const auto brittle = describe_zones(material, two_phases());
     ASSERT_EQ(brittle.size(), 1U);
     EXPECT_TRUE(is_warning(brittle[0]));
-    EXPECT_NE(brittle[0].find(" 782 um long: with fewer than one"), std::string::npos) << brittle[0];
+    EXPECT_NE(brittle[0].text.find(" 782 um long: with fewer than one"), std::string::npos) << brittle[0].text;
 }
 
 TEST(ContactZones, TheShortestOfPairsAndOfCrystalsIsToldOnce) {
@@ -49,9 +49,9 @@ TEST(ContactZones, TheShortestOfPairsAndOfCrystalsIsToldOnce) {
     name_crystals(s, crystals);
     const auto lines = describe_zones(material, s);
     ASSERT_EQ(lines.size(), 2U);
-    EXPECT_TRUE(is_warning(lines[0]) && lines[0].find("of quartz-mica") != std::string::npos) << lines[0];
-    EXPECT_FALSE(is_warning(lines[1])) << lines[1];
-    EXPECT_NE(lines[1].find("zone within crystals, "), std::string::npos) << lines[1];
+    EXPECT_TRUE(is_warning(lines[0]) && lines[0].text.find("of quartz-mica") != std::string::npos) << lines[0].text;
+    EXPECT_FALSE(is_warning(lines[1])) << lines[1].text;
+    EXPECT_NE(lines[1].text.find("zone within crystals, "), std::string::npos) << lines[1].text;
     s.phase_names = {"quartz", "biotite"};
     EXPECT_TRUE(describe_zones(material, s).empty()) << "another material";
 }

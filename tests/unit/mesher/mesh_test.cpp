@@ -508,7 +508,7 @@ TEST(MeshReport, NamesWhatWasNotReached) {
     MeshReport report;
     const Specimen s = mesh(request, {}, &report);
     std::string text;
-    for (const std::string& line : describe_mesh(s, request, report)) text += line + "\n";
+    for (const Remark& line : describe_mesh(s, request, report)) text += line.text + "\n";
     EXPECT_NE(summary_of(s, "s.h5")[0].find("s.h5: rectangle of 80 × 160 mm, 200 grains, mean "), std::string::npos);
     EXPECT_NE(text.find("was requested"), std::string::npos);
     EXPECT_NE(describe_plan(request)[0].find("200 grains"), std::string::npos);

@@ -17,9 +17,15 @@
 namespace graincrack::mesher {
 namespace {
 
-Specimen specimen_of(ImportedMesh mesh, const Placement& placement = {}, std::vector<std::string>* notes = nullptr) {
-    std::vector<std::string> unused;
+Specimen specimen_of(ImportedMesh mesh, const Placement& placement = {}, std::vector<Remark>* notes = nullptr) {
+    std::vector<Remark> unused;
     return assemble(std::move(mesh), placement, CrystalChoice::elastic, "file", notes == nullptr ? unused : *notes);
+}
+
+std::vector<std::string> texts_of(const std::vector<Remark>& notes) {
+    std::vector<std::string> texts;
+    for (const Remark& note : notes) texts.push_back(note.text);
+    return texts;
 }
 
 std::string assembly_message(ImportedMesh mesh, const Placement& placement = {}) {
@@ -59,7 +65,7 @@ TEST(Assemble, MakesContactsPartsAndCracks) {
     ImportRequest request;
     request.file = "file";
     request.placement.scale = 0.01;
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     const Specimen s = assemble(import_mesh(test::msh_41, request), request.placement, request.crystals, "file", notes);
     EXPECT_EQ(s.shape, "rectangle");
     EXPECT_DOUBLE_EQ(s.width, 0.02);
@@ -74,7 +80,8 @@ TEST(Assemble, MakesContactsPartsAndCracks) {
     int n_bottom = 0;
     for (const std::uint8_t part : s.boundary_part) n_bottom += part == static_cast<std::uint8_t>(BoundaryPart::bottom) ? 1 : 0;
     EXPECT_EQ(n_bottom, 2);
-    EXPECT_EQ(notes, std::vector<std::string>{"moved by (-10 mm, -5 mm), so that the middle of its extent is the origin"});
+    EXPECT_EQ(texts_of(notes),
+              std::vector<std::string>{"moved by (-10 mm, -5 mm), so that the middle of its extent is the origin"});
     EXPECT_NEAR(s.statistics.mean_edge, std::sqrt(4 * 1e-4 / std::sqrt(3.0)), 1e-9);  // of triangles of the squares' area
 }
 
@@ -84,23 +91,24 @@ TEST(Assemble, PutsRightWhatFilesLeave) {
     mesh.points.push_back({7, 7});            // unused
     mesh.triangles[2] = {6, 2, 5};
     std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     const Specimen s = specimen_of(mesh, {}, &notes);
     EXPECT_EQ(s.n_contacts(), 1U);
-    EXPECT_EQ(notes, (std::vector<std::string>{"1 point that no corner of a triangle lies at was left out",
-                                               "warning: 1 of 7 points lie where others do and were joined with them; sides that "
-                                               "were apart there are grain boundaries "
-                                               "now (lines of the name crack make broken ones)",
-                                               "1 of 4 triangles were clockwise and were turned"}));
+    EXPECT_EQ(texts_of(notes),
+              (std::vector<std::string>{"1 point that no corner of a triangle lies at was left out",
+                                        "1 of 7 points lie where others do and were joined with them; sides that "
+                                        "were apart there are grain boundaries "
+                                        "now (lines of the name crack make broken ones)",
+                                        "1 of 4 triangles were clockwise and were turned"}));
 }
 
 TEST(Assemble, PiecesOfAGrainAreGrains) {
     ImportedMesh mesh = squares();
     mesh.grain_of_triangle = {0, 1, 1, 0};  // the pieces of grain 1 meet in a point only
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     const Specimen s = specimen_of(mesh, {}, &notes);
     EXPECT_EQ(s.n_grains(), 3U);
-    EXPECT_EQ(notes, std::vector<std::string>{"grains of several pieces: 1 further piece is a grain of its own"});
+    EXPECT_EQ(texts_of(notes), std::vector<std::string>{"grains of several pieces: 1 further piece is a grain of its own"});
 }
 
 TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
@@ -109,7 +117,7 @@ TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
     // Along the diagonal of the left square, inside of its crystal.
     const Triangle& t = mesh.triangles[0];
     mesh.lines.push_back({t[2], t[0], "flaw-vein-broken"});
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     Specimen s = assemble(mesh, {}, CrystalChoice::breaking, "file", notes);
     give_fabric(s, std::vector<int>(s.grain_crystal), {}, 1, 0, true);
     validate(s, "file");
@@ -131,7 +139,7 @@ TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
 }
 
 TEST(Assemble, CrystalsOfOneElementDoNotBreak) {
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     try {
         assemble(fan(12, 1), {}, CrystalChoice::breaking, "fan.msh", notes);
         FAIL();
@@ -148,12 +156,12 @@ TEST(Assemble, TellsBodiesThatDoNotTouch) {
     for (const Triangle& t : squares().triangles) mesh.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
     mesh.grain_of_triangle = {0, 0, 1, 1, 2, 2, 3, 3};
     mesh.phase_of_grain.assign(4, "");
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     Placement placement;
     placement.shape = "rectangle";
     const Specimen s = specimen_of(mesh, placement, &notes);
     EXPECT_DOUBLE_EQ(s.height, 2.5);
-    EXPECT_EQ(notes.back(), "warning: the grains make 2 bodies that share no sides");
+    EXPECT_EQ(notes.back().text, "the grains make 2 bodies that share no sides");
     const auto n_sides = [&](const std::string& part) {
         return std::count_if(s.boundary_part.begin(), s.boundary_part.end(),
                              [&](std::uint8_t number) { return s.part_names[number] == part; });
@@ -195,7 +203,7 @@ TEST(Assemble, RefusesWhatDoesNotConform) {
 }
 
 TEST(Assemble, AMeshAroundTheOriginIsNotMoved) {
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     const ImportedMesh mesh = fan(24, 0.04);
     const Specimen s = specimen_of(mesh, {}, &notes);
     EXPECT_TRUE(notes.empty());
@@ -210,7 +218,7 @@ TEST(Assemble, AMeshAroundTheOriginIsNotMoved) {
 }
 
 TEST(Outline, TellsShapes) {
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     const auto shape = [&](ImportedMesh mesh) {
         clean(mesh, "file");
         return outline_of(mesh, "", "file", notes).shape;
@@ -252,19 +260,18 @@ TEST(Outline, TellsShapes) {
 TEST(Outline, NamesOfLinesAreParts) {
     ImportedMesh mesh = squares();
     mesh.lines = {{2, 5, "punch"}, {4, 1, "flaw-joint"}, {1, 4, "crack"}, {0, 4, "crack"}, {1, 5, "strange"}};
-    std::vector<std::string> notes;
+    std::vector<Remark> notes;
     clean(mesh, "file");
     const Outline outline = outline_of(mesh, "", "file", notes);
     EXPECT_EQ(outline.sides.front().part, 5);
     EXPECT_EQ(outline.part_names[5], "punch");
     EXPECT_EQ(outline.sides.size(), 7U);
     EXPECT_EQ(outline.sides.back().kind, (FlawKind{ContactKind::grain_boundary, "joint"}));  // the first name of a side counts
-    EXPECT_EQ(
-        notes,
-        (std::vector<std::string>{
-            "warning: 1 lines of cracks and flaws lie between no two grains and were passed over",
-            "warning: lines \"strange\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
-            "flaw-NAME-broken are cracks or of a class of flaws"}));
+    EXPECT_EQ(texts_of(notes),
+              (std::vector<std::string>{
+                  "1 lines of cracks and flaws lie between no two grains and were passed over",
+                  "lines \"strange\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
+                  "flaw-NAME-broken are cracks or of a class of flaws"}));
 }
 
 TEST(Outline, NamesOfFlaws) {

@@ -85,7 +85,7 @@ void expect_conforming(const ImportedMesh& mesh, double width, double height, co
 
 bool has_note(const ImportedMesh& mesh, const std::string& part) {
     return std::any_of(mesh.notes.begin(), mesh.notes.end(),
-                       [&](const std::string& n) { return n.find(part) != std::string::npos; });
+                       [&](const Remark& n) { return n.text.find(part) != std::string::npos; });
 }
 
 TEST(Labels, StandUprightInMetres) {

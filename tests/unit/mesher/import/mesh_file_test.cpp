@@ -84,7 +84,7 @@ TEST(MeshFile, GrainsAreElementsEntitiesOrPhysicalGroups) {
     request.grains.reset();
     const ImportedMesh told = read(one_entity, request);
     EXPECT_EQ(told.grain_of_triangle, (std::vector<int>{0, 1, 2, 3}));
-    EXPECT_EQ(told.notes.front(), "all elements are of one entity: each element is a grain (--grain element)");
+    EXPECT_EQ(told.notes.front().text, "all elements are of one entity: each element is a grain (--grain element)");
     request.grains = GrainChoice::entity;
     EXPECT_EQ(reading_message(one_entity, request),
               "file: elements 4 and 6 of entity 7 are of the physical groups 1 and 2; a grain is of one phase");

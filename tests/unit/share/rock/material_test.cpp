@@ -252,16 +252,16 @@ TEST_F(MaterialFile, AMeasuredToughnessMayNameItsTest) {
 TEST_F(MaterialFile, NotesWhatIsWithoutUnitOrFarOffAnyRock) {
     const std::string units = "name = 'stone'\n" + rock + contact;
     const Material plain = read_material(write(std::string(units).replace(units.find("25.8e9"), 6, "'25.8 GPa'")).string());
-    EXPECT_TRUE(plain.notes.empty()) << plain.notes.front();
+    EXPECT_TRUE(plain.notes.empty()) << plain.notes.front().text;
     const std::string file = write(std::string(units).replace(units.find("'24.15MPa'"), 10, "24.15")).string();
-    const std::vector<std::string> notes = read_material(file).notes;
+    const std::vector<Remark> notes = read_material(file).notes;
     ASSERT_EQ(notes.size(), 3U);
-    EXPECT_EQ(notes[0],
-              "note: " + file + ": line 3: rock.young_modulus: 25800000000 has no unit and was taken for 25800000000 Pa");
-    EXPECT_EQ(notes[1], "note: " + file + ": line 10: contact.tensile_strength: 24.15 has no unit and was taken for 24.15 Pa");
-    EXPECT_EQ(notes[2], "warning: " + file +
-                            ": line 10: contact.tensile_strength: 24.15 Pa is more than 1000 times below any "
-                            "rock's; is its unit right?");
+    EXPECT_EQ(notes[0].text, file + ": line 3: rock.young_modulus: 25800000000 has no unit and was taken for 25800000000 Pa");
+    EXPECT_EQ(notes[1].text, file + ": line 10: contact.tensile_strength: 24.15 has no unit and was taken for 24.15 Pa");
+    EXPECT_EQ(notes[2].code, "unusual_value");
+    EXPECT_EQ(notes[2].text, file +
+                                 ": line 10: contact.tensile_strength: 24.15 Pa is more than 1000 times below any "
+                                 "rock's; is its unit right?");
     for (const char* name : {"augig-granite", "lac-du-bonnet-granite"}) EXPECT_TRUE(read_material(name).notes.empty()) << name;
 }
 
