@@ -50,7 +50,6 @@ std::vector<Command> commands() {
         report_command(),
         view_command(),
         plot_command(),
-        film_command(),
     };
     // clang-format on
 }

@@ -172,8 +172,8 @@ void insert_resolution(std::vector<unsigned char>& png, double pixels_per_inch) 
     png.insert(png.begin() + end_of_header, chunk.begin(), chunk.end());
 }
 
-std::vector<unsigned char> to_png(const Drawing& drawing, ImageSize size, double scale) {
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
+std::vector<unsigned char> to_png(const Drawing& drawing, int width, int height, double scale) {
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
     paint(drawing, surface.get(), scale);
     std::vector<unsigned char> bytes;
     require(cairo_surface_write_to_png_stream(surface.get(), &append<std::vector<unsigned char>>, &bytes));
@@ -181,10 +181,6 @@ std::vector<unsigned char> to_png(const Drawing& drawing, ImageSize size, double
 }
 
 }  // namespace
-
-std::vector<unsigned char> png_image(const Drawing& drawing, ImageSize size) {
-    return to_png(drawing, size, static_cast<double>(size.width) / drawing.width());
-}
 
 std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size) {
     const double resolution = size.resolution.value_or(default_resolution);
@@ -196,7 +192,7 @@ std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& 
             fmt::format("picture: {:.0f} x {:.0f} pixels are too many, at most {} along a side; a smaller --dpi fits", width,
                         height, max_pixels));
     }
-    std::vector<unsigned char> bytes = to_png(drawing, {static_cast<int>(width), static_cast<int>(height)}, scale);
+    std::vector<unsigned char> bytes = to_png(drawing, static_cast<int>(width), static_cast<int>(height), scale);
     if (size.width) insert_resolution(bytes, resolution);
     return bytes;
 }

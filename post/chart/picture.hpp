@@ -31,14 +31,6 @@ void write_picture(const Drawing& drawing, const std::string& path, const Pictur
 /// be drawn
 std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size = {});
 
-/// The pixels of an image that has no size on paper. A drawing fills its width.
-struct ImageSize {
-    int width = 0;
-    int height = 0;
-};
-/// A drawing as the bytes of a PNG file. \throws OutputError if it cannot be drawn
-std::vector<unsigned char> png_image(const Drawing& drawing, ImageSize size);
-
 /// A drawing as an SVG document. Its letters are outlines; its texts are in the document's description too, for search and for
 /// those who do not see. \throws OutputError if it cannot be drawn
 std::string to_svg(const Drawing& drawing, const PictureSize& size = {});

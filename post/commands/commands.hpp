@@ -31,7 +31,6 @@ Command export_command();
 Command report_command();
 Command view_command();
 Command plot_command();
-Command film_command();
 
 /// Table `envelope`: one row. \throws InputError as `collect_envelope_tests`
 void write_envelope_table(std::ostream& out, const std::vector<std::string>& paths, TableFormat format,

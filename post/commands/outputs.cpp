@@ -3,7 +3,6 @@
 
 #include "post/cracks/export.hpp"
 #include "post/export/mesh_file.hpp"
-#include "post/film/film.hpp"
 #include "post/fit/envelope.hpp"
 #include "post/options/command.hpp"
 #include "post/plot/plots.hpp"
@@ -11,7 +10,6 @@
 #include "post/view/view_page.hpp"
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"
-#include "share/base/quantities.hpp"
 #include "share/base/text.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/output_file.hpp"
@@ -124,37 +122,6 @@ Command plot_command() {
                           lennard_jones_plot(),
                           table_plot(),
                       });
-}
-
-Command film_command() {
-    static constexpr Quantity duration{"duration", Dimension::time, 0, 3600, "how long a film runs", true};
-    static constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
-    return make_command<FilmOptions>(
-        "film", "a film of a test: crack map beside the stress-strain curve, as MP4, WebM or PNG",
-        {"uniaxial.h5 -o pictures --duration 2s --size 640x480", "brazilian.h5 -o frames --by time --frames-per-second 2"},
-        one_run,
-        [](OptionSet set, FilmOptions& options) {
-            add_output(set, options.output,
-                       "film: .mp4 (H.264) or .webm (VP9), which ffmpeg encodes, or a folder of numbered PNG", {})
-                .type_name("FILE|FOLDER");
-            add_choice<FilmSteps>(
-                set, "--by", options.contents.steps,
-                {{"cracks", FilmSteps::cracks}, {"strain", FilmSteps::strain}, {"time", FilmSteps::time}},
-                "what pictures are even steps of: the number of cracks (with a quarter of the film for the strain, so that the "
-                "loading shows too), axial strain, or time; cracks appear at their own times, grains stand as in the last stored "
-                "frame");
-            add_quantity(set, "--duration", options.duration, duration, "how long the film runs", "10s");
-            add_integer(set, "--frames-per-second", options.frames_per_second, "pictures in a second", 1, 120);
-            add_value(
-                set, "--size", [&options](const std::string& text) { options.contents.size = parse_film_size(text); },
-                "pixels of a picture, both even, 1.3 to 3 times as wide as high", "WIDTHxHEIGHT", "1280x720");
-            add_quantity(set, "--magnify", options.contents.magnification, magnification,
-                         "draw displacements so many times as large", "1");
-            add_text(set, "--title", options.contents.title, "title in place of the film's own").type_name("TEXT");
-            add_crack_label(set, options.contents.label);
-            add_classes(set, options.contents.classes);
-        },
-        make_film);
 }
 
 Command export_command() {

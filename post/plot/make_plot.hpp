@@ -35,6 +35,15 @@ void add_labels(OptionSet set, PlotOptions& options);
 /// The style on a page that fits the size of the picture, with the labels of its files. \throws UsageError for another label
 PictureStyle style_of(const PlotOptions& options, const std::vector<std::string>& files);
 
+/// Draws a picture by its options and writes it; the name of its file is checked before.
+template <class Options, class Draw>
+void plot_picture(const Options& options, const std::vector<std::string>& files, const Draw& draw) {
+    require_picture(options.picture, options.size);
+    Options sized = options;
+    sized.style = style_of(options, files);
+    write_picture(draw(sized), options.picture, options.size);
+}
+
 /// A picture with options; `add` declares them, those of every picture by `add_picture` or `add_chart` among them.
 template <class Options>
 Command make_plot(std::string name, std::string help, std::vector<std::string> examples, std::optional<FileArguments> files,
@@ -42,10 +51,7 @@ Command make_plot(std::string name, std::string help, std::vector<std::string> e
                   const std::function<Drawing(const Options&, const Call&)>& draw) {
     return make_command<Options>(std::move(name), std::move(help), std::move(examples), files, add,
                                  [draw](const Options& options, const Call& call) {
-                                     require_picture(options.picture, options.size);
-                                     Options sized = options;
-                                     sized.style = style_of(options, call.files);
-                                     write_picture(draw(sized, call), options.picture, options.size);
+                                     plot_picture(options, call.files, [&](const Options& sized) { return draw(sized, call); });
                                  });
 }
 

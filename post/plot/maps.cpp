@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "post/chart/map_view.hpp"
+#include "post/chart/picture_folder.hpp"
 #include "post/cracks/export.hpp"
 #include "post/cracks/fragments.hpp"
 #include "post/measure/caveats.hpp"
@@ -21,6 +24,7 @@
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
+#include "share/base/progress.hpp"
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/platen_faces.hpp"
@@ -66,21 +70,22 @@ std::string standing_label(const Standing& now, const std::string& stress, doubl
     return label;
 }
 
-/// The data that all maps of a picture have in common.
+/// The data that all maps of a run have in common.
 struct Scene {
     const RunReader& run;
-    const Specimen& specimen;
-    const std::vector<Crack>& cracks;
-    RunData data;
     const CrackMapOptions& options;
     const PictureStyle& style;
-    std::vector<std::string> caveats = {};  ///< caveats of the strength, a line each
-    /// The lines below the maps: the definition of the cracks, and the caveats of the strength.
-    [[nodiscard]] std::vector<std::string> notes() const {
-        std::vector<std::string> lines = crack_notes(specimen, options.label.of(data.header), options.classes);
-        lines.insert(lines.end(), caveats.begin(), caveats.end());
-        return lines;
+    Specimen specimen = run.specimen();
+    std::vector<Crack> cracks =
+        cracks_of(read_labelled_cracks(run, specimen, options.label), contacts_of_classes(specimen, options.classes, run.name()));
+    RunData data = run_data(run);
+    LoadCurve curve = load_curve(data);
+    /// Below the maps: the definition of the cracks, and the caveats of the strength.
+    std::vector<std::string> notes = crack_notes(specimen, options.label.of(data.header), options.classes);
+    Scene(const RunReader& of, const CrackMapOptions& by, const PictureStyle& in) : run(of), options(by), style(in) {
+        for (const Caveat& caveat : caveats_of(run, data)) notes.push_back(note_line(caveat));
     }
+    [[nodiscard]] Standing at(double time) const { return standing(data, curve, time); }
 };
 
 /// Cracks by mode and from before the test, and phases. \param tensile what stands behind the words for tensile cracks
@@ -115,22 +120,24 @@ Snapshot snapshot(const Scene& scene, std::size_t index) {
     return {frame.time, moved_nodes(scene.specimen, frame, scene.options.magnification)};
 }
 
-Drawing single_map(const Scene& scene, Snapshot shot) {
+ChartText heading_at(const Scene& scene, double time) {
     const RunHeader& header = scene.data.header;
-    const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
-    const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
     const Specimen& specimen = scene.specimen;
-    ChartText text{test_title(header),
-                   {fmt::format("seed {}, {}, mean edge {:.3g} mm, plane {}", specimen.seed, grains_label(specimen),
-                                specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
-                    "law " + header.contact_law +
-                        (header.fracture_energy_choice == "value" ? "" : ", fracture energy " + header.fracture_energy_choice),
-                    standing_label(now, stress_name(scene.data), scene.options.magnification)}};
-    MapView map(specimen, std::move(shot.places), text, {scene.style, scene.options.largest_height});
-    draw_state(map, scene, now, present);
-    map.draw_legend(crack_legend(specimen, ": " + cracked_contacts(present, CrackMode::tensile),
+    return {scene.style.title.empty() ? test_title(header) : scene.style.title,
+            {fmt::format("seed {}, {}, mean edge {:.3g} mm, plane {}", specimen.seed, grains_label(specimen),
+                         specimen.statistics.mean_edge * 1e3, name_of(header.plane)),
+             "law " + header.contact_law +
+                 (header.fracture_energy_choice == "value" ? "" : ", fracture energy " + header.fracture_energy_choice),
+             standing_label(scene.at(time), stress_name(scene.data), scene.options.magnification)}};
+}
+
+Drawing single_map(const Scene& scene, Snapshot shot, const MapPage& page) {
+    const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
+    MapView map(scene.specimen, std::move(shot.places), heading_at(scene, shot.time), page);
+    draw_state(map, scene, scene.at(shot.time), present);
+    map.draw_legend(crack_legend(scene.specimen, ": " + cracked_contacts(present, CrackMode::tensile),
                                  ": " + cracked_contacts(present, CrackMode::shear)),
-                    scene.notes());
+                    scene.notes);
     return std::move(map).drawing();
 }
 
@@ -143,7 +150,7 @@ struct Panel {
 Panel panel(const Scene& scene, std::size_t frame, char letter) {
     Snapshot shot = snapshot(scene, frame);
     const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
-    const Standing now = standing(scene.data, load_curve(scene.data), shot.time);
+    const Standing now = scene.at(shot.time);
     const auto plus = [](double value) { return std::abs(value) < 0.0005 ? 0.0 : value; };  // no "−0.000"
     return {
         std::move(shot),
@@ -177,7 +184,7 @@ RowOfMaps row_of_maps(const Scene& scene, std::vector<Panel>& row, double width,
     for (Panel& each : row) {
         const double time = each.shot.time;
         MapView map(scene.specimen, std::move(each.shot.places), each.text, page);
-        draw_state(map, scene, standing(scene.data, load_curve(scene.data), time), cracks_until(scene.cracks, time));
+        draw_state(map, scene, scene.at(time), cracks_until(scene.cracks, time));
         scale = map.scale();
         maps.push_back(std::move(map).drawing());
     }
@@ -215,7 +222,7 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     const LegendEnd end =
         draw_legend(page, crack_legend(scene.specimen, "", " (counts are contacts)"), column, page.height() + 6);
     const double bottom = draw_scale_bar(page, scale, column, end);
-    page.set_height(draw_heading(page, {"", scene.notes()}, column, bottom) + 14);
+    page.set_height(draw_heading(page, {"", scene.notes}, column, bottom) + 14);
     return page;
 }
 
@@ -223,13 +230,33 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
 
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style) {
     const std::vector<std::size_t> frames = choose_frames(run, options.frame, options.time);
-    const Specimen specimen = run.specimen();
-    const std::vector<bool> contacts = contacts_of_classes(specimen, options.classes, run.name());
-    const std::vector<Crack> cracks = cracks_of(read_labelled_cracks(run, specimen, options.label), contacts);
-    Scene scene{run, specimen, cracks, run_data(run), options, style};
-    for (const Caveat& caveat : caveats_of(run, scene.data)) scene.caveats.push_back(note_line(caveat));
-    if (frames.size() == 1) return single_map(scene, snapshot(scene, frames[0]));
-    return panels(scene, frames);
+    const Scene scene(run, options, style);
+    if (frames.size() > 1) return panels(scene, frames);
+    return single_map(scene, snapshot(scene, frames[0]), {style, options.largest_height});
+}
+
+void write_frames(const RunReader& run, const MapPlotOptions& options, Verbosity verbosity) {
+    const std::string& folder = options.picture;
+    if (folder == "-" || std::filesystem::path(folder).has_extension()) {
+        throw UsageError("--output " + folder + ": --frame all writes numbered pictures; the name of a folder fits");
+    }
+    std::vector<std::size_t> frames(choose_frame(run, "last", std::nullopt) + 1);
+    std::iota(frames.begin(), frames.end(), 0);
+    const Scene scene(run, options.map, options.style);
+    MapPage page{scene.style, options.map.largest_height, page_margin, 0, common_view(scene, frames)};
+    const TextColumn column{page.margin, scene.style.page_width - page.margin};
+    for (const double time : run.frame_times()) {
+        page.heading_height = std::max(page.heading_height, heading_height(heading_at(scene, time), column));
+    }
+    // The last frame has the most cracks, and thus the longest legend.
+    const double height = single_map(scene, snapshot(scene, frames.back()), page).height();
+    Progress progress("plot cracks", verbosity);
+    write_picture_folder(folder, frames.size(), [&](std::size_t frame) {
+        Drawing drawing = single_map(scene, snapshot(scene, frame), page);
+        drawing.set_height(height);
+        progress.update(static_cast<double>(frame + 1) / static_cast<double>(frames.size()), fmt::format("frame {}", frame));
+        return png_bytes(drawing, options.size);
+    });
 }
 
 void add_map_options(OptionSet set, MapPlotOptions& options) {
@@ -238,23 +265,29 @@ void add_map_options(OptionSet set, MapPlotOptions& options) {
     add_picture(set, options);
     add_text(set, "--frame", options.map.frame,
              "frame: first, before, peak, after (80 % of the peak on that side), last or a number from 0; for cracks "
-             "several with commas stand side by side, once where they mean the same");
+             "several with commas stand side by side, once where they mean the same, and all are numbered PNG of one scale in "
+             "the folder of --output");
     add_quantity(set, "--time", options.map.time, frame_time, "frame nearest to a simulated time");
     add_quantity(set, "--magnify", options.map.magnification, magnification, "draw displacements so many times as large", "1");
 }
 
 Command cracks_plot() {
-    return make_plot<MapPlotOptions>(
+    return make_command<MapPlotOptions>(
         "cracks", "crack map: tensile red, shear black",
-        {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --magnify 10 --crack-event broken -o cracks.svg"},
-        one_run,
+        {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --frame all --magnify 10 -o frames"}, one_run,
         [](OptionSet set, MapPlotOptions& options) {
             add_map_options(set, options);
             add_crack_label(set, options.map.label);
             add_classes(set, options.map.classes);
         },
         [](const MapPlotOptions& options, const Call& call) {
-            return draw_cracks(RunReader(call.file()), options.map, options.style);
+            const auto draw = [&call](const MapPlotOptions& sized) {
+                return draw_cracks(RunReader(call.file()), sized.map, sized.style);
+            };
+            if (options.map.frame != "all") return plot_picture(options, call.files, draw);
+            MapPlotOptions sized = options;
+            sized.style = style_of(options, call.files);
+            write_frames(RunReader(call.file()), sized, call.verbosity);
         });
 }
 

@@ -92,6 +92,9 @@ struct MapPlotOptions : PlotOptions {
     CrackMapOptions map;
 };
 void add_map_options(OptionSet set, MapPlotOptions& options);
+/// All frames as numbered pictures of one size and scale in the folder `options.picture`.
+/// \throws UsageError for the name of a file, InputError as `draw_cracks`, OutputError as `write_picture_folder`, Interrupted
+void write_frames(const RunReader& run, const MapPlotOptions& options, Verbosity verbosity);
 
 Command cracks_plot();
 

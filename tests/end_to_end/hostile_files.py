@@ -192,7 +192,7 @@ def main():
             run: [[post, "info", "--check", damaged], [post, "strength", damaged], [post, "info", damaged, "--digest"],
                   [post, "cracks", damaged, "-o", folder / "cracks"], [post, "history", damaged],
                   [post, "view", damaged, "-o", folder / "view.html"],
-                  [post, "film", damaged, "--size", "320x240", "--duration", "0.2s", "-o", folder / "film"]],
+                  [post, "plot", "cracks", damaged, "--frame", "all", "-o", folder / "frames"]],
             kept: [[solve, "uniaxial", specimen, *TEST, "--restart", damaged, "-o", folder / "again.h5"], [post, "info", "--check", damaged]],
         }
 

@@ -135,8 +135,8 @@ class DrivesThePrograms(unittest.TestCase):
         self.assertIn("<iframe sandbox=", graincrack.report(self.runs)._repr_html_())
         self.assertIn("DecompressionStream", self.runs[0].view()._repr_html_())
         self.assertIsNone(graincrack.cracks(self.runs[0], output="cracks")._repr_html_())
-        film = self.runs[0].film(duration="200ms", size="320x240", output="film")
-        self.assertEqual(film._repr_png_()[:4], b"\x89PNG")
+        frames = self.runs[0].plot("cracks", frame="all", output="frames")
+        self.assertEqual((frames._repr_png_()[:4], frames._repr_html_()), (b"\x89PNG", None))
 
     def test_files_have_new_names_unless_they_are_named(self):
         def rings():

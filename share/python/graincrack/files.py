@@ -18,7 +18,6 @@ share/doc/file-format.md.
 
 from __future__ import annotations
 
-import base64
 import csv
 import html
 import io
@@ -234,10 +233,6 @@ class Run(_Hdf5File):
         """All attributes of /run, without their units."""
         return {name: value for name, value in _attributes(self._file["run"]).items() if not name.endswith("_unit")}
 
-    def film(self, **options) -> Output:
-        """A film of the test, with the options of `graincrack.film`."""
-        return _package().film(self, **options)
-
     def view(self, **options) -> Output:
         """A page on which the test is turned over, with the options of `graincrack.view`."""
         return _package().view(self, **options)
@@ -372,7 +367,7 @@ def _short(cell: str) -> str:
 
 
 class Output(_File):
-    """A picture, film, page or folder that a command made; a notebook shows it."""
+    """A picture, page or folder that a command made; a notebook shows it."""
 
     def save(self, path: str | Path) -> Path:
         """Copies it."""
@@ -386,13 +381,10 @@ class Output(_File):
         return self.path.read_text() if self.path.suffix == ".svg" else None
 
     def _repr_html_(self) -> str | None:
-        if self.path.suffix == ".html":
-            page = html.escape(self.path.read_text(encoding="utf-8"))
-            return f'<iframe sandbox="allow-scripts allow-downloads" srcdoc="{page}" style="width: 100%; height: 640px; border: 0"></iframe>'
-        if self.path.suffix not in (".mp4", ".webm"):
+        if self.path.suffix != ".html":
             return None
-        data = base64.b64encode(self.path.read_bytes()).decode()
-        return f'<video controls loop style="max-width: 100%" src="data:video/{self.path.suffix[1:]};base64,{data}"></video>'
+        page = html.escape(self.path.read_text(encoding="utf-8"))
+        return f'<iframe sandbox="allow-scripts allow-downloads" srcdoc="{page}" style="width: 100%; height: 640px; border: 0"></iframe>'
 
 
 def _package():

@@ -9,7 +9,6 @@ import itertools
 import keyword
 import os
 import re
-import shutil
 import types
 from collections.abc import Mapping
 from pathlib import Path
@@ -159,7 +158,7 @@ class _Command:
         if self.program != "graincrack-post":
             return ".h5"
         endings = re.findall(r"(?<!\w)\.[a-z]\w+", self.output["meaning"])
-        return "" if not endings or endings[0] == ".mp4" and not shutil.which("ffmpeg") else endings[0]
+        return endings[0] if endings else ""
 
     def _how_to_resume(self, checkpoint: Path) -> str:
         if not checkpoint.exists():

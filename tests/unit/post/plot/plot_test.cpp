@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <set>
 
 #include "post/measure/thresholds.hpp"
 #include "post/plot/plots.hpp"
+#include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 #include "tests/support/drawing_shapes.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -199,6 +202,27 @@ TEST_F(Plot, MapsSideBySideHaveOneScaleBarAndTellWhereTheyStand) {
     const std::size_t bar = words.find(" mm\n", words.find("counts are contacts"));
     EXPECT_NE(bar, std::string::npos) << words;
     EXPECT_EQ(words.find(" mm\n", bar + 1), std::string::npos) << words;
+}
+
+TEST_F(Plot, AllFramesAreNumberedPicturesOfOneSize) {
+    const RunReader run(path("run.h5"));
+    MapPlotOptions options;
+    options.map.magnification = 20;
+    EXPECT_NE(draw_cracks(run, {"first", std::nullopt, 20}).height(), draw_cracks(run, {"last", std::nullopt, 20}).height());
+    options.picture = path("frames");
+    write_frames(run, options, Verbosity::quiet);
+    std::set<std::string> sizes;
+    std::size_t pictures = 0;
+    for (const auto& each : std::filesystem::directory_iterator(path("frames"))) {
+        std::string header(24, ' ');
+        std::ifstream(each.path()).read(header.data(), 24);
+        sizes.insert(header.substr(16));  // width and height
+        ++pictures;
+    }
+    EXPECT_EQ(pictures, run.frame_times().size());
+    EXPECT_EQ(sizes.size(), 1U);
+    options.picture = path("frames.mp4");
+    test::expect_one_line<UsageError>([&] { write_frames(run, options, Verbosity::quiet); }, {"frames.mp4", "name of a folder"});
 }
 
 TEST_F(Plot, StrengthsStandBesideTheLaboratorysAtTheirPressure) {

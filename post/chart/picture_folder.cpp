@@ -1,0 +1,96 @@
+#include "post/chart/picture_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "share/base/error.hpp"
+#include "share/base/progress.hpp"
+#include "share/file/output_file.hpp"
+
+namespace graincrack {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view frame_stem = "frame-";
+constexpr std::string_view frame_ending = ".png";
+
+bool is_numbered_picture(std::string_view name) {
+    if (!name.starts_with(frame_stem) || !name.ends_with(frame_ending) ||
+        name.size() < frame_stem.size() + frame_ending.size() + 4)
+        return false;
+    const std::string_view number = name.substr(frame_stem.size(), name.size() - frame_stem.size() - frame_ending.size());
+    return number.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The path of a folder that may not exist yet. \throws OutputError without a folder around it
+std::string whole_path(const std::string& name) {
+    std::error_code cause;
+    fs::path path = fs::weakly_canonical(fs::absolute(name), cause);
+    if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", name, cause.message()));
+    if (!path.has_filename()) path = path.parent_path();  // "film/"
+    if (!fs::is_directory(path.parent_path(), cause)) {
+        throw OutputError(fmt::format("{}: the folder {} does not exist", name, path.parent_path().string()));
+    }
+    return path.string();
+}
+
+/// \throws OutputError for what exists and is not a folder that is empty or has only numbered pictures
+void require_own(const std::string& name, const std::string& folder) {
+    std::error_code cause;
+    const fs::file_type type = fs::status(folder, cause).type();
+    if (type == fs::file_type::not_found) return;
+    if (type != fs::file_type::directory) throw OutputError(name + ": exists, and is no folder; name a new folder");
+    for (fs::directory_iterator each(folder, cause), end; !cause && each != end; each.increment(cause)) {
+        const std::string file = each->path().filename().string();
+        if (is_numbered_picture(file)) continue;
+        throw OutputError(fmt::format("{}: has {}, which is no numbered picture; name a new or an empty folder", name, file));
+    }
+    if (cause) throw OutputError(fmt::format("{}: cannot be read: {}", name, cause.message()));
+}
+
+/// A folder that is removed at the end, unless it was renamed.
+struct UnfinishedFolder {
+    std::string path;
+    explicit UnfinishedFolder(std::string folder) : path(std::move(folder)) {}
+    UnfinishedFolder(const UnfinishedFolder&) = delete;
+    UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+    ~UnfinishedFolder() {
+        std::error_code cause;
+        fs::remove_all(path, cause);
+    }
+};
+
+}  // namespace
+
+void write_picture_folder(const std::string& folder, std::size_t count,
+                          const std::function<std::vector<unsigned char>(std::size_t)>& picture) {
+    const std::string whole = whole_path(folder);
+    const OutputLock lock(whole);
+    require_own(folder, whole);
+    require_own(folder + ".part", whole + ".part");  // of a program that was killed
+    const UnfinishedFolder part(whole + ".part");
+    std::error_code cause;
+    fs::remove_all(part.path, cause);
+    if (!fs::create_directory(part.path, cause)) {
+        throw OutputError(fmt::format("{}: cannot be made: {}", folder, cause.message()));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        throw_if_interrupted();
+        const std::vector<unsigned char> bytes = picture(i);
+        const std::string name = fmt::format("{}/{}{:04}{}", part.path, frame_stem, i + 1, frame_ending);
+        write_whole_file(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    throw_if_interrupted();
+    require_own(folder, whole);
+    fs::remove_all(whole, cause);
+    if (!cause) fs::rename(part.path, whole, cause);
+    if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", folder, cause.message()));
+}
+
+}  // namespace graincrack
