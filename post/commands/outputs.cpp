@@ -5,7 +5,7 @@
 #include "post/export/mesh_file.hpp"
 #include "post/fit/envelope.hpp"
 #include "post/options/command.hpp"
-#include "post/plot/plots.hpp"
+#include "post/plot/plot_commands.hpp"
 #include "post/report/report.hpp"
 #include "post/view/view_page.hpp"
 #include "share/base/error.hpp"
@@ -101,28 +101,7 @@ Command view_command() {
         });
 }
 
-/// The pictures in the order of --help.
-Command plot_command() {
-    return make_group("plot", "pictures as PNG, SVG or PDF; no display needed",
-                      {
-                          specimen_plot(),
-                          curve_plot(),
-                          strength_plot(),
-                          cracks_plot(),
-                          fragments_plot(),
-                          rosette_plot(),
-                          counts_plot(),
-                          emission_plot(),
-                          energy_plot(),
-                          thresholds_plot(),
-                          envelope_plot(),
-                          size_effect_plot(),
-                          surface_plot(),
-                          law_plot(),
-                          lennard_jones_plot(),
-                          table_plot(),
-                      });
-}
+Command plot_command() { return make_group("plot", "pictures as PNG, SVG or PDF; no display needed", plot_commands()); }
 
 Command export_command() {
     struct Options {

@@ -10,7 +10,6 @@
 
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/cracks/export.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -18,11 +17,6 @@
 namespace graincrack {
 
 namespace {
-
-void add_abscissa(OptionSet set, Abscissa& abscissa) {
-    add_choice<Abscissa>(set, "--x", abscissa, {{"time", Abscissa::time}, {"strain", Abscissa::strain}},
-                         "level axis: time, which spreads what happens at the peak, or axial strain");
-}
 
 /// An axis with the values of a run's history on it.
 struct Course {
@@ -128,30 +122,6 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
     return chart.finish();
 }
 
-Command counts_plot() {
-    struct Options : PlotOptions {
-        CrackLabelChoice label;
-        CountsOptions counts;
-    };
-    return make_plot<Options>(
-        "counts", "micro-cracks over the loading by mode", {"uniaxial.h5 -o counts.png", "brazilian.h5 --classes -o counts.svg"},
-        one_run,
-        [](OptionSet set, Options& options) {
-            add_chart(set, options);
-            add_abscissa(set, options.counts.abscissa);
-            add_flag(set, "--classes", options.counts.by_class, "a curve for each class of contacts (pair of minerals) and mode");
-            add_crack_label(set, options.label);
-        },
-        [](const Options& options, const Call& call) {
-            const RunReader run(call.file());
-            const RunData data = run_data(run);
-            const Specimen specimen = run.specimen();
-            const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.label);
-            return draw_counts(count_cracks_by_row(data, load_curve(data), specimen, cracks), data,
-                               definition_of(options.label.of(run.header())), options.counts, options.style);
-        });
-}
-
 namespace {
 
 struct Term {
@@ -213,22 +183,6 @@ Drawing draw_energy(const RunData& run, Abscissa abscissa, const PictureStyle& s
     return chart.finish();
 }
 
-Command energy_plot() {
-    struct Options : PlotOptions {
-        Abscissa abscissa = Abscissa::time;
-    };
-    return make_plot<Options>(
-        "energy", "the energy balance over a test", {"uniaxial.h5 -o energy.png", "brazilian.h5 --x strain -o energy.svg"},
-        one_run,
-        [](OptionSet set, Options& options) {
-            add_chart(set, options);
-            add_abscissa(set, options.abscissa);
-        },
-        [](const Options& options, const Call& call) {
-            return draw_energy(read_run_data(call.file()), options.abscissa, options.style);
-        });
-}
-
 Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run,
                       const PictureStyle& style) {
     std::vector<double> magnitudes = magnitudes_of(events);
@@ -260,24 +214,6 @@ Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::strin
         chart.legend(stroke, "slope b (Aki)");
     }
     return chart.finish();
-}
-
-Command emission_plot() {
-    struct Options : PlotOptions {
-        EventOptions events;
-    };
-    return make_plot<Options>(
-        "emission", "acoustic emission: number of events by magnitude, b-value",
-        {"uniaxial.h5 -o emission.png", "uniaxial.h5 --event-distance 4mm -o emission.svg"}, one_run,
-        [](OptionSet set, Options& options) {
-            add_chart(set, options);
-            add_events(set, options.events);
-        },
-        [](const Options& options, const Call& call) {
-            const RunReader run(call.file());
-            const Specimen specimen = run.specimen();
-            return draw_emission(emission_of(run, specimen, options.events), test_title(run.header()), run.name(), options.style);
-        });
 }
 
 }  // namespace graincrack

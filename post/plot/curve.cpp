@@ -10,11 +10,9 @@
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
 #include "post/cracks/crack_counts.hpp"
-#include "post/cracks/export.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/first_peak.hpp"
 #include "post/measure/strength.hpp"
-#include "post/options/command.hpp"
 #include "post/run/likeness.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -235,40 +233,6 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
     for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory_curve(chart, laboratory[i], i);
     if (!style.x_limits) mark_cut_branches(chart, runs, extent, 1.1 * drawn_lateral(extent));
     return chart.finish();
-}
-
-Command curve_plot() {
-    struct Options : PlotOptions {
-        std::vector<std::string> laboratory;  ///< tables of measured curves
-        CrackLabelChoice label;               ///< of the cracks that are counted beside the curve of one run
-    };
-    return make_plot<Options>(
-        "curve", "stress against axial and lateral strain, several runs on one plot",
-        {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --laboratory measured.tsv --width 84mm -o curve.pdf"},
-        several_runs,
-        [](OptionSet set, Options& options) {
-            add_chart(set, options);
-            add_labels(set, options);
-            add_texts(set, "--laboratory", options.laboratory, "FILE",
-                      "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
-            add_crack_label(set, options.label);
-        },
-        [](const Options& options, const Call& call) {
-            std::vector<LaboratoryCurve> laboratory;
-            for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
-            std::vector<RunData> runs;
-            CaveatCount doubts;
-            std::vector<std::string> lines;  // of the only run
-            for (const std::string& file : call.files) {
-                const RunReader reader(file);
-                runs.push_back(run_data(reader, options.label));
-                const std::vector<Caveat> caveats = caveats_of(reader, runs.back());
-                doubts.add(runs.back(), caveats);
-                for (const Caveat& caveat : caveats) lines.push_back(note_line(caveat));
-            }
-            return draw_curves(runs, laboratory, definition_of(options.label.of(runs.front().header)),
-                               runs.size() == 1 ? lines : doubts.lines(), options.style);
-        });
 }
 
 }  // namespace graincrack

@@ -10,11 +10,9 @@
 
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/options/command.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/file/run_file.hpp"
-#include "share/options/option_set.hpp"
 #include "solver/law/contact_law.hpp"
 
 namespace graincrack {
@@ -239,61 +237,6 @@ Drawing draw_lennard_jones(const PictureStyle& style) {
         chart.legend(stroke, fmt::format("m {}, n {}: b = {:.3f}", m, n, fpz::lennard_jones_b(m, n)));
     }
     return chart.finish();
-}
-
-namespace {
-
-struct LawOptions : PlotOptions {
-    std::string material;
-    PlaneCondition plane = PlaneCondition::strain;
-    std::optional<FractureEnergyChoice> fracture_energy;
-    LawPlotOptions law;
-};
-
-void add_options(OptionSet set, LawOptions& options) {
-    constexpr Quantity normal_stress{"normal_stress", Dimension::stress, 0, 1e12, "compression across a contact"};
-    add_text(set, "--material", options.material, "material: a name of share/materials or a TOML file");
-    add_texts(set, "--contact-law", options.law.laws, "NAME", "law to draw; may be given again; default: that of the material")
-        .excludes(add_flag(set, "--all-laws", options.law.all, "all laws with the values of the material"));
-    add_choice<PlaneCondition>(set, "--plane", options.plane,
-                               {{"strain", PlaneCondition::strain}, {"stress", PlaneCondition::stress}}, "plane condition");
-    add_fracture_energy(set, options.fracture_energy, "fracture energy of the contacts: mixed (Eq 32), mode-i or a value");
-    add_quantity(set, "--normal-stress", options.law.normal_stress, normal_stress, "compression for the curve of shear", "20MPa");
-    add_picture(set, options);
-}
-
-Drawing draw_laws_of_run(const LawOptions& options, const RunReader& run) {
-    LawPlotOptions law = options.law;
-    law.own = run.header().contact_law;
-    return draw_laws(run.header().contact, fmt::format("{}, {}", run.header().material, run.header().contact_law), law,
-                     options.style);
-}
-
-Drawing draw_laws_of_material(const LawOptions& options, const Call& call) {
-    const Material material = read_material_of(call, options.material);
-    const ContactParameters contact = contact_parameters(material, options.plane, options.fracture_energy);
-    LawPlotOptions law = options.law;
-    law.own = material.law.empty() ? name_of(default_law) : material.law;
-    return draw_laws(contact, fmt::format("{}, plane {}", material.name, name_of(options.plane)), law, options.style);
-}
-
-}  // namespace
-
-Command law_plot() {
-    return make_plot<LawOptions>(
-        "law", "curves of the contact laws, by a material or as in a run",
-        {"--material augig-granite -o law.png", "uniaxial.h5 --normal-stress 50MPa -o law.svg"},
-        FileArguments{"run", "run file", false}, add_options, [](const LawOptions& options, const Call& call) {
-            if (!call.files.empty()) return draw_laws_of_run(options, RunReader(call.file()));
-            if (!options.material.empty()) return draw_laws_of_material(options, call);
-            throw UsageError("plot law: neither a run nor a material; give a run file or --material NAME");
-        });
-}
-
-Command lennard_jones_plot() {
-    return make_plot<PlotOptions>("lennard-jones", "the potential of Eqs 20-22 (Fig 11)",
-                                  {"-o potential.png", "-o potential.svg"}, std::nullopt, add_chart,
-                                  [](const PlotOptions& options, const Call&) { return draw_lennard_jones(options.style); });
 }
 
 }  // namespace graincrack

@@ -26,10 +26,8 @@
 #include "share/base/error.hpp"
 #include "share/base/progress.hpp"
 #include "share/base/units.hpp"
-#include "share/file/h5_file.hpp"
 #include "share/file/platen_faces.hpp"
 #include "share/file/specimen_measures.hpp"
-#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -235,16 +233,16 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const 
     return single_map(scene, snapshot(scene, frames[0]), {style, options.largest_height});
 }
 
-void write_frames(const RunReader& run, const MapPlotOptions& options, Verbosity verbosity) {
-    const std::string& folder = options.picture;
+void write_frames(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style, const std::string& folder,
+                  const PictureSize& size, Verbosity verbosity) {
     if (folder == "-" || std::filesystem::path(folder).has_extension()) {
         throw UsageError("--output " + folder + ": --frame all writes numbered pictures; the name of a folder fits");
     }
     std::vector<std::size_t> frames(choose_frame(run, "last", std::nullopt) + 1);
     std::iota(frames.begin(), frames.end(), 0);
-    const Scene scene(run, options.map, options.style);
-    MapPage page{scene.style, options.map.largest_height, page_margin, 0, common_view(scene, frames)};
-    const TextColumn column{page.margin, scene.style.page_width - page.margin};
+    const Scene scene(run, options, style);
+    MapPage page{style, options.largest_height, page_margin, 0, common_view(scene, frames)};
+    const TextColumn column{page.margin, style.page_width - page.margin};
     for (const double time : run.frame_times()) {
         page.heading_height = std::max(page.heading_height, heading_height(heading_at(scene, time), column));
     }
@@ -255,40 +253,8 @@ void write_frames(const RunReader& run, const MapPlotOptions& options, Verbosity
         Drawing drawing = single_map(scene, snapshot(scene, frame), page);
         drawing.set_height(height);
         progress.update(static_cast<double>(frame + 1) / static_cast<double>(frames.size()), fmt::format("frame {}", frame));
-        return png_bytes(drawing, options.size);
+        return png_bytes(drawing, size);
     });
-}
-
-void add_map_options(OptionSet set, MapPlotOptions& options) {
-    constexpr Quantity frame_time{"time", Dimension::time, 0, std::numeric_limits<double>::infinity(), "simulated time"};
-    constexpr Quantity magnification{"magnify", Dimension::one, 0, 1e6, "factor on displacements"};
-    add_picture(set, options);
-    add_text(set, "--frame", options.map.frame,
-             "frame: first, before, peak, after (80 % of the peak on that side), last or a number from 0; for cracks "
-             "several with commas stand side by side, once where they mean the same, and all are numbered PNG of one scale in "
-             "the folder of --output");
-    add_quantity(set, "--time", options.map.time, frame_time, "frame nearest to a simulated time");
-    add_quantity(set, "--magnify", options.map.magnification, magnification, "draw displacements so many times as large", "1");
-}
-
-Command cracks_plot() {
-    return make_command<MapPlotOptions>(
-        "cracks", "crack map: tensile red, shear black",
-        {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --frame all --magnify 10 -o frames"}, one_run,
-        [](OptionSet set, MapPlotOptions& options) {
-            add_map_options(set, options);
-            add_crack_label(set, options.map.label);
-            add_classes(set, options.map.classes);
-        },
-        [](const MapPlotOptions& options, const Call& call) {
-            const auto draw = [&call](const MapPlotOptions& sized) {
-                return draw_cracks(RunReader(call.file()), sized.map, sized.style);
-            };
-            if (options.map.frame != "all") return plot_picture(options, call.files, draw);
-            MapPlotOptions sized = options;
-            sized.style = style_of(options, call.files);
-            write_frames(RunReader(call.file()), sized, call.verbosity);
-        });
 }
 
 namespace {
@@ -344,14 +310,6 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, con
     }
     map.draw_legend(legend);
     return std::move(map).drawing();
-}
-
-Command fragments_plot() {
-    return make_plot<MapPlotOptions>("fragments", "grains that are still connected, by fragment",
-                                     {"brazilian.h5 -o fragments.png", "uniaxial.h5 --frame peak -o fragments.svg"}, one_run,
-                                     add_map_options, [](const MapPlotOptions& options, const Call& call) {
-                                         return draw_fragments(RunReader(call.file()), options.map, options.style);
-                                     });
 }
 
 namespace {
@@ -420,25 +378,6 @@ Drawing draw_specimen(const Specimen& specimen, const std::string& file, Specime
     if (map.draw_pre_existing_cracks(4)) legend.push_back({Stroke{palette::pre_existing, 4}, "pre-existing crack"});
     map.draw_legend(legend);
     return std::move(map).drawing();
-}
-
-Command specimen_plot() {
-    struct Options : PlotOptions {
-        SpecimenColour colour = SpecimenColour::phase;
-    };
-    return make_plot<Options>(
-        "specimen", "the grains of a specimen", {"disc.h5 -o disc.png", "uniaxial.h5 -o specimen.svg"},
-        FileArguments{"file", "specimen or run"},
-        [](OptionSet set, Options& options) {
-            add_picture(set, options);
-            add_choice<SpecimenColour>(set, "--colour", options.colour,
-                                       {{"phase", SpecimenColour::phase}, {"strength", SpecimenColour::strength}},
-                                       "grains by their phase (mineral), or contacts by the factor on their strengths");
-        },
-        [](const Options& options, const Call& call) {
-            const H5Input file(call.file());
-            return draw_specimen(read_specimen(file), file.name(), options.colour, options.style);
-        });
 }
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-// The pictures of `plot`: each a function that draws it, and its command, in the order of --help.
+// The pictures of `plot`: each a function that draws it, in the order of --help.
 #pragma once
 
 #include <optional>
@@ -7,24 +7,22 @@
 
 #include "post/ccd/tables.hpp"
 #include "post/chart/drawing.hpp"
+#include "post/chart/picture.hpp"
 #include "post/chart/picture_style.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/emission.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/fit/envelope.hpp"
 #include "post/fit/size_effect.hpp"
-#include "post/options/command.hpp"
-#include "post/plot/make_plot.hpp"
 #include "post/run/crack_label.hpp"
 #include "post/run/load_curve.hpp"
+#include "share/base/progress.hpp"
 #include "share/file/run_file.hpp"
 #include "share/file/specimen.hpp"
 #include "share/rock/material.hpp"
 #include "solver/law/table.hpp"
 
 namespace graincrack {
-
-// --- specimen ---
 
 /// The meaning of the colours of a specimen.
 enum class SpecimenColour {
@@ -34,10 +32,6 @@ enum class SpecimenColour {
 /// \throws InputError for colours of strength factors that the specimen does not have; its file has the name `file`
 Drawing draw_specimen(const Specimen& specimen, const std::string& file, SpecimenColour colour = SpecimenColour::phase,
                       const PictureStyle& style = {});
-
-Command specimen_plot();
-
-// --- curve ---
 
 /// A measured curve: strains as they are drawn (positive in the sense of the test, widening negative), stress in Pa.
 struct LaboratoryCurve {
@@ -60,19 +54,11 @@ LaboratoryCurve read_laboratory_curve(const std::string& path);
 Drawing draw_curves(const std::vector<RunData>& runs, const std::vector<LaboratoryCurve>& laboratory,
                     const std::string& definition, const std::vector<std::string>& caveats = {}, const PictureStyle& style = {});
 
-Command curve_plot();
-
-// --- strength ---
-
 /// Every run as a point (a cross if it reached no peak), the mean of each test, confining pressure and grain size with its
 /// 95 % interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the
 /// axis. \throws InputError if the runs are not of one material \param caveats caveats of the strength, a line each
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
                        const std::vector<std::string>& caveats = {}, const PictureStyle& style = {});
-
-Command strength_plot();
-
-// --- cracks ---
 
 /// Which state is drawn, and how.
 struct CrackMapOptions {
@@ -87,25 +73,13 @@ struct CrackMapOptions {
 /// \throws InputError, UsageError as `choose_frames`, `read_labelled_cracks` and `contacts_of_classes`
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
 
-/// Options of a map of one or several frames.
-struct MapPlotOptions : PlotOptions {
-    CrackMapOptions map;
-};
-void add_map_options(OptionSet set, MapPlotOptions& options);
-/// All frames as numbered pictures of one size and scale in the folder `options.picture`.
+/// All frames as numbered pictures of one size and scale in a folder.
 /// \throws UsageError for the name of a file, InputError as `draw_cracks`, OutputError as `write_picture_folder`, Interrupted
-void write_frames(const RunReader& run, const MapPlotOptions& options, Verbosity verbosity);
-
-Command cracks_plot();
-
-// --- fragments ---
+void write_frames(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style, const std::string& folder,
+                  const PictureSize& size, Verbosity verbosity);
 
 /// The largest fragment pale, the others coloured, where they moved to. \throws InputError, UsageError as `choose_frame`
 Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
-
-Command fragments_plot();
-
-// --- rosette ---
 
 /// Two roses, tensile and shear: petals are shares of the length of cracks in bins of 10°, the line behind them the
 /// shares of the specimen's own facets. Petals are as long as the share; an orientation has no sense, so both halves are equal.
@@ -113,10 +87,6 @@ Command fragments_plot();
 /// \param definition of its cracks in words
 Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition,
                      const PictureStyle& style = {});
-
-Command rosette_plot();
-
-// --- counts ---
 
 /// The level axis of a picture of the course of a test. Time spreads what happens at a peak: the platens slow down
 /// there, and the strain hardly changes while a specimen breaks.
@@ -133,27 +103,15 @@ struct CountsOptions {
 Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition,
                     const CountsOptions& options = {}, const PictureStyle& style = {});
 
-Command counts_plot();
-
-// --- emission ---
-
 /// log10 of the number of events at or above a magnitude, with the slope b from the completeness on, if
 /// the magnitudes lie on one.
 /// \throws InputError without events
 Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run,
                       const PictureStyle& style = {});
 
-Command emission_plot();
-
-// --- energy ---
-
 /// The terms of the energy balance over a test, per metre of thickness, and where its largest stress is; the largest residual in
 /// the subtitle. Terms below a thousandth of the largest are named, not drawn.
 Drawing draw_energy(const RunData& run, Abscissa abscissa = Abscissa::time, const PictureStyle& style = {});
-
-Command energy_plot();
-
-// --- thresholds ---
 
 /// Which definitions of crack initiation and damage have a mark: the default ones (`AllThresholds`), or the others too.
 enum class ThresholdMarks { usual, all };
@@ -165,10 +123,6 @@ enum class ThresholdMarks { usual, all };
 /// \param cracks the log of the run, for the definitions by damage \throws InputError for a test that is no compression test
 Drawing draw_thresholds(const RunData& run, ThresholdMarks marks = ThresholdMarks::usual, const PictureStyle& style = {},
                         const std::vector<Crack>& cracks = {});
-
-Command thresholds_plot();
-
-// --- envelope ---
 
 /// Measured strengths, Pa.
 struct LaboratoryStrengths {
@@ -185,23 +139,11 @@ LaboratoryStrengths read_laboratory_strengths(const std::string& path);
 Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title,
                       const std::vector<LaboratoryStrengths>& laboratory = {}, const PictureStyle& style = {});
 
-Command envelope_plot();
-
-// --- size effect ---
-
 /// Every run as a point, each series with its power law (log–log) and, for tensile strengths, the slope of the theory.
 Drawing draw_size_effect(const std::vector<SizeSeries>& series, const PictureStyle& style = {});
 
-Command size_effect_plot();
-
-// --- surface ---
-
 /// The first two factors; further ones are held at the optimum. \throws InputError with one factor
 Drawing draw_surface(const ccd::Problem& problem, const PictureStyle& style = {});
-
-Command surface_plot();
-
-// --- law ---
 
 /// Which curves of the laws are drawn.
 struct LawPlotOptions {
@@ -220,11 +162,6 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
 /// P(z)/X = a [(ζ/z)^n − (ζ/z)^m] (Eqs 20–22) and its slope for the pairs (m, n) of Table 9's corners and middle, with b.
 Drawing draw_lennard_jones(const PictureStyle& style = {});
 
-Command law_plot();
-Command lennard_jones_plot();
-
-// --- table ---
-
 struct TablePlotOptions {
     std::string x;
     std::vector<std::string> y;
@@ -233,7 +170,5 @@ struct TablePlotOptions {
 
 /// One curve for each column y of each table. \throws InputError for a missing column or one without numbers
 Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOptions& options, const PictureStyle& style = {});
-
-Command table_plot();
 
 }  // namespace graincrack

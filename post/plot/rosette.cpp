@@ -9,8 +9,6 @@
 
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
-#include "post/cracks/export.hpp"
-#include "post/run/contact_classes.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -130,30 +128,6 @@ Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std
                                       column, top + 2 * radius + 64);
     drawing.set_height(draw_heading(drawing, {"", {definition}}, column, end.bottom) + 14);
     return drawing;
-}
-
-Command rosette_plot() {
-    struct Options : PlotOptions {
-        CrackLabelChoice label;
-        std::vector<std::string> classes;
-    };
-    return make_plot<Options>(
-        "rosette", "directions of the cracks by mode, over those of the facets",
-        {"uniaxial.h5 -o rosette.png", "brazilian.h5 --crack-event broken -o rosette.svg"}, one_run,
-        [](OptionSet set, Options& options) {
-            add_picture(set, options);
-            add_crack_label(set, options.label);
-            add_classes(set, options.classes);
-        },
-        [](const Options& options, const Call& call) {
-            const RunReader run(call.file());
-            const Specimen specimen = run.specimen();
-            const Rosette rosette = crack_rosette(read_labelled_cracks(run, specimen, options.label), specimen,
-                                                  contacts_of_classes(specimen, options.classes, run.name()));
-            const std::string definition = definition_of(options.label.of(run.header()));
-            return draw_rosette(rosette, test_title(run.header()), limited_to(run.name(), options.classes),
-                                limited_to(definition, options.classes), options.style);
-        });
 }
 
 }  // namespace graincrack

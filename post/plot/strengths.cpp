@@ -17,7 +17,6 @@
 #include "post/measure/caveats.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
-#include "post/options/command.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
 #include "share/base/table_file.hpp"
@@ -140,28 +139,6 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
     }
     if (material) chart.legend(laboratory_stroke, "laboratory");
     return chart.finish();
-}
-
-Command strength_plot() {
-    struct Options : PlotOptions {
-        std::string material;
-    };
-    return make_plot<Options>(
-        "strength", "strengths by test with means and intervals, beside the laboratory's",
-        {"uniaxial.h5 brazilian.h5 -o strength.png", "uniaxial.h5 brazilian.h5 --material augig-granite -o strength.svg"},
-        several_runs,
-        [](OptionSet set, Options& options) {
-            add_picture(set, options);
-            add_y_limits(set, options);
-            add_laboratory_material(set, options.material);
-        },
-        [](const Options& options, const Call& call) {
-            std::optional<Material> material;
-            if (!options.material.empty()) material = read_material_of(call, options.material);
-            CaveatCount doubts;
-            const std::vector<RunData> runs = read_doubted_runs(call.files, doubts, call.command, call.diagnostics());
-            return draw_strengths(runs, material, doubts.lines(), options.style);
-        });
 }
 
 namespace {
@@ -334,32 +311,6 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
     return chart.finish();
 }
 
-Command envelope_plot() {
-    struct Options : PlotOptions {
-        EnvelopeOptions envelope;
-        std::vector<std::string> laboratory;  ///< tables of measured strengths
-    };
-    return make_plot<Options>(
-        "envelope", "Mohr circles, Mohr-Coulomb and Hoek-Brown envelopes",
-        {"uniaxial.h5 triaxial.h5 -o envelope.png",
-         "uniaxial.h5 triaxial.h5 brazilian.h5 --strength largest --capped accept -o envelope.svg"},
-        several_runs,
-        [](OptionSet set, Options& options) {
-            add_chart(set, options);
-            add_envelope_options(set, options.envelope);
-            add_texts(set, "--laboratory", options.laboratory, "FILE",
-                      "table of measured strengths: confining_pressure_MPa, strength_MPa");
-        },
-        [](const Options& options, const Call& call) {
-            const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
-            std::vector<LaboratoryStrengths> laboratory;
-            for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
-            const EnvelopeTests tests = collect_envelope_tests(runs, options.envelope);
-            print_left_out(call.diagnostics(), "envelope", tests.left_out);
-            return draw_envelope(tests, runs.front().header.material, laboratory, options.style);
-        });
-}
-
 namespace {
 
 /// The range of the values with a tenth of a decade on both sides.
@@ -443,26 +394,6 @@ Drawing draw_size_effect(const std::vector<SizeSeries>& series, const PictureSty
     Chart chart(style, {"Size effect", subtitle}, logarithmic("mean edge, mm", edges), logarithmic("strength, MPa", strengths));
     for (std::size_t i = 0; i < series.size(); ++i) draw_series(chart, series[i], i);
     return chart.finish();
-}
-
-Command size_effect_plot() {
-    struct Options : PlotOptions {
-        EnvelopeOptions strength;
-    };
-    return make_plot<Options>(
-        "size-effect", "strength against mean edge with the power law",
-        {"brazilian-coarse.h5 brazilian.h5 -o size.png", "brazilian-coarse.h5 brazilian.h5 --strength largest -o size.svg"},
-        several_runs,
-        [](OptionSet set, Options& options) {
-            add_chart(set, options);
-            add_envelope_options(set, options.strength);
-        },
-        [](const Options& options, const Call& call) {
-            const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
-            const std::vector<SizeSeries> series = collect_sizes(runs, options.strength);
-            for (const SizeSeries& s : series) print_left_out(call.diagnostics(), "size-effect", s.left_out);
-            return draw_size_effect(series, options.style);
-        });
 }
 
 }  // namespace graincrack

@@ -236,23 +236,4 @@ Drawing draw_surface(const ccd::Problem& problem, const PictureStyle& style) {
     return chart.finish();
 }
 
-Command surface_plot() {
-    struct Options : PlotOptions {
-        ccd::SolveOptions problem;
-    };
-    return make_plot<Options>(
-        "surface", "contours of response surfaces with the optimum and its joint region",
-        {"table7.csv --target C_MPa=21 --target phi_deg=53 -o surface.png",
-         "table7.csv --target C_MPa=21 --target phi_deg=53 --model backward -o surface.svg"},
-        ccd::design_table,
-        [](OptionSet set, Options& options) {
-            ccd::add_model(set, options.problem.model);
-            ccd::add_goals(set, options.problem.goals);
-            add_chart(set, options);
-        },
-        [](const Options& options, const Call& call) {
-            return draw_surface(ccd::solve_problem(call.file(), options.problem), options.style);
-        });
-}
-
 }  // namespace graincrack

@@ -5,9 +5,7 @@
 
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/options/command.hpp"
 #include "share/base/table_file.hpp"
-#include "share/options/option_set.hpp"
 
 namespace graincrack {
 
@@ -79,25 +77,6 @@ Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOption
         }
     }
     return chart.finish();
-}
-
-Command table_plot() {
-    struct Options : PlotOptions {
-        TablePlotOptions columns;
-    };
-    return make_plot<Options>(
-        "table", "columns of tables against each other",
-        {"strength.tsv --x mean_edge_mm --y tensile_strength_MPa --points -o table.png",
-         "strength.tsv --x strain_at_peak --y tensile_cracks --y shear_cracks --points -o table.svg"},
-        FileArguments{"tables", "tables", true, true},
-        [](OptionSet set, Options& options) {
-            add_text(set, "--x", options.columns.x, "column along x").required();
-            add_texts(set, "--y", options.columns.y, "NAME", "column along y; may be given again").required();
-            add_flag(set, "--points", options.columns.points, "points instead of lines");
-            add_chart(set, options);
-            add_labels(set, options);
-        },
-        [](const Options& options, const Call& call) { return draw_tables(call.files, options.columns, options.style); });
 }
 
 }  // namespace graincrack

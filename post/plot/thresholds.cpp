@@ -285,25 +285,4 @@ Drawing draw_thresholds(const RunData& run, ThresholdMarks marks, const PictureS
     return stacked({stress_chart(run, s, all, marks, style), volume_chart(s, all, style)});
 }
 
-Command thresholds_plot() {
-    struct Options : PlotOptions {
-        ThresholdMarks marks = ThresholdMarks::usual;
-    };
-    return make_plot<Options>(
-        "thresholds", "crack initiation and damage on axial, lateral and volumetric strain",
-        {"uniaxial.h5 -o thresholds.png", "triaxial.h5 --definitions all -o thresholds.svg"}, one_run,
-        [](OptionSet set, Options& options) {
-            add_chart(set, options);
-            add_choice<ThresholdMarks>(set, "--definitions", options.marks,
-                                       {{"default", ThresholdMarks::usual}, {"all", ThresholdMarks::all}},
-                                       "what has a mark: crack initiation and damage as strain gauges tell them, or by all "
-                                       "definitions of the table moduli");
-        },
-        [](const Options& options, const Call& call) {
-            const RunReader run(call.file());
-            return draw_thresholds(run_data(run), options.marks, options.style,
-                                   options.marks == ThresholdMarks::all ? run.cracks() : std::vector<Crack>{});
-        });
-}
-
 }  // namespace graincrack

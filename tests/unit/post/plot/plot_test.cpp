@@ -206,11 +206,10 @@ TEST_F(Plot, MapsSideBySideHaveOneScaleBarAndTellWhereTheyStand) {
 
 TEST_F(Plot, AllFramesAreNumberedPicturesOfOneSize) {
     const RunReader run(path("run.h5"));
-    MapPlotOptions options;
-    options.map.magnification = 20;
+    const CrackMapOptions options{"all", std::nullopt, 20};
+    const auto write = [&](const std::string& folder) { write_frames(run, options, {}, folder, {}, Verbosity::quiet); };
     EXPECT_NE(draw_cracks(run, {"first", std::nullopt, 20}).height(), draw_cracks(run, {"last", std::nullopt, 20}).height());
-    options.picture = path("frames");
-    write_frames(run, options, Verbosity::quiet);
+    write(path("frames"));
     std::set<std::string> sizes;
     std::size_t pictures = 0;
     for (const auto& each : std::filesystem::directory_iterator(path("frames"))) {
@@ -221,8 +220,7 @@ TEST_F(Plot, AllFramesAreNumberedPicturesOfOneSize) {
     }
     EXPECT_EQ(pictures, run.frame_times().size());
     EXPECT_EQ(sizes.size(), 1U);
-    options.picture = path("frames.mp4");
-    test::expect_one_line<UsageError>([&] { write_frames(run, options, Verbosity::quiet); }, {"frames.mp4", "name of a folder"});
+    test::expect_one_line<UsageError>([&] { write(path("frames.mp4")); }, {"frames.mp4", "name of a folder"});
 }
 
 TEST_F(Plot, StrengthsStandBesideTheLaboratorysAtTheirPressure) {
