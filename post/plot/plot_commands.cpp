@@ -238,9 +238,7 @@ Drawing law_picture(const PlotOptions& options, const Call& call) {
         own.own = header.contact_law;
         return draw_laws(header.contact, fmt::format("{}, {}", header.material, header.contact_law), own, options.style);
     }
-    if (options.material.empty()) {
-        throw UsageError("plot law: neither a run nor a material; give a run file or --material NAME");
-    }
+    if (options.material.empty()) throw UsageError("plot law: neither a run nor a material; give a run file or --material NAME");
     const Material material = read_material_of(call, options.material);
     own.own = material.law.empty() ? name_of(default_law) : material.law;
     return draw_laws(contact_parameters(material, options.plane, options.fracture_energy),
