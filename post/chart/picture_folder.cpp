@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "share/base/error.hpp"
-#include "share/base/progress.hpp"
+#include "share/base/events.hpp"
 #include "share/file/output_file.hpp"
 
 namespace graincrack {
@@ -83,14 +83,17 @@ void write_picture_folder(const std::string& folder, std::size_t count,
     for (std::size_t i = 0; i < count; ++i) {
         throw_if_interrupted();
         const std::vector<unsigned char> bytes = picture(i);
-        const std::string name = fmt::format("{}/{}{:04}{}", part.path, frame_stem, i + 1, frame_ending);
-        write_whole_file(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        const auto file = OutputFile::covered(fmt::format("{}/{}{:04}{}", part.path, frame_stem, i + 1, frame_ending));
+        file->begin();
+        file->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        file->commit();
     }
     throw_if_interrupted();
     require_own(folder, whole);
     fs::remove_all(whole, cause);
     if (!cause) fs::rename(part.path, whole, cause);
     if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", folder, cause.message()));
+    add_output_to_outcome(folder);
 }
 
 }  // namespace graincrack

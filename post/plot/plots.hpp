@@ -16,7 +16,7 @@
 #include "post/fit/size_effect.hpp"
 #include "post/run/crack_label.hpp"
 #include "post/run/load_curve.hpp"
-#include "share/base/progress.hpp"
+#include "share/base/events.hpp"
 #include "share/file/run_file.hpp"
 #include "share/file/specimen.hpp"
 #include "share/rock/material.hpp"

@@ -207,8 +207,11 @@ TEST_F(Plot, MapsSideBySideHaveOneScaleBarAndTellWhereTheyStand) {
 TEST_F(Plot, AllFramesAreNumberedPicturesOfOneSize) {
     const RunReader run(path("run.h5"));
     const CrackMapOptions options{"all", std::nullopt, 20};
-    const auto write = [&](const std::string& folder) { write_frames(run, options, {}, folder, {}, Verbosity::quiet); };
-    EXPECT_NE(draw_cracks(run, {"first", std::nullopt, 20}).height(), draw_cracks(run, {"last", std::nullopt, 20}).height());
+    PictureStyle style;
+    const auto height = [&](const char* frame) { return draw_cracks(run, {frame, std::nullopt, 20}, style).height(); };
+    while (style.page_width > 400 && height("first") == height("last")) style.page_width -= 20;  // a heading of another line
+    ASSERT_NE(height("first"), height("last"));
+    const auto write = [&](const std::string& folder) { write_frames(run, options, style, folder, {}, Verbosity::quiet); };
     write(path("frames"));
     std::set<std::string> sizes;
     std::size_t pictures = 0;
