@@ -6,7 +6,6 @@
 #include "post/fit/envelope.hpp"
 #include "post/fit/size_effect.hpp"
 #include "post/measure/moduli.hpp"
-#include "post/measure/rate_limit.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
@@ -24,7 +23,6 @@ namespace {
 struct StrengthOptions : ColumnOptions {
     StrengthKind kind = StrengthKind::first_peak;
     bool summary = false;
-    bool extrapolate = false;
 };
 
 void add_strength_options(OptionSet set, StrengthOptions& options) {
@@ -34,10 +32,7 @@ void add_strength_options(OptionSet set, StrengthOptions& options) {
         {{name_of(StrengthKind::first_peak), StrengthKind::first_peak}, {name_of(StrengthKind::largest), StrengthKind::largest}},
         "strength of a compression test in the table for the terminal and in --summary: the first peak, as "
         "laboratories report it, or the largest stress; other tables have both");
-    add_flag(set, "--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS")
-        .excludes(add_flag(set, "--extrapolate", options.extrapolate,
-                           "extrapolate to slow loading from the same tests at two rates (--rate-tolerance or "
-                           "--rate-share), with the error; changes above 5 % are refused"));
+    add_flag(set, "--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS");
 }
 
 }  // namespace
@@ -45,11 +40,9 @@ void add_strength_options(OptionSet set, StrengthOptions& options) {
 Command strength_command() {
     return make_command<StrengthOptions>(
         "strength", "strength, strain and cracks at the peak and quality checks, one row per run",
-        {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary",
-         "default.h5 half-as-fast.h5 --extrapolate"},
-        several_runs, add_strength_options, [](const StrengthOptions& options, const Call& call) {
+        {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary"}, several_runs, add_strength_options,
+        [](const StrengthOptions& options, const Call& call) {
             const TableFormat format = format_for(options.format, call.out);
-            if (options.extrapolate) return write_rate_limits(call.out, call.files, format);
             if (options.summary) {
                 write_strength_summary(call.out, call.files, format, call.diagnostics(), options.kind);
             } else {
