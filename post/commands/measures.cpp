@@ -116,7 +116,7 @@ Command properties_command() {
             const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
             std::vector<std::string> left_out;
             for (const RunData& run : runs) {
-                if (measure_strength(run).reported(options.envelope.strength)) continue;
+                if (options.envelope.strength == StrengthKind::largest || measure_strength(run).strength) continue;
                 left_out.push_back(run.name + ": " + did_not_fail);
             }
             std::vector<PropertyRow> properties = measure_properties(runs, material.material, options.envelope);

@@ -282,8 +282,7 @@ std::optional<double> strength_for_fit(const RunData& run, const Strength& stren
     if (kind == StrengthKind::largest && stopped_at_strain_limit(run, strength, options.strain_limit_runs, what)) {
         ++at_strain_limit;
     }
-    const bool is_residual = kind == StrengthKind::residual && is_compression(run.header);
-    const auto stress = is_residual ? strength.value(kind) : strength.reported(kind);
+    const auto stress = strength.reported(kind);
     if (!stress) left_out.push_back(reason_left_out(run, strength));
     return stress;
 }

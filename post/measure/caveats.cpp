@@ -16,12 +16,12 @@ namespace {
 void object_to_end(std::vector<Caveat>& found, const RunData& run) {
     if (run.header.loading() == Loading::program) return;  // its stages need no peak
     const Strength strength = measure_strength(run);
-    if (strength.has_peak()) return;
-    const std::string& kind = strength.peak_kind;
-    const std::string when = kind == "cap" ? "by the strain limit" : "before it was stopped (" + run.header.stop_reason + ")";
-    found.push_back(
-        {"did_not_fail", did_not_fail,
-         fmt::format("{} {}: its largest stress, {:.4g} MPa, is no strength", did_not_fail, when, strength.value() * 1e-6)});
+    if (strength.strength) return;
+    const std::string when =
+        strength.peak_kind == "cap" ? "by the strain limit" : "before it was stopped (" + run.header.stop_reason + ")";
+    found.push_back({"did_not_fail", did_not_fail,
+                     fmt::format("{} {}: its largest stress, {:.4g} MPa, is no strength", did_not_fail, when,
+                                 strength.largest.stress * 1e-6)});
 }
 
 void object_to_damping(std::vector<Caveat>& found, const RunHeader& header) {

@@ -33,31 +33,20 @@ std::optional<double> rehardening_of(const MeanOverStrain& curve, double peak_st
     return line ? std::optional(line->slope) : std::nullopt;
 }
 
-FirstPeak with_residual(const Peak& at, const CurveColumns& curve, double confining_pressure) {
-    FirstPeak peak;
-    peak.row = at.row;
-    peak.strain = curve.strain[at.row];
-    peak.stress = at.stress;
-    const MeanOverStrain mean(curve.strain, curve.stress);
-    peak.residual = residual_of(mean, peak.strain);
-    if (peak.residual) peak.drop = (peak.stress - *peak.residual) / (peak.stress - confining_pressure);
-    peak.rehardening = rehardening_of(mean, peak.strain);
-    return peak;
-}
-
 }  // namespace
 
-std::optional<FirstPeak> measure_first_peak(std::span<const double> axial_strain, std::span<const double> axial_stress,
-                                            std::span<const double> failed, double confining_pressure) {
-    const CurveColumns curve{axial_strain, axial_stress, failed};
-    const std::optional<Peak> peak = find_first_peak(curve, confining_pressure);
-    return peak ? std::optional(with_residual(*peak, curve, confining_pressure)) : std::nullopt;
+FirstPeak with_residual(const Peak& peak, const CurveColumns& curve, double confining_pressure) {
+    FirstPeak first{peak, {}, {}, {}};
+    const MeanOverStrain mean(curve.strain, curve.stress);
+    first.residual = residual_of(mean, peak.strain);
+    if (first.residual) first.drop = (peak.stress - *first.residual) / (peak.stress - confining_pressure);
+    first.rehardening = rehardening_of(mean, peak.strain);
+    return first;
 }
 
 std::optional<FirstPeak> measure_first_peak(const RunData& run, const LoadCurve& curve) {
-    if (!is_compression(run.header)) return std::nullopt;
-    const std::optional<Peak> peak = find_strength(run.header, curve.loaded());
-    return peak ? std::optional(with_residual(*peak, curve.loaded(), run.header.confining_pressure)) : std::nullopt;
+    if (!is_compression(run.header) || !curve.strength) return std::nullopt;
+    return with_residual(*curve.strength, curve.loaded(), run.header.confining_pressure);
 }
 
 }  // namespace graincrack

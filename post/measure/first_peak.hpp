@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "post/run/load_curve.hpp"
 #include "share/file/peak.hpp"
@@ -15,10 +14,7 @@ inline constexpr double rehardening_strains[2] = {0.005, 0.01};
 inline constexpr double least_rehardening_strain = 0.001;
 
 /// Stresses are σ1, confinement included, so that they compare with the largest axial stress; Pa.
-struct FirstPeak {
-    std::size_t row = 0;  ///< of the columns
-    double strain = 0;    ///< platen approach over height
-    double stress = 0;    ///< of the smoothed curve
+struct FirstPeak : Peak {
     /// Mean over `residual_strains` beyond the first peak; empty if the test ends before.
     std::optional<double> residual;
     /// Fall from the first peak to the residual strength, as a share of σ1 − σ3 at the first peak; empty without a residual
@@ -34,15 +30,10 @@ struct FirstPeak {
     }
 };
 
-/// The first maximum of the smoothed curve, since contacts have failed, that the stress falls behind. Falls before any contact
-/// has failed are waves or play of the control.
-///
-/// \param failed number of failed contacts \param confining_pressure σ3, Pa; the columns are equally long
-/// \return empty if the stress never falls enough behind a maximum
-std::optional<FirstPeak> measure_first_peak(std::span<const double> axial_strain, std::span<const double> axial_stress,
-                                            std::span<const double> failed, double confining_pressure);
+/// What a curve has behind its first peak.
+FirstPeak with_residual(const Peak& peak, const CurveColumns& curve, double confining_pressure);
 
-/// The same of a uniaxial or triaxial test, by `find_strength`; empty for other tests.
+/// That of a uniaxial or triaxial test that failed; empty for others.
 std::optional<FirstPeak> measure_first_peak(const RunData& run, const LoadCurve& curve);
 
 }  // namespace graincrack

@@ -18,7 +18,7 @@ std::optional<double> threshold_of(const MeasuredRun& run) {
 
 template <StrengthKind kind>
 std::optional<double> strength_of_kind(const MeasuredRun& run) {
-    return run.strength.value(kind);
+    return run.strength.reported(kind);
 }
 
 std::optional<double> drop_of(const MeasuredRun& run) {
@@ -80,7 +80,7 @@ const std::vector<Property>& all_properties() {
          0.2, false, behind_first_peak, false, false, "tensile_cracks_by_sign", 1, "shear_cracks_by_sign", tensile_fraction_of},
         {"strain_at_peak", "strain at the peak", "strain at the peak", "strain_at_peak", L::compression, either, part, "%", 0.01,
          0.1, false, behind_first_peak, false, false, "strain_at_peak", 1, "",
-         [](const Run& run) { return run.strength.has_peak() ? std::optional(run.strength.strain_at_peak) : std::nullopt; }},
+         [](const Run& run) { return run.strength.strength ? std::optional(run.strength.peak.strain) : std::nullopt; }},
     };
     // clang-format on
     return rows;

@@ -28,12 +28,22 @@ struct StrengthRow {
     std::optional<BrazilianSplit> split;  ///< of a Brazilian test
     double loading_arc = 0;               ///< of its disc, rad
     std::optional<double> ring_strength;  ///< of a ring: the stress at its hole, Pa
-    OtherCounts cracks;                   ///< at the peak
+    OtherCounts cracks;                   ///< at the strength
     [[nodiscard]] const RunHeader& header() const { return run.header; }
     [[nodiscard]] const ContactParameters& contact() const { return run.header.contact; }
     /// A value that a checkpoint does not have yet.
     [[nodiscard]] Cell at_end(double value) const { return header().stop_reason == "checkpoint" ? Cell() : Cell(value); }
-    [[nodiscard]] bool is_of_first_peak() const { return kind != StrengthKind::largest && strength.has_earlier_peak(); }
+    [[nodiscard]] const CurveRow& shown() const { return strength.at(kind); }
+    /// True if the stress exceeds it later.
+    [[nodiscard]] bool is_exceeded() const { return shown().row < strength.largest.row; }
+    [[nodiscard]] bool is_pulled() const {
+        return header().loading() == Loading::splitting || header().loading() == Loading::tension;
+    }
+    [[nodiscard]] Cell flexural_strength() const { return distinct_shape(run) == "beam" ? Cell(strength.strength) : Cell(); }
+    [[nodiscard]] Cell largest_compression() const {
+        const Loading loading = header().loading();
+        return loading == Loading::compression || loading == Loading::program ? Cell(strength.largest.stress) : Cell();
+    }
     [[nodiscard]] double grain_steps() const {
         return static_cast<double>(header().integrations) * static_cast<double>(run.specimen.grains);
     }
@@ -49,10 +59,10 @@ struct StrengthRow {
 StrengthRow read_strength_row(const std::string& path, StrengthKind kind) {
     const RunReader reader(path);
     StrengthRow row{run_data(reader), {}, kind, std::nullopt, 0, std::nullopt, {}};
-    row.strength = measure_strength(row.run);
     const LoadCurve curve = load_curve(row.run);
+    row.strength = measure_strength(row.run, curve);
     if (row.header().loading() == Loading::splitting && row.run.specimen.shape == "ring") {
-        row.ring_strength = ring_stress(row.strength.value(), hole_ratio(reader.specimen(), reader.name()));
+        row.ring_strength = ring_stress(row.strength.peak.stress, hole_ratio(reader.specimen(), reader.name()));
     } else if (splits(row.run)) {
         const Specimen specimen = reader.specimen();
         row.split = measure_split(row.run, curve, specimen, read_cracks(reader, specimen));
@@ -73,13 +83,13 @@ const Columns<StrengthRow>& strength_columns() {
             {"grains", none, [](const R& r) { return r.run.specimen.grains; }},
             {"mean_edge", millimetre, [](const R& r) { return r.run.specimen.mean_edge; }},
             {"confining_pressure", megapascal, [](const R& r) { return r.header().confining_pressure; }},
-            {"peak_compressive_stress", megapascal, [](const R& r) { return r.strength.peak_compressive_stress; }},
-            {"tensile_strength", megapascal, [](const R& r) { return r.strength.tensile_strength; }},
-            {"strain_at_peak", none, [](const R& r) { return r.strength.strain_at_peak; }},
+            {"peak_compressive_stress", megapascal, &R::largest_compression},
+            {"tensile_strength", megapascal, [](const R& r) { return r.is_pulled() ? Cell(r.strength.strength) : Cell(); }},
+            {"strain_at_peak", none, [](const R& r) { return r.strength.peak.strain; }},
             {"peak_kind", none, [](const R& r) { return r.strength.peak_kind; }},
             {"first_yield", megapascal, [](const R& r) { return r.strength.first_yield; }},
-            {"tensile_cracks", none, [](const R& r) { return count_cell(r.strength.tensile_cracks); }},
-            {"shear_cracks", none, [](const R& r) { return count_cell(r.strength.shear_cracks); }},
+            {"tensile_cracks", none, [](const R& r) { return count_cell(r.strength.peak.tensile_cracks); }},
+            {"shear_cracks", none, [](const R& r) { return count_cell(r.strength.peak.shear_cracks); }},
             {"energy_balance_error", none, [](const R& r) { return r.at_end(r.header().energy_balance_error); }},
             {"platen_force_difference", none, [](const R& r) { return r.at_end(r.header().platen_force_difference); }},
             {"steps", none, [](const R& r) { return r.header().steps; }},
@@ -101,7 +111,7 @@ const Columns<StrengthRow>& strength_columns() {
             {"contact_cohesion", megapascal, [](const R& r) { return r.contact().cohesion; }, further},
             {"contact_friction_angle", degree, [](const R& r) { return r.contact().friction_angle; }, further},
             {"damping_load", none, [](const R& r) { return r.at_end(r.header().damping_load); }, further},
-            {"first_peak", megapascal, [](const R& r) { return r.strength.value(StrengthKind::first_peak); }},
+            {"first_peak", megapascal, [](const R& r) { return r.strength.first_peak ? Cell(r.strength.strength) : Cell(); }},
             {"residual", megapascal, [](const R& r) { return r.of_peak(&FirstPeak::residual); }},
             {"drop", percent, [](const R& r) { return r.of_peak(&FirstPeak::drop); }},
             {"rehardening", gigapascal, [](const R& r) { return r.of_peak(&FirstPeak::rehardening); }, further},
@@ -113,8 +123,8 @@ const Columns<StrengthRow>& strength_columns() {
             {"rate_tolerance", none, [](const R& r) { return r.header().rate_tolerance; }, further}};
         append_other_counts<R>(list, [](const R& r) -> const OtherCounts& { return r.cracks; });
         list.push_back({"plane", none, [](const R& r) { return name_of(r.header().plane); }, further});
-        list.push_back({"peak_load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
-        list.push_back({"flexural_strength", megapascal, [](const R& r) { return r.strength.flexural_strength; }});
+        list.push_back({"peak_load", kilonewton_per_metre, [](const R& r) { return r.strength.peak.load; }});
+        list.push_back({"flexural_strength", megapascal, &R::flexural_strength});
         list.push_back({"ring_strength", megapascal, [](const R& r) { return r.ring_strength; }, further});
         list.push_back(
             {"span", millimetre, [](const R& r) { return r.header().span > 0 ? Cell(r.header().span) : Cell(); }, further});
@@ -125,11 +135,7 @@ const Columns<StrengthRow>& strength_columns() {
 
 std::string ending(const StrengthRow& r) {
     if (r.strength.has_peak(r.kind)) return "peak";
-    return r.strength.peak_kind == "cap" ? "strain limit" : "stopped";
-}
-
-double strain_at_strength(const StrengthRow& r) {
-    return r.is_of_first_peak() ? r.strength.first_peak->strain : r.strength.strain_at_peak;
+    return r.header().stop_reason == "strain limit" ? "strain limit" : "stopped";
 }
 
 Cell strength_cell(const StrengthRow& r) {
@@ -146,10 +152,10 @@ const Columns<StrengthRow>& strength_terminal_columns() {
                                 {"crystals", none, [](const R& r) { return r.run.specimen.crystals; }},
                                 {"diameter", millimetre, [](const R& r) { return r.run.specimen.grain_diameter; }},
                                 {"strength", megapascal, strength_cell},
-                                {"at strain", percent, strain_at_strength},
+                                {"at strain", percent, [](const R& r) { return r.shown().strain; }},
                                 {"ended by", none, ending},
-                                {"tensile", cracks, [](const R& r) { return whole_contacts(r.strength.tensile_cracks); }},
-                                {"shear", cracks, [](const R& r) { return whole_contacts(r.strength.shear_cracks); }}};
+                                {"tensile", cracks, [](const R& r) { return whole_contacts(r.shown().tensile_cracks); }},
+                                {"shear", cracks, [](const R& r) { return whole_contacts(r.shown().shear_cracks); }}};
     return all;
 }
 
@@ -159,13 +165,13 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
     using namespace unit;
     Columns<R> columns = strength_terminal_columns();
     const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
-    if (any([](const R& r) { return r.is_of_first_peak(); })) {
+    if (any([](const R& r) { return r.is_exceeded(); })) {
         columns.push_back(
-            {"largest", megapascal, [](const R& r) { return r.is_of_first_peak() ? Cell(r.strength.value()) : Cell(" "); }});
+            {"largest", megapascal, [](const R& r) { return r.is_exceeded() ? Cell(r.strength.largest.stress) : Cell(" "); }});
     }
     if (any([](const R& r) { return r.header().loading() == Loading::bending; })) {
-        columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak_load; }});
-        columns.push_back({"flexural strength", megapascal, [](const R& r) { return r.strength.flexural_strength; }});
+        columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak.load; }});
+        columns.push_back({"flexural strength", megapascal, &R::flexural_strength});
     }
     if (any([](const R& r) { return r.ring_strength.has_value(); })) {
         columns.push_back({"at the hole", megapascal, [](const R& r) { return r.ring_strength; }});
@@ -209,42 +215,44 @@ std::string name_of(StrengthKind kind) { return name_in({"largest", "first-peak"
 
 std::string label_of(StrengthKind kind) { return name_in({"largest stress", "first peak", "residual strength"}, kind); }
 
-std::optional<double> Strength::value(StrengthKind kind) const {
-    if (kind == StrengthKind::largest) return value();
-    if (!first_peak) return std::nullopt;
-    return kind == StrengthKind::first_peak ? std::optional(first_peak->stress) : first_peak->residual_strength();
+std::optional<double> Strength::reported(StrengthKind kind) const {
+    if (kind == StrengthKind::largest) return largest.stress;
+    return kind == StrengthKind::residual && first_peak ? first_peak->residual_strength() : strength;
 }
 
-Strength measure_strength(const RunData& run) {
-    const LoadCurve curve = load_curve(run);
+namespace {
+
+CurveRow curve_row(const RunData& run, const LoadCurve& curve, std::size_t row) {
+    const History& history = run.history;
+    const double force = (history[HistoryColumn::force_top][row] + history[HistoryColumn::force_bottom][row]) / 2;
+    return {row,
+            curve.stress[row],
+            run.header.loading() == Loading::tension ? force : -force,
+            curve.axial_strain[row],
+            history[HistoryColumn::tensile_cracks][row],
+            history[HistoryColumn::shear_cracks][row]};
+}
+
+}  // namespace
+
+Strength measure_strength(const RunData& run, const LoadCurve& curve) {
     Strength strength;
-    strength.peak_stress = curve.peak_stress();
-    strength.peak_load = load_at(run, curve.peak);
+    if (curve.strength) strength.strength = curve.strength->stress;
+    strength.peak = curve_row(run, curve, curve.peak);
+    strength.largest = curve_row(run, curve, curve.largest);
+    strength.largest_is_peak = has_fallen(run.header, curve.loaded());
     strength.peak_kind = peak_kind(run, curve);
-    if (is_compression(run.header) || run.header.loading() == Loading::program) {
-        strength.peak_compressive_stress = strength.peak_stress;
-    } else if (strength.peak_kind != "drop") {
-        // It did not fail.
-    } else if (run.header.loading() != Loading::bending) {
-        strength.tensile_strength = strength.peak_stress;
-    } else if (distinct_shape(run) == "beam") {
-        strength.flexural_strength = strength.peak_stress;
-    }
-    strength.strain_at_peak = curve.axial_strain[curve.peak];
     strength.first_yield = first_yield(curve);
     strength.first_peak = measure_first_peak(run, curve);
-    strength.row = strength.first_peak ? curve.start + strength.first_peak->row : curve.peak;
     std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),
                    [&](double strain) { return stress_at_strain(curve, strain); });
-    strength.tensile_cracks = run.history[HistoryColumn::tensile_cracks][curve.peak];
-    strength.shear_cracks = run.history[HistoryColumn::shear_cracks][curve.peak];
     return strength;
 }
 
 bool stopped_at_strain_limit(const RunData& run, const Strength& strength, StrainLimitRuns strain_limit_runs,
                              const std::string& what) {
-    if (strength.peak_kind == "drop") return false;
-    if (strength.peak_kind != "cap") {
+    if (strength.largest_is_peak) return false;
+    if (run.header.stop_reason != "strain limit") {
         throw InputError(run.name + ": was stopped (" + run.header.stop_reason + ") before a peak; " + what +
                          " needs runs that fell behind their peak");
     }

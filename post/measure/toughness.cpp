@@ -95,7 +95,7 @@ Toughness of_plate(const RunData& run, const Specimen& specimen, const Strength&
     toughness.crack_length = toughness.notch_length / 2;
     toughness.size = specimen.width;
     toughness.ligament = (specimen.width - toughness.notch_length) / 2;
-    toughness.mode_i_toughness = centre_crack_intensity(strength.value(), toughness.notch_length, specimen.width);
+    toughness.mode_i_toughness = centre_crack_intensity(strength.peak.stress, toughness.notch_length, specimen.width);
     return toughness;
 }
 
@@ -118,7 +118,7 @@ Toughness of_bending(const RunData& run, const Specimen& specimen, const Strengt
     }
     const double span = run.header.span;
     if (is_beam) {
-        toughness.mode_i_toughness = notched_beam_intensity(strength.peak_load, toughness.notch_length, span, specimen.height);
+        toughness.mode_i_toughness = notched_beam_intensity(strength.peak.load, toughness.notch_length, span, specimen.height);
         if (span < least_span_of_beam * specimen.height) {
             toughness.outside = fmt::format("the span is {:.2g} heights; the formula is for {:g} at least",
                                             span / specimen.height, least_span_of_beam);
@@ -126,7 +126,7 @@ Toughness of_bending(const RunData& run, const Specimen& specimen, const Strengt
         return toughness;
     }
     const double radius = specimen.width / 2;
-    toughness.mode_i_toughness = half_disc_intensity(strength.peak_load, toughness.notch_length, span, radius);
+    toughness.mode_i_toughness = half_disc_intensity(strength.peak.load, toughness.notch_length, span, radius);
     const double share = span / (2 * radius);
     const double notch_share = toughness.notch_length / radius;
     const auto is_within = [](double value, double low, double high) { return value > low - 0.01 && value < high + 0.01; };
@@ -208,8 +208,8 @@ Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
     const Strength strength = measure_strength(run);
     Toughness toughness = (is_bent ? of_bending : of_plate)(run, specimen, strength);
     stopped_at_strain_limit(run, strength, StrainLimitRuns::refuse, "a toughness");
-    toughness.peak_load = strength.peak_load;
-    toughness.strength = strength.value();
+    toughness.peak_load = strength.peak.load;
+    toughness.strength = strength.peak.stress;
     toughness.predicted =
         std::sqrt(predict_moduli(run.header, specimen).plane_young_modulus * total_fracture_energy(run.header.contact));
     const double tc = run.header.contact.tensile_strength;

@@ -167,7 +167,7 @@ Drawing draw_energy(const RunData& run, Abscissa abscissa, const PictureStyle& s
     if (const auto curve = load_curve_if_any(run)) {
         const Stroke at_peak{palette::rim, 2, Dash::dashed};
         chart.line(std::vector<double>(2, course.values[curve->peak]), std::vector<double>{low, high}, at_peak);
-        chart.legend(at_peak, peak_label(run));
+        chart.legend(at_peak, curve->peak_name());
     }
     std::string left_out;
     for (const Term& term : terms()) {

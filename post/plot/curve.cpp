@@ -27,13 +27,9 @@ struct Run {
     LoadCurve curve;
     std::vector<double> lateral;  ///< widening negative in compression, narrowing negative in tension
     std::optional<FirstPeak> first_peak;
-    bool failed = false;  ///< it has a strength
-    /// True if the first peak is another one than the largest stress.
-    [[nodiscard]] bool has_earlier_peak() const {
-        return first_peak && first_peak->strain < curve.axial_strain[curve.peak] - smoothing_strain;
-    }
     /// True if the largest stress is not the strength.
-    [[nodiscard]] bool marks_largest() const { return !failed || has_earlier_peak(); }
+    [[nodiscard]] bool marks_largest() const { return !curve.strength || curve.exceeds_strength(); }
+    [[nodiscard]] const char* peak_name() const { return first_peak ? "first peak" : "peak"; }
     [[nodiscard]] bool has_residual() const { return first_peak && first_peak->residual_strength(); }
 };
 
@@ -52,7 +48,6 @@ std::vector<Run> prepare(const std::vector<RunData>& data) {
         }
         Run prepared{&run, load_curve(run), {}, {}};
         prepared.first_peak = measure_first_peak(run, prepared.curve);
-        prepared.failed = peak_kind(run, prepared.curve) == "drop" || prepared.first_peak;
         prepared.lateral = prepared.curve.lateral_strain;
         if (run.header.loading() != Loading::tension) {
             for (double& strain : prepared.lateral) strain = -strain;
@@ -80,14 +75,13 @@ double max_cracks(const RunData& run) {
 
 /// The strength as a laboratory reports it, and a largest stress that is another one.
 std::string strength_label(const Run& run) {
-    const auto label = [](const std::string& name, double stress, double strain) {
-        return fmt::format("{} {:.4g} MPa at {:.3g} % strain", name, 1e-6 * stress, 100 * strain);
+    const LoadCurve& curve = run.curve;
+    const auto label = [&](const std::string& name, double stress, std::size_t row) {
+        return fmt::format("{} {:.4g} MPa at {:.3g} % strain", name, 1e-6 * stress, 100 * curve.axial_strain[row]);
     };
-    const double largest_strain = run.curve.axial_strain[run.curve.peak];
-    const std::string largest = label("largest stress", run.curve.peak_stress(), largest_strain);
-    if (!run.failed) return std::string(did_not_fail) + ": " + largest;
-    if (!run.first_peak) return label("peak", run.curve.peak_stress(), largest_strain);
-    return label("first peak", run.first_peak->stress, run.first_peak->strain) + (run.has_earlier_peak() ? "; " + largest : "");
+    const std::string largest = label("largest stress", curve.stress[curve.largest], curve.largest);
+    if (!curve.strength) return std::string(did_not_fail) + ": " + largest;
+    return label(run.peak_name(), curve.strength->stress, curve.peak) + (curve.exceeds_strength() ? "; " + largest : "");
 }
 
 /// \param title of several runs
@@ -139,10 +133,9 @@ void draw_strength(Chart& chart, const Run& run, const Colour& colour) {
     const auto mark = [&](double strain, double stress, const Marker& marker) {
         chart.points(std::vector<double>{100 * strain}, std::vector<double>{1e-6 * stress}, marker);
     };
-    const double strain = run.curve.axial_strain[run.curve.peak];
-    if (run.marks_largest()) mark(strain, run.curve.peak_stress(), largest_marker);
-    if (run.failed && !run.first_peak) mark(strain, run.curve.peak_stress(), Marker{colour});
-    if (run.first_peak) mark(run.first_peak->strain, run.first_peak->stress, Marker{colour});
+    const LoadCurve& curve = run.curve;
+    if (run.marks_largest()) mark(curve.axial_strain[curve.largest], curve.stress[curve.largest], largest_marker);
+    if (curve.strength) mark(curve.axial_strain[curve.peak], curve.strength->stress, Marker{colour});
     if (run.has_residual()) {
         const auto percent = [&](double beyond) { return 100 * (run.first_peak->strain + beyond); };
         chart.line(std::vector<double>{percent(residual_strains[0]), percent(residual_strains[1])},
@@ -180,9 +173,9 @@ void mark_cut_branches(Chart& chart, const std::vector<Run>& runs, const Extent&
 }
 
 std::string legend_label(const Run& run, const std::string& name) {
-    if (run.first_peak) return fmt::format("{}: first peak {:.4g} MPa", name, 1e-6 * run.first_peak->stress);
-    const std::string largest = run.failed ? "peak" : std::string(did_not_fail) + ", largest stress";
-    return fmt::format("{}: {} {:.4g} MPa", name, largest, 1e-6 * run.curve.peak_stress());
+    const auto& strength = run.curve.strength;
+    const std::string peak = strength ? run.peak_name() : std::string(did_not_fail) + ", largest stress";
+    return fmt::format("{}: {} {:.4g} MPa", name, peak, 1e-6 * (strength ? strength->stress : run.curve.peak_stress()));
 }
 
 std::vector<double> strains(const TableFile& table, const std::string& name) {

@@ -40,7 +40,7 @@ struct Standing {
     double share = 0;         ///< of the peak
     bool before = false;      ///< the peak
     double axial_strain = 0;  ///< elongation positive
-    std::string peak;         ///< what the largest stress is called
+    std::string peak;         ///< what the stress at the peak is called
     /// \param of what stands behind the share
     [[nodiscard]] std::string share_label(const std::string& of = "") const {
         if (share > 0.9995) return peak;
@@ -56,7 +56,7 @@ Standing standing(const RunData& run, const LoadCurve& curve, double time) {
             curve.stress[row] / curve.peak_stress(),
             row < curve.peak,
             run.history[HistoryColumn::axial_strain][row],
-            peak_label(run)};
+            curve.peak_name()};
 }
 
 /// \param stress what the stress is called

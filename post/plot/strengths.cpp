@@ -57,7 +57,7 @@ std::vector<double> all_values(const std::vector<RunData>& runs, const std::vect
     std::vector<double> values;
     for (const RunData& run : runs) {
         const Strength strength = measure_strength(run);
-        values.push_back(strength.reported().value_or(strength.value()) * in_megapascals);
+        values.push_back(strength.strength.value_or(strength.largest.stress) * in_megapascals);
     }
     for (const StrengthGroup& row : rows) {
         if (const auto value = laboratory_of(row, material)) values.push_back(*value);
@@ -84,8 +84,8 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const StrengthGrou
     for (std::size_t i = 0; i < row.runs.size(); ++i) {
         const Strength strength = measure_strength(runs[row.runs[i]]);
         const double at = x + 1.5 * half_width * ((static_cast<double>(i) + 0.5) / n - 0.5);
-        const double stress = strength.reported().value_or(strength.value());
-        chart.points(std::vector<double>{at}, std::vector<double>{stress * in_megapascals}, strength.reported() ? peak : no_peak);
+        const double stress = strength.strength.value_or(strength.largest.stress);
+        chart.points(std::vector<double>{at}, std::vector<double>{stress * in_megapascals}, strength.strength ? peak : no_peak);
     }
 }
 

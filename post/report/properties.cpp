@@ -115,7 +115,7 @@ Estimate slope_of(const Estimate& angle) {
 bool have_two_pressures(const std::vector<RunData>& runs, StrengthKind kind) {
     std::set<double> pressures;
     for (const RunData& run : runs) {
-        if (is_compression(run.header) && measure_strength(run).value(kind)) pressures.insert(run.header.confining_pressure);
+        if (is_compression(run.header) && measure_strength(run).reported(kind)) pressures.insert(run.header.confining_pressure);
     }
     return pressures.size() > 1;
 }

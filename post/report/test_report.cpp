@@ -57,7 +57,7 @@ TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label)
     TestReport report;
     report.data = run_data(run);
     report.curve = load_curve(report.data);
-    report.strength = measure_strength(report.data);
+    report.strength = measure_strength(report.data, report.curve);
     report.moduli = measure_moduli(report.data);
     const Specimen specimen = run.specimen();
     const std::vector<Crack> log = read_cracks(run, specimen);
@@ -72,7 +72,7 @@ TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label)
     if (splits(report.data)) split = measure_split(report.data, report.curve, specimen, log);
     report.caveats = caveats_of(report.data, split);
     const auto& times = report.data.history[HistoryColumn::time];
-    report.at_peak = balance_cracks(cracks, times[report.strength.row]);
+    report.at_peak = balance_cracks(cracks, times[report.curve.peak]);
     report.by_sign_at_peak = count_other_labels(log, header.crack_event, times[report.curve.peak]).front();
     report.crack_definition = definition_of(label.of(header));
     report.at_end = balance_cracks(cracks, times.back());

@@ -97,7 +97,13 @@ RunData run_data(const RunReader& run, const CrackLabelChoice& label) {
                  run.wall_time(),
                  file.attribute_or<std::string>(schema::provenance_group, "input_digest", ""),
                  file.attribute_or<std::string>(schema::program_group, "text", "")};
-    count_in_history(labelled(run.cracks(), label.of(run.header())), data.history);
+    const std::vector<Crack> log = run.cracks();
+    const CrackLabel shown = label.of(run.header());
+    if (shown.event != run.header().crack_event) {
+        count_in_history(labelled(log, {run.header().crack_event, shown.mode}), data.history);
+        data.failed = failed_contacts(data.history);
+    }
+    count_in_history(labelled(log, shown), data.history);
     return data;
 }
 
@@ -123,7 +129,7 @@ LoadCurve load_curve(const RunData& run) {
     curve.gauge_lateral_strain = history[gauge_lateral_strain];
     curve.stress = run.header.loading() == Loading::splitting ? brazilian_stress(history, run.specimen.width)
                                                               : scaled(history[axial_stress], sense * bending_factor(run));
-    curve.failed = failed_contacts(history);
+    curve.failed = run.failed.empty() ? failed_contacts(history) : run.failed;
 
     require_numbers(curve, run.name);
 
@@ -134,12 +140,15 @@ LoadCurve load_curve(const RunData& run) {
         throw InputError(run.name + ": the history ends before axial loading begins; run the test further");
     }
     const auto from = curve.stress.begin() + static_cast<std::ptrdiff_t>(curve.start);
-    const auto peak = std::max_element(from, curve.stress.end());
-    curve.peak = static_cast<std::size_t>(peak - curve.stress.begin());
-    if (!(curve.peak_stress() > 0) || !(curve.peak_stress() > curve.start_stress())) {
+    curve.largest = static_cast<std::size_t>(std::max_element(from, curve.stress.end()) - curve.stress.begin());
+    const double largest = curve.stress[curve.largest];
+    if (!(largest > 0) || !(largest > curve.start_stress())) {
         throw InputError(run.name + ": the stress never rises in the sense of a " + run.header.test +
                          " test; expected a history of a specimen that was loaded");
     }
+    curve.strength = find_strength(run.header, curve.loaded());
+    if (curve.strength) curve.strength->row += curve.start;
+    curve.peak = curve.strength ? curve.strength->row : curve.largest;
     return curve;
 }
 
@@ -255,11 +264,6 @@ std::string stress_name(const RunData& run) {
     return "axial stress";
 }
 
-double load_at(const RunData& run, std::size_t row) {
-    const double mean = (run.history[force_top][row] + run.history[force_bottom][row]) / 2;
-    return run.header.loading() == Loading::tension ? mean : -mean;
-}
-
 bool is_compression(const RunSettings& header) { return header.loading() == Loading::compression; }
 
 double decisive_drop(const RunSettings& header) {
@@ -269,7 +273,7 @@ double decisive_drop(const RunSettings& header) {
 }
 
 std::string peak_kind(const RunData& run, const LoadCurve& curve) {
-    if (has_fallen(run.header, curve.loaded())) return "drop";
+    if (curve.strength) return "drop";
     return run.header.stop_reason == "strain limit" ? "cap" : "";
 }
 

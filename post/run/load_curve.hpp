@@ -48,6 +48,8 @@ struct RunData {
     double wall_time = 0;              ///< s
     std::string specimen_digest = {};  ///< of the file of its specimen; "" if unknown
     std::string program = {};          ///< text of a loading program; "" of a standard test
+    /// Contacts that failed by each row, by the event of the run, where `history` counts by another one.
+    std::vector<double> failed = {};
 };
 /// \param path a run file or "-" \throws InputError
 RunData read_run_data(const std::string& path);
@@ -62,12 +64,19 @@ struct LoadCurve {
     std::vector<double> lateral_strain;  ///< elongation positive, in every test
     std::vector<double> gauge_axial_strain;
     std::vector<double> gauge_lateral_strain;
-    std::vector<double> stress;  ///< Pa
-    std::vector<double> failed;  ///< contacts
-    std::size_t start = 0;       ///< row at which axial loading begins: 0, or the end of the isotropic stage
-    std::size_t peak = 0;        ///< row of the largest stress from `start` on
+    std::vector<double> stress;         ///< Pa
+    std::vector<double> failed;         ///< contacts
+    std::size_t start = 0;              ///< row at which axial loading begins: 0, or the end of the isotropic stage
+    std::size_t largest = 0;            ///< row of the largest stress from `start` on
+    std::optional<Peak> strength = {};  ///< by `find_strength`; empty for a test that did not fail
+    /// Row of the strength, or of the largest stress of a test that did not fail. What stands beside a strength is of this row.
+    std::size_t peak = 0;
     [[nodiscard]] double start_stress() const { return stress[start]; }
     [[nodiscard]] double peak_stress() const { return stress[peak]; }
+    /// True if the stress exceeds the strength later.
+    [[nodiscard]] bool exceeds_strength() const { return peak < largest; }
+    /// "peak", or of a test that did not fail "largest stress".
+    [[nodiscard]] const char* peak_name() const { return strength ? "peak" : "largest stress"; }
     /// Its rows from `start` on.
     [[nodiscard]] CurveColumns loaded() const;
 };
@@ -117,8 +126,6 @@ std::optional<double> stress_at_strain(const LoadCurve& curve, double strain);
 /// The name of the stress of a load curve: "axial stress", "2F/(πtD)", "3FS/(2tH²)" of a beam in bending, "F/(tD)" of a
 /// half-disc.
 std::string stress_name(const RunData& run);
-/// Load in a row of the history, N per metre of thickness: the mean of the platen forces, positive in the sense of the test.
-double load_at(const RunData& run, std::size_t row);
 
 /// Uniaxial or triaxial.
 bool is_compression(const RunSettings& header);
@@ -127,8 +134,7 @@ bool is_compression(const RunSettings& header);
 /// 0.3.
 double decisive_drop(const RunSettings& header);
 
-/// "drop" if the largest stress is a peak, see `has_fallen`; "cap" if
-/// the test was stopped at the strain limit before that; "" for a test that was stopped otherwise before that.
+/// "drop" if the test failed; "cap" if it was stopped at the strain limit before that, "" if otherwise.
 std::string peak_kind(const RunData& run, const LoadCurve& curve);
 
 }  // namespace graincrack

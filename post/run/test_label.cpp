@@ -33,6 +33,4 @@ std::string whole_contacts(double contacts) { return fmt::format("{:.0f}", std::
 
 std::string counted(std::size_t n, const std::string& what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-std::string peak_label(const RunData& run) { return peak_kind(run, load_curve(run)) == "drop" ? "peak" : "largest stress"; }
-
 }  // namespace graincrack

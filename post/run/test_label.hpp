@@ -20,9 +20,6 @@ inline std::string series_label(const RunData& run) {
     return series_label(run.header.test, run.header.confining_pressure, distinct_shape(run));
 }
 
-/// "peak", or for a run without one "largest stress".
-std::string peak_label(const RunData& run);
-
 /// Contacts as a whole number: one of whose two points only one has failed counts as one.
 std::string whole_contacts(double contacts);
 

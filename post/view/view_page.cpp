@@ -73,8 +73,8 @@ Json marks_of(const RunData& run, const LoadCurve& curve) {
     Json marks = Json::array();
     const auto mark = [&](const char* symbol, const std::string& name, const std::optional<double>& stress) {
         if (!stress) return;
-        const std::string text =
-            fmt::format("{} {:.1f} MPa, {:.2f} of the {}", name, 1e-6 * *stress, *stress / curve.peak_stress(), peak_label(run));
+        const std::string text = fmt::format("{} {:.1f} MPa, {:.2f} of the {}", name, 1e-6 * *stress,
+                                             *stress / curve.peak_stress(), curve.peak_name());
         marks.push_back({{"symbol", symbol}, {"text", text}, {"y", 1e-6 * *stress}});
     };
     if (is_compression(run.header)) {
@@ -82,8 +82,9 @@ Json marks_of(const RunData& run, const LoadCurve& curve) {
         mark("CI", "crack initiation CI", thresholds.initiation());
         mark("CD", "crack damage CD", thresholds.damage());
     }
-    marks.push_back({{"symbol", peak_label(run)},
-                     {"text", fmt::format("{} {:.1f} MPa", peak_label(run), 1e-6 * curve.peak_stress())},
+    const double strength = curve.strength ? curve.strength->stress : curve.peak_stress();
+    marks.push_back({{"symbol", curve.peak_name()},
+                     {"text", fmt::format("{} {:.1f} MPa", curve.peak_name(), 1e-6 * strength)},
                      {"x", 100 * curve.axial_strain[curve.peak]},
                      {"y", 1e-6 * curve.peak_stress()}});
     return marks;

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "share/file/peak.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -23,29 +25,31 @@ constexpr double trusted_force_difference = 0.05;
 /// strength.
 constexpr double trusted_unbalanced_ratio = 3e-3;
 
-/// Row of the largest axial stress of a history with rows.
-std::size_t largest_load(const History& history) {
+/// Row of the strength of a history with rows; of a test that did not fail, of its largest axial stress.
+std::size_t row_of_peak(const RunHeader& header, const History& history) {
+    const auto strength = find_strength(header, history, header.loading() == Loading::tension ? 1 : -1);
+    if (strength) return strength->row;
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     return static_cast<std::size_t>(
         std::max_element(stress.begin(), stress.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
         stress.begin());
 }
 
-/// 2 v/(c ε) with the speed v of each platen and the strain ε at the largest load, c = √(E/ρ): what the load rises by, relative
+/// 2 v/(c ε) with the speed v of each platen and the strain ε at the peak, c = √(E/ρ): what the load rises by, relative
 /// to itself, while a wave runs through the specimen. 0 for a program, which may move otherwise, and without any strain.
 double load_rise_at_peak(const RunHeader& header, const History& history) {
     if (header.test == "program" || history.size() == 0) return 0;
-    const std::size_t peak = largest_load(history);
+    const std::size_t peak = row_of_peak(header, history);
     const double strain = std::abs(history[HistoryColumn::axial_strain][peak]);
     const double wave_speed = std::sqrt(header.rock.young_modulus / header.rock.density);
     const double speed = std::abs(history[HistoryColumn::platen_speed][peak]);
     return strain > 0 && wave_speed > 0 ? 2 * speed / (wave_speed * strain) : 0;
 }
 
-/// Mean unbalanced ratio while the last tenth of the strain at the largest load is reached. 0 for a program.
+/// Mean unbalanced ratio while the last tenth of the strain at the peak is reached. 0 for a program.
 double unbalanced_before_peak(const RunHeader& header, const History& history) {
     if (header.test == "program" || history.size() == 0) return 0;
-    const std::size_t peak = largest_load(history);
+    const std::size_t peak = row_of_peak(header, history);
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
     double sum = 0;
     double rows = 0;

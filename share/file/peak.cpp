@@ -1,6 +1,7 @@
 #include "share/file/peak.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graincrack {
 
@@ -51,6 +52,23 @@ std::vector<double> failed_contacts(const History& history) {
     return failed;
 }
 
+namespace {
+
+std::size_t row_of_largest(std::span<const double> stress) {
+    return static_cast<std::size_t>(std::max_element(stress.begin(), stress.end()) - stress.begin());
+}
+
+/// The row of the largest stress among those next to a row within `smoothing_strain` of it.
+std::size_t largest_about(std::size_t row, const CurveColumns& curve) {
+    const auto is_near = [&](std::size_t other) { return std::abs(curve.strain[other] - curve.strain[row]) <= smoothing_strain; };
+    std::size_t begin = row, end = row + 1;
+    while (begin > 0 && is_near(begin - 1)) --begin;
+    while (end < curve.strain.size() && is_near(end)) ++end;
+    return begin + row_of_largest(curve.stress.subspan(begin, end - begin));
+}
+
+}  // namespace
+
 std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure, double settled) {
     std::vector<double> deviator = moving_mean(curve.strain, curve.stress, smoothing_strain);
     for (double& stress : deviator) stress -= confining_pressure;
@@ -60,7 +78,7 @@ std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_
         if (!highest || deviator[row] > deviator[*highest]) {
             highest = row;
         } else if (deviator[row] < (1 - peak_fall) * deviator[*highest]) {
-            return Peak{*highest, deviator[*highest] + confining_pressure};
+            return Peak{largest_about(*highest, curve), curve.strain[*highest], deviator[*highest] + confining_pressure};
         }
     }
     return std::nullopt;
@@ -80,13 +98,14 @@ std::optional<Peak> find_strength(const RunHeader& header, const CurveColumns& c
         if (const auto first = find_first_peak(curve, header.confining_pressure, settled)) return first;
     }
     if (!has_fallen(header, curve)) return std::nullopt;
-    const auto largest = std::max_element(curve.stress.begin(), curve.stress.end());
-    return Peak{static_cast<std::size_t>(largest - curve.stress.begin()), *largest};
+    const std::size_t largest = row_of_largest(curve.stress);
+    return Peak{largest, curve.strain[largest], curve.stress[largest]};
 }
 
 std::optional<Peak> find_strength(const RunHeader& header, const History& history, double sense) {
     const std::vector<double>& times = history[HistoryColumn::time];
     const auto begin = std::lower_bound(times.begin(), times.end(), header.isotropic_end_time * (1 - 1e-12));
+    if (begin == times.end()) return std::nullopt;
     const auto loaded = [&](HistoryColumn column) {
         std::vector<double> rows(history[column].begin() + (begin - times.begin()), history[column].end());
         for (double& value : rows) value *= sense;
@@ -95,7 +114,9 @@ std::optional<Peak> find_strength(const RunHeader& header, const History& histor
     const std::vector<double> strain = loaded(HistoryColumn::axial_strain);
     const std::vector<double> stress = loaded(HistoryColumn::axial_stress);
     const std::vector<double> failed = failed_contacts(history);
-    return find_strength(header, {strain, stress, std::span(failed).last(strain.size())});
+    std::optional<Peak> peak = find_strength(header, {strain, stress, std::span(failed).last(strain.size())});
+    if (peak) peak->row += static_cast<std::size_t>(begin - times.begin());
+    return peak;
 }
 
 }  // namespace graincrack

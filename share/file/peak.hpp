@@ -63,8 +63,9 @@ std::vector<double> failed_contacts(const History& history);
 
 /// A maximum of a load curve.
 struct Peak {
-    std::size_t row = 0;
-    double stress = 0;  ///< Pa, confinement included
+    std::size_t row = 0;  ///< of the largest stress of the curve within `smoothing_strain` of the maximum
+    double strain = 0;    ///< of the maximum, which is of the smoothed curve where that was searched
+    double stress = 0;    ///< likewise, Pa, confinement included
 };
 
 /// The first maximum of the smoothed curve, since contacts have failed, that σ1 − σ3 falls behind by `peak_fall` before it
@@ -75,11 +76,11 @@ std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_
 /// True if the largest stress is a peak: the test ended by its fall, or contacts failed and σ1 − σ3 fell by `peak_fall`.
 bool has_fallen(const RunHeader& header, const CurveColumns& curve);
 
-/// Where a test has its strength. In compression the first peak; also the largest stress if its fall ended the test and smoothing
-/// hides it. In other tests the largest stress. Empty for a test that did not fail.
+/// The strength of a test, and its row. In compression the first peak; also the largest stress if its fall ended the test and
+/// smoothing hides it. In other tests the largest stress. Empty for a test that did not fail.
 std::optional<Peak> find_strength(const RunHeader& header, const CurveColumns& curve);
 
-/// The same of a history. \param sense −1 if the test compresses, else 1
+/// The same of a history, whose row it has. \param sense −1 if the test compresses, else 1
 std::optional<Peak> find_strength(const RunHeader& header, const History& history, double sense);
 
 }  // namespace graincrack

@@ -78,6 +78,7 @@ void visit_header(Header& h, Visit&& visit) {
     visit("integrations", h.integrations);
     visit("isotropic_end_time", h.isotropic_end_time, Dimension::time);
     visit("peak_axial_stress", h.peak_axial_stress, Dimension::stress);
+    visit("peak_time", h.peak_time, Dimension::time, true);
     visit("energy_scale", h.energy_scale, Dimension::energy);
     visit("energy_balance_error", h.energy_balance_error, Dimension::one);
     visit("platen_force_difference", h.platen_force_difference, Dimension::one);

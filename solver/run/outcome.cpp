@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "share/file/peak.hpp"
 #include "solver/setup/request.hpp"
 
 namespace graincrack {
@@ -21,6 +22,12 @@ std::size_t peak_row(const RunSettings& header, const History& history) {
     const std::vector<double>& stress = history[HistoryColumn::axial_stress];
     const auto peak = std::max_element(stress.begin(), stress.end(), [sign](double l, double r) { return sign * l < sign * r; });
     return static_cast<std::size_t>(peak - stress.begin());
+}
+
+double peak_time(const RunHeader& header, const History& history) {
+    if (history.size() == 0) return 0;
+    const auto strength = find_strength(header, history, sign_of_strength(header, history));
+    return history[HistoryColumn::time][strength ? strength->row : peak_row(header, history)];
 }
 
 namespace {
@@ -76,6 +83,7 @@ std::pair<double, double> achieved_confinement(const History& history, double be
 void complete_header(const History& history, double width, RunHeader& header) {
     header.peak_axial_stress =
         sign_of_strength(header, history) * history[HistoryColumn::axial_stress][peak_row(header, history)];
+    header.peak_time = peak_time(header, history);
     header.platen_force_difference = platen_force_difference(header, history, width);
     header.damping_load = damping_load_at_peak(header, history);
     const double external = history[HistoryColumn::energy_external].back();

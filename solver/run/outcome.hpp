@@ -19,6 +19,9 @@ double sign_of_strength(const RunSettings& header, const History& history);
 /// Row of the largest axial stress in the sense of the test. \pre the history has rows
 std::size_t peak_row(const RunSettings& header, const History& history);
 
+/// When a test had its strength; of one that has not failed its largest stress, s. 0 without rows.
+double peak_time(const RunHeader& header, const History& history);
+
 /// Sets what the header of a finished test takes from its history: the peak, the difference of the platen forces before it, the
 /// load and the work of damping, and the confining pressure since `isotropic_end_time`.
 /// \param width of the specimen, m \pre the history has rows from that time on

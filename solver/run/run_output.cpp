@@ -10,6 +10,7 @@
 #include "share/file/specimen_measures.hpp"
 #include "solver/model/gather.hpp"
 #include "solver/restart/whole_state.hpp"
+#include "solver/run/outcome.hpp"
 
 namespace graincrack {
 namespace {
@@ -91,6 +92,7 @@ const std::string& RunOutput::write_checkpoint() {
         RunHeader header = run_.header;
         header.stop_reason = "checkpoint";
         header.peak_axial_stress = run_.recorder.peak();
+        header.peak_time = peak_time(header, run_.recorder.history());
         file_->later(
             [=, this, write_frames = std::move(write_frames), state = whole.state(), program = run_.program,
              history = run_.recorder.history(), error = run_.recorder.energy().largest_error(),

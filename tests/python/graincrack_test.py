@@ -55,8 +55,16 @@ class ReadsWhatTheToolsWrite(unittest.TestCase):
         at_peak = run.history["time"][run.history["axial_stress"].argmin()]
         self.assertAlmostEqual(peak.time, at_peak, delta=2 * np.diff(run.history["time"]).max())
         self.assertEqual(peak["displacement"].shape, run.specimen.nodes.shape)
+        self.assertEqual(run["peak_time"], at_peak)
         self.assertEqual(run.frame("last").step, run.history["step"][-1])
         self.assertEqual(run.frame(0).time, run.frame_times[0])
+
+    def test_the_peak_is_the_strength_where_the_stress_exceeds_it_later(self):
+        shutil.copy("run.h5", "later.h5")
+        with h5py.File("later.h5", "r+") as file:
+            file["run"].attrs["peak_time"] = Run("run.h5").frame(3).time
+        self.assertNotEqual(Run("run.h5").frame("peak").time, Run("run.h5").frame(3).time)
+        self.assertEqual(Run("later.h5").frame("peak").time, Run("run.h5").frame(3).time)
 
     def test_cracks_are_those_that_are_counted(self):
         run, strength = Run("run.h5"), Table("strength.tsv")

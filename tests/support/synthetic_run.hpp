@@ -83,6 +83,7 @@ struct Recipe {
     double confining_pressure = 0;    ///< Pa
     double peak = 125e6;              ///< axial stress (brazilian: 2 F/(π D)), positive, Pa
     double drop = 0.5;                ///< share of the peak lost at the end; 0: the curve ends at the peak
+    double hardens_to = 0;            ///< behind that fall the stress rises to this until 2.25 s, Pa; 0: the curve ends there
     std::string stop_reason = "peak drop";
     double yield_share = 2;  ///< from this share of the peak on the tangent is halved; > 1: never
     Specimen specimen = grid_specimen(8, 16, 0.08, 0.16);
@@ -137,6 +138,10 @@ inline History synthetic_history(const Recipe& r) {
     const double peak_strain = strain;
     for (int i = 1; i <= 10 && r.drop > 0; ++i) {
         add(1 + 0.025 * i, r.peak * (1 - r.drop * i / 10.0), peak_strain * (1 + 0.02 * i));
+    }
+    for (int i = 1; i <= 100 && r.hardens_to > 0; ++i) {
+        const double low = r.peak * (1 - r.drop);
+        add(1.25 + 0.01 * i, low + (r.hardens_to - low) * i / 100.0, peak_strain * (1.2 + 0.02 * i));
     }
     if (triaxial) {
         for (double& t : h[HistoryColumn::time]) t += 1;  // time starts at 0
@@ -247,6 +252,7 @@ inline void write_run(const std::string& path, const Recipe& recipe, const std::
     writer.add_frame(synthetic_frame(recipe.specimen, 0, 0, 0), FrameRole::regular);
     writer.add_frame(synthetic_frame(recipe.specimen, 1, 0.005, 0), FrameRole::kept);
     writer.add_frame(synthetic_frame(recipe.specimen, 1.25, 0.006, 0.001), FrameRole::kept);
+    if (recipe.hardens_to > 0) writer.add_frame(synthetic_frame(recipe.specimen, 2.25, 0.015, 0.001), FrameRole::kept);
     Provenance provenance;
     provenance.tool = "synthetic";
     provenance.command_line = {"synthetic"};

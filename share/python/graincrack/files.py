@@ -255,7 +255,7 @@ class Run(_Hdf5File):
         return np.array([frame.attrs["time"] for frame in self._file["frames"].values()])
 
     def frame(self, which: str | int = "last", *, time: float | None = None) -> Frame:
-        """A state: "last"; "peak", that of the largest axial stress; a number from 0; the one nearest to `time` (s)."""
+        """A state: "last"; "peak", that of the strength; a number from 0; the one nearest to `time` (s)."""
         frames = list(self._file["frames"].values())
         if which == "peak" and time is None:
             return self._frame_of_peak()
@@ -268,10 +268,10 @@ class Run(_Hdf5File):
         return Frame(frames[which])
 
     def _frame_of_peak(self) -> Frame:
-        stress = self.history["axial_stress"] * (1 if self.test == "tension" else -1)
-        times = self.history["time"]
-        frame = self.frame(time=times[np.argmax(stress)])
-        if stress[np.argmin(np.abs(times - frame.time))] < 0.95 * stress.max():
+        times, sense = self.history["time"], 1 if self.test == "tension" else -1
+        frame = self.frame(time=self["peak_time"])
+        stress = [sense * self.history["axial_stress"][np.argmin(np.abs(times - time))] for time in (frame.time, self["peak_time"])]
+        if stress[0] < 0.95 * stress[1]:
             raise MissingError(f"{self._file.filename}: no frame of the peak was kept; make the run with --frames 20")
         return frame
 

@@ -27,7 +27,9 @@ struct MadeTest {
         }
     }
     [[nodiscard]] std::optional<FirstPeak> first_peak(double confining_pressure = 0) const {
-        return measure_first_peak(strain, stress, failed, confining_pressure);
+        const CurveColumns curve{strain, stress, failed};
+        const auto peak = find_first_peak(curve, confining_pressure);
+        return peak ? std::optional(with_residual(*peak, curve, confining_pressure)) : std::nullopt;
     }
     std::vector<double> strain;
     std::vector<double> stress;

@@ -240,39 +240,6 @@ TEST_F(StrengthTable, ForPeopleHasGroupsUnitsAndMeans) {
     for (const char* name : {"\t", "peak_compressive"}) EXPECT_EQ(out.str().find(name), std::string::npos);
 }
 
-// The stress falls by a fifth behind 200 MPa, and has 220 MPa when the test ends.
-TEST_F(StrengthTable, ATestThatHardensHasTheStrengthOfItsFirstPeak) {
-    for (const double pressure : {0.0, 8e6}) {
-        Recipe recipe;
-        recipe.test = pressure > 0 ? "triaxial" : "uniaxial";
-        recipe.confining_pressure = pressure;
-        recipe.peak = 220e6;
-        recipe.drop = 0;
-        recipe.rows = 2001;
-        recipe.stop_reason = "strain limit";
-        RunData run;
-        run.name = "run.h5";
-        run.header = test::synthetic_header(recipe);
-        run.history = test::synthetic_history(recipe);
-        const LoadCurve before = load_curve(run);
-        std::vector<double>& stress = run.history[HistoryColumn::axial_stress];
-        bool is_behind = false;
-        for (std::size_t row = before.start; row < stress.size(); ++row) {
-            is_behind = is_behind || -stress[row] > 200e6;
-            if (is_behind && -stress[row] < 215e6) stress[row] = -160e6;
-        }
-        const Strength strength = measure_strength(run);
-        EXPECT_NEAR(strength.reported().value(), 200e6, 1e6);  // less what smoothing takes
-        EXPECT_EQ(strength.reported(), strength.value(StrengthKind::first_peak));
-        EXPECT_NEAR(-stress[strength.row], 200e6, 1e6);
-        EXPECT_TRUE(strength.has_peak());
-        EXPECT_EQ(strength.reported(StrengthKind::largest), strength.value());
-        EXPECT_NEAR(strength.value(), 220e6, 1e3);
-        EXPECT_EQ(strength.peak_kind, "cap");
-        EXPECT_FALSE(strength.has_peak(StrengthKind::largest));
-    }
-}
-
 TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
     table_of({});
     EXPECT_EQ(notes_.str(), "");

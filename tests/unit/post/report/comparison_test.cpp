@@ -203,7 +203,7 @@ TEST_F(Comparison, WhatTheLaboratoryDoesNotHaveIsNotPredicted) {
 TEST_F(Comparison, ATestThatDidNotFailHasNoStrength) {
     add("uniaxial", 1, 120e6);
     Strength& strength = add("uniaxial", 2, 30e6).strength;
-    strength.first_peak.reset();
+    strength.strength.reset();
     strength.peak_kind = "cap";
     const std::vector<SeedGroup> groups = seed_groups(tests_);
     EXPECT_EQ(groups[0].sample_of(strength_of)->n, 1U);

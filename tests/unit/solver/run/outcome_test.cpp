@@ -47,6 +47,18 @@ TEST(Outcome, StrengthIsThatOfTheSenseOfTheTest) {
     EXPECT_EQ(peak_row(header_of("program"), h), 2U);
 }
 
+// The stress falls by a fifth behind the third row, and exceeds it at the end.
+TEST(Outcome, TheTimeOfThePeakIsThatOfTheStrength) {
+    History h = rows_of_zeros(5);
+    h[axial_strain] = {0, -0.002, -0.004, -0.006, -0.01};
+    h[axial_stress] = {0, -50e6, -100e6, -80e6, -120e6};
+    h[tensile_cracks] = {0, 0, 1, 2, 3};
+    EXPECT_EQ(completed("uniaxial", h).peak_time, 2);
+    EXPECT_EQ(completed("uniaxial", h).peak_axial_stress, 120e6);
+    h[tensile_cracks] = {0, 0, 0, 0, 0};
+    EXPECT_EQ(completed("uniaxial", h).peak_time, 4) << "it did not fail";
+}
+
 TEST(Outcome, PlatenForcesAreComparedFromHalfThePeakToThePeak) {
     History h = rows_of_zeros(5);
     h[force_top] = {-0.1e6, -0.39e6, -0.9e6, -1e6, -0.5e6};
