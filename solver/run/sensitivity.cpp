@@ -124,13 +124,12 @@ SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& head
 }
 
 std::vector<SensitivityRow> find_sensitivity(const Specimen& specimen, const SimulationRequest& request,
-                                             const TestOutcome& as_it_is, Verbosity verbosity) {
+                                             const TestOutcome& as_it_is, const RunTest& run) {
     std::vector<SensitivityRow> rows{sensitivity_row("as it is", as_it_is.header, as_it_is.history)};
     for (const SensitivityCase& each :
          sensitivity_cases(request, program_of(request, specimen), as_it_is.header.mass_scaling_factor)) {
         try {
-            const TestOutcome outcome =
-                run_test(each.refine ? refined(specimen) : specimen, each.request, each.changed, verbosity);
+            const TestOutcome outcome = run(each.refine ? refined(specimen) : specimen, each.request, each.changed);
             SensitivityRow row = sensitivity_row(each.changed, outcome.header, outcome.history);
             if (each.refine) {  // contacts are half as long
                 row.tensile_cracks /= 2;

@@ -1,10 +1,14 @@
 // Does a result depend on what should not matter? The test again, each time with one thing changed.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "share/file/sensitivity.hpp"
-#include "solver/run/simulation.hpp"
+#include "share/file/specimen.hpp"
+#include "solver/run/outcome.hpp"
+#include "solver/setup/request.hpp"
 
 namespace graincrack {
 
@@ -26,9 +30,12 @@ std::vector<SensitivityCase> sensitivity_cases(const SimulationRequest& test, co
 /// The row of a test.
 SensitivityRow sensitivity_row(const std::string& changed, const RunHeader& header, const History& history);
 
-/// Runs the cases. One that becomes unstable or does not settle gives a row of NaN.
+/// Runs a test and writes nothing. The label is what its progress says.
+using RunTest = std::function<TestOutcome(const Specimen& specimen, const SimulationRequest& request, const std::string& label)>;
+
+/// Runs the cases by `run`. One that becomes unstable or does not settle gives a row of NaN.
 /// \param as_it_is header and history of the test itself \throws Interrupted
 std::vector<SensitivityRow> find_sensitivity(const Specimen& specimen, const SimulationRequest& request,
-                                             const TestOutcome& as_it_is, Verbosity verbosity);
+                                             const TestOutcome& as_it_is, const RunTest& run);
 
 }  // namespace graincrack

@@ -247,7 +247,10 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     summary.ranks = simulation.rank_summary(summary.wall_time);
     if (request.sensitivity) {
         try {
-            summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), verbosity);
+            const auto run = [&](const Specimen& s, const SimulationRequest& r, const std::string& label) {
+                return run_test(s, r, label, verbosity);
+            };
+            summary.sensitivity = find_sensitivity(specimen, request, simulation.outcome(), run);
         } catch (const Interrupted&) {
             simulation.finish({}, summary.wall_time);
             say(diagnostics(verbosity),

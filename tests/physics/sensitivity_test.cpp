@@ -13,6 +13,7 @@
 #include "share/file/specimen.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/program/program_file.hpp"
+#include "solver/run/simulation.hpp"
 #include "solver/setup/setup.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
