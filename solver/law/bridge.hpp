@@ -21,7 +21,7 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/law/vector_path.hpp"
+#include "solver/law/cohesive_damage.hpp"
 
 namespace graincrack::contact_law {
 
@@ -33,38 +33,47 @@ struct Bridge {
     double remaining;      ///< share of tc that it can bear
 };
 
+/// λ of an open motion. \param opened ⟨δn⟩ \param slid δs from where the shear of the bridge starts
+GRAINCRACK_INLINE double load_of_bridge(const ContactLaw& law, double opened, double slid) {
+    constexpr double nothing = 1e-30;  // of the square of a load
+    const double x = opened * law.inv_dct;
+    const double y = slid * law.inv_dso;
+    return std::sqrt(std::max(x * x + y * y, nothing));
+}
+/// ρ (1 − λ/λb) in the direction of a motion with the load λ and the form q.
+GRAINCRACK_INLINE double line_of_bridge(const ContactLaw& law, double load, double form) {
+    return law.bridge - law.bridge_decay * form / load;
+}
+/// The same where e λ (β + b) = `scaled` is on the line, in a direction in which q = `stiffness` λ².
+GRAINCRACK_INLINE double line_at_integrity(const ContactLaw& law, double scaled, double stiffness) {
+    return law.bridge * scaled / (law.bridge_decay * stiffness + scaled);
+}
+
 /// Moves the bridge of a point past its peak on the side of δn = 0 that it is on.
 /// \param p its motion, with β before it \param integrity β after it \param bridge b before it
 GRAINCRACK_INLINE Bridge advance_bridge(const ContactLaw& law, const IntactPoint& p, double integrity, double bridge,
                                         double slip) {
     constexpr double e = std::numbers::e;
-    constexpr double nothing = 1e-30;  // of the square of a load
     const bool closed = p.opening < 0;
     const double origin = bridge > 0 && !closed ? slip : 0.0;
     const double opened = std::max(p.opening, 0.0);
     const double slid = p.sliding - origin;
-    const double x = opened * law.inv_dct;
-    const double y = slid * law.inv_dso;
-    const double load = std::sqrt(std::max(x * x + y * y, nothing));
-    const double form = law.kt * opened * opened + law.ks * slid * slid;
-    const double line = law.bridge - law.bridge_decay * form / load;
+    const double load = load_of_bridge(law, opened, slid);
+    const double form = cohesive_form(law, p.opening, slid);
     const double given = closed || origin != 0 ? 0.0 : p.integrity - integrity;
-    const double left = std::max(0.0, std::min(bridge + given, line / (e * load) - integrity));
-    const double old_opened = std::max(p.old_opening, 0.0);
-    const double old_slid = p.old_sliding - origin;
-    const double old_form = law.kt * old_opened * old_opened + law.ks * old_slid * old_slid;
-    // 1 − D of its line at the integrity, in the direction of an open motion, or of pure opening
+    const double left = std::max(0.0, std::min(bridge + given, line_of_bridge(law, load, form) / (e * load) - integrity));
+    const double mean_form = 0.5 * (cohesive_form(law, p.old_opening, p.old_sliding - origin) + form);
+    // 1 − D of its line in the direction of an open motion, or of pure opening
     const double stiffness = closed ? law.kt * law.dct * law.dct : form / (load * load);
-    const double scaled = e * (integrity + left);
+    const double remaining = left > 0 ? line_at_integrity(law, e * (integrity + left), stiffness) : 0.0;
     return {closed ? 0.0 : left * law.kt * opened, closed ? 0.0 : left * law.ks * slid, left,
-            closed ? 0.0 : 0.25 * (old_form + form) * (bridge - left),
-            left > 0 ? law.bridge * scaled / (law.bridge_decay * stiffness + scaled) : 0.0};
+            closed ? 0.0 : 0.5 * mean_form * (bridge - left), remaining};
 }
 /// The slip of a point with the bridge `bridge` before its motion: a bridge begins unstrained at no sliding.
 GRAINCRACK_INLINE double slip_of_bridge(double opening, double bridge, double slip) {
     return opening >= 0 && bridge == 0 ? 0.0 : slip;
 }
-/// What the marks of `damage_levels` see: the brittle part down to one half, whatever a bridge bears, and all below.
+/// Remaining cohesion for `damage_levels`: the brittle part alone above one half, brittle part and bridge below.
 GRAINCRACK_INLINE double remaining_with_bridge(double brittle, double bridge) {
     constexpr double below_half = damage_levels[1] * (1 - std::numeric_limits<double>::epsilon());
     return std::max(brittle, std::min(bridge, below_half));
@@ -83,9 +92,8 @@ GRAINCRACK_INLINE void add_bridge(const ContactLaw& law, const SofteningPoint& p
 }
 /// ½ b (kt δn² + ks (δs − slip)²) while open.
 inline double bridge_energy(const ContactLaw& law, const ContactHistory& h) {
-    const double opened = h.motion.opening;
-    const double slid = h.motion.sliding - h.slip;
-    return opened >= 0 && h.bridge > 0 ? 0.5 * h.bridge * (law.kt * opened * opened + law.ks * slid * slid) : 0.0;
+    const bool bears = h.motion.opening >= 0 && h.bridge > 0;
+    return bears ? 0.5 * h.bridge * cohesive_form(law, h.motion.opening, h.motion.sliding - h.slip) : 0.0;
 }
 /// A point closes: friction starts from zero, and the shear of the bridge is lost.
 inline void close_bridge(const ContactLaw& law, ContactResponse& r) {

@@ -15,8 +15,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/law/bridge.hpp"
 #include "solver/law/exponential.hpp"
+#include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
 
@@ -54,13 +54,13 @@ GRAINCRACK_INLINE IntactResponse damage_before_peak(const ContactLaw& law, const
     return {(p.opening >= 0 ? integrity : 1.0) * law.kt * p.opening, integrity * law.ks * p.sliding,
             load <= 1 ? stays_on_its_side(p) : 0.0, integrity, energy_of_fall(law, p, p.integrity - integrity)};
 }
-/// ½ β q + ½ kt⟨−δn⟩² + ½ a ks (δs − slip)², the last term while closed only, and the energy of the bridge.
+/// ½ β q + ½ kt⟨−δn⟩² + ½ a ks (δs − slip)², the last term while closed only.
 inline double damaged_energy(const ContactLaw& law, const ContactHistory& h) {
     const ContactMotion& m = h.motion;
-    const double shear = law.ks * m.sliding * m.sliding;
-    if (m.opening >= 0) return 0.5 * h.integrity * (law.kt * m.opening * m.opening + shear) + bridge_energy(law, h);
+    const double cohesive = h.integrity * cohesive_form(law, m.opening, m.sliding);
+    if (m.opening >= 0) return 0.5 * cohesive;
     const double elastic = m.sliding - h.slip;
-    return 0.5 * (law.kt * m.opening * m.opening + h.integrity * shear + h.friction_fraction * law.ks * elastic * elastic);
+    return 0.5 * (law.kt * m.opening * m.opening + cohesive + h.friction_fraction * law.ks * elastic * elastic);
 }
 /// In pure opening, the energy to the peak. A direction whose path to the peak takes more than Gf has no softening and takes
 /// that.

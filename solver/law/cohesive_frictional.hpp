@@ -21,7 +21,7 @@
 // weakens the other.
 #pragma once
 
-#include "solver/law/cohesive_damage.hpp"
+#include "solver/law/bridge.hpp"
 
 namespace graincrack::contact_law {
 
@@ -59,7 +59,9 @@ struct CohesiveFrictional {
         h.separated = h.separated || (to.opening >= 0 && is_residual(law, h));
     }
     static void close(const ContactLaw& law, ContactResponse& r) { close_bridge(law, r); }
-    static double stored_energy(const ContactLaw& law, const ContactHistory& h) { return damaged_energy(law, h); }
+    static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
+        return damaged_energy(law, h) + bridge_energy(law, h);
+    }
     static double damage(const ContactLaw& law, const ContactHistory& h) {
         return h.failed() ? 1 - remaining_cohesion(law, h.integrity) : 0;
     }

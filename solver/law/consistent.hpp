@@ -19,7 +19,7 @@
 // only fall, which dissipates energy: the law has a potential. Failure in one mode always weakens the other.
 #pragma once
 
-#include "solver/law/cohesive_damage.hpp"
+#include "solver/law/bridge.hpp"
 
 namespace graincrack::contact_law {
 
@@ -69,7 +69,9 @@ struct Consistent {
         h.motion = to;
     }
     static void close(const ContactLaw& law, ContactResponse& r) { close_bridge(law, r); }
-    static double stored_energy(const ContactLaw& law, const ContactHistory& h) { return damaged_energy(law, h); }
+    static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
+        return damaged_energy(law, h) + bridge_energy(law, h);
+    }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.friction_fraction; }
     static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) {
         return h.failed() && h.integrity == 0 && h.bridge == 0 && h.friction_fraction == 1;
