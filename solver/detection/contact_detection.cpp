@@ -44,15 +44,6 @@ struct ChunkData {
     double friction = 0;
 };
 
-/// Prefetches the contacts of the watched pairs of a chunk, which are scattered in a long list.
-void prefetch(const ContactPairList& list, Range watched) {
-    for (std::int32_t i = watched.begin; i < watched.end; ++i) {
-        const auto pair = static_cast<std::size_t>(list.watched[i]);
-        __builtin_prefetch(&list.contacts[pair]);
-        __builtin_prefetch(&list.contacts[pair].release_correction);
-    }
-}
-
 /// The watched pairs of one node, `i` from 0 to `size()`.
 struct NodePairs {
     ChunkData& data;
@@ -311,7 +302,6 @@ void detect_contacts(const Assemblage& a, const StepParameters& parameters, std:
     const Range groups = list.chunks[chunk];
     const std::int32_t begin = list.first_watched(chunk);
     const std::int32_t count = list.watched_groups[groups.end - 1].end - begin;
-    prefetch(list, {begin, begin + count});
     store_active(chunk, list);  // what continues is decided in the list
     static thread_local Scratch scratch;
     ChunkData data{a, parameters, s, scratch, chunk};

@@ -66,33 +66,6 @@ void gather_contacts(const Assemblage& a, const State& s, Range range, ContactLa
     }
 }
 
-template <class T>
-void prefetch(const T* data, std::size_t count) {
-    constexpr std::size_t line = 64;  // bytes
-    const auto* const bytes = reinterpret_cast<const char*>(data);
-    for (std::size_t i = 0; i < count * sizeof(T); i += line) __builtin_prefetch(bytes + i);
-}
-
-/// Asks for what the next chunk will read, so that it comes while this one is worked on; for its nodes the contacts must be here,
-/// so they are asked for a chunk earlier.
-void prefetch_ahead(const Assemblage& a, const State& s, std::int32_t chunk) {
-    const auto n_chunks = static_cast<std::int32_t>(a.contact_chunks.size());
-    if (chunk + 2 < n_chunks) {
-        const Range later = a.contact_chunks[chunk + 2].contacts;
-        prefetch(&a.contacts[later.begin], static_cast<std::size_t>(later.size()));
-    }
-    if (chunk + 1 < n_chunks) {
-        const Range next = a.contact_chunks[chunk + 1].contacts;
-        const auto first = 2 * static_cast<std::size_t>(next.begin);
-        for (const auto* values : {&s.opening, &s.sliding, &s.integrity, &s.fracture_energy}) {
-            prefetch(&(*values)[first], 2 * static_cast<std::size_t>(next.size()));
-        }
-        for (std::int32_t c = next.begin; c < next.end; ++c) {
-            for (const std::int32_t node : a.contacts[c].nodes) __builtin_prefetch(&s.displacement[node]);
-        }
-    }
-}
-
 bool any(const std::uint8_t* flags, std::int32_t count) {
     std::uint8_t found = 0;
     for (std::int32_t k = 0; k < count; ++k) found = static_cast<std::uint8_t>(found | flags[k]);
@@ -544,7 +517,6 @@ void advance_contacts(const Assemblage& a, const ContactLaws& laws, std::int32_t
     const std::size_t first = 2 * static_cast<std::size_t>(range.begin);
     ContactLanes b;
     gather_contacts(a, s, range, b);
-    prefetch_ahead(a, s, chunk);
     sort_points(a, s, range, b);
     contact_law::with_law(law.variant, [&](auto kind) {
         if (apply_vector_path<decltype(kind)>(a, law, chunk, step, s, b) > 0) {
