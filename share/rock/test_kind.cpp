@@ -41,11 +41,4 @@ const TestDescription& test_named(std::string_view name) {
     return found == tests.end() ? tests.back() : *found;
 }
 
-std::vector<std::string_view> all_shapes() {
-    std::vector<std::string_view> shapes{"rectangle"};
-    for (const TestDescription& test : all_tests()) shapes.insert(shapes.end(), test.shapes.begin(), test.shapes.end());
-    shapes.emplace_back("polygon");
-    return shapes;
-}
-
 }  // namespace graincrack

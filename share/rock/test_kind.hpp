@@ -50,7 +50,4 @@ const TestDescription& description_of(TestKind kind);
 const TestDescription& test_named(std::string_view name);
 inline std::string_view name_of(TestKind kind) { return description_of(kind).name; }
 
-/// Shapes of specimens that files may name: those of the tests, rectangles and polygons.
-std::vector<std::string_view> all_shapes();
-
 }  // namespace graincrack

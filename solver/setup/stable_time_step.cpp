@@ -121,18 +121,6 @@ std::vector<Vector2> start_vector(std::size_t n) {
     return v;
 }
 
-}  // namespace
-
-void apply_stiffness(const Assemblage& a, const Boundary& boundary, const ContactLaws& laws, const std::vector<Vector2>& x,
-                     std::vector<Vector2>& y) {
-    std::fill(y.begin(), y.end(), Vector2{});
-    add_elements(a, x, y);
-    add_contacts(a, laws, x, y);
-    add_platens(boundary, x, y);
-}
-
-namespace {
-
 /// Largest eigenvalue of M^(−1/2) K M^(−1/2) by Lanczos' method, by up to 1 % too large, 1/s².
 /// \param stiffness (x, y): y += K x
 template <class Stiffness>

@@ -27,8 +27,4 @@ double stable_time_step(const Assemblage& assemblage, const Boundary& boundary, 
 /// of those without (contact law `consistent`, three seeds, 3 mm/s).
 double sufficient_mass_scaling(const Assemblage& assemblage, const Boundary& boundary, const ContactLaws& laws);
 
-/// y = K x of that stiffest state, linear about the reference (for `stable_time_step` and its tests).
-void apply_stiffness(const Assemblage& assemblage, const Boundary& boundary, const ContactLaws& laws,
-                     const std::vector<Vector2>& x, std::vector<Vector2>& y);
-
 }  // namespace graincrack
