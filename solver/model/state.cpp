@@ -2,18 +2,26 @@
 
 namespace graincrack {
 
+namespace {
+
+/// Length of an array of a new state; 0 for those that are found later.
+std::size_t length_of(ArrayOf of, const Assemblage& a) {
+    switch (of) {
+        case ArrayOf::nodes: return a.position.size();
+        case ArrayOf::points: return 2 * a.contacts.size();
+        case ArrayOf::contact_slots: return a.n_slot_values();
+        case ArrayOf::element_slots: return a.n_element_slot_values();
+        case ArrayOf::node_chunks: return a.node_chunks.size();
+        case ArrayOf::contact_chunks: return a.contact_chunks.size();
+        default: return 0;
+    }
+}
+
+}  // namespace
+
 State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& specimen) {
     State s;
-    for (auto* of_nodes :
-         {&s.displacement, &s.velocity, &s.force, &s.last_force, &s.damping_force, &s.damping_load.mean_displacement}) {
-        of_nodes->resize(a.position.size());
-    }
-    s.near_platen.resize(a.position.size());
-    s.contact_force.resize(a.n_slot_values());
-    s.element_force.resize(a.n_element_slot_values());
-    s.points = PointHistories(2 * a.contacts.size());
-    for (auto* of_points : {&s.opening, &s.sliding, &s.slip, &s.fracture_energy}) of_points->resize(2 * a.contacts.size());
-    for (auto* of_points : {&s.failed, &s.residual}) of_points->resize(2 * a.contacts.size());
+    visit_arrays(s, [&](const char* /*name*/, ArrayOf of, auto& values) { values.resize(length_of(of, a)); });
     s.next_level.assign(2 * a.contacts.size(), damage_level(0));
     s.integrity.assign(2 * a.contacts.size(), 1);
     for_each_contact(a, [&](std::int32_t place, std::int32_t /*contact_class*/) {
@@ -31,8 +39,6 @@ State make_state(const Assemblage& a, const Boundary& boundary, const Specimen& 
     s.prescribed.nodes.resize(boundary.prescribed.nodes.size());
     s.prescribed.load.resize(boundary.prescribed.edges.size());
     s.prescribed.lateral.resize(boundary.prescribed.edges.size());
-    s.node_sums.resize(a.node_chunks.size());
-    s.contact_sums.resize(a.contact_chunks.size());
     s.events.resize(a.contact_chunks.size());
     for (std::vector<ContactEvent>& of_chunk : s.events) of_chunk.reserve(max_events_per_chunk);
     return s;

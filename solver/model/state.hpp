@@ -78,7 +78,11 @@ struct ThermalState {
 class PointHistories {
 public:
     PointHistories() = default;
-    explicit PointHistories(std::size_t n_points) : chunks_((n_points + points_per_chunk - 1) / points_per_chunk) {}
+    void resize(std::size_t n_points) {
+        size_ = n_points;
+        chunks_.resize((n_points + points_per_chunk - 1) / points_per_chunk);
+    }
+    [[nodiscard]] std::size_t size() const { return size_; }
     const ContactHistory& operator[](std::size_t point) const {
         const auto& chunk = chunks_[point / points_per_chunk];
         return chunk.empty() ? new_contact_ : chunk[point % points_per_chunk];
@@ -93,6 +97,7 @@ public:
 private:
     static constexpr std::size_t points_per_chunk = 2UL * contacts_per_chunk;
     static constexpr ContactHistory new_contact_{};
+    std::size_t size_ = 0;
     std::vector<std::vector<ContactHistory>> chunks_;
 };
 
@@ -131,6 +136,70 @@ struct State {
     DampingLoad damping_load;
     std::shared_ptr<const GhostNodes> ghosts;  ///< nodes of other ranks that this one reads; none for a rank alone
 };
+
+/// What an array of a state has values of. Its length follows from it, and which rank's values count.
+enum class ArrayOf : std::uint8_t {
+    nodes,
+    points,  ///< of contacts, two each
+    contact_slots,
+    element_slots,
+    node_chunks,
+    contact_chunks,
+    // Of a length that is found later:
+    nodes_once_found,
+    node_chunks_once_found,
+    element_chunks,
+    clusters,
+    platen_points,
+    pairs,      ///< of the contact pair list
+    everywhere  ///< every rank has them all
+};
+/// The name of an array that is scratch, or found anew wherever steps begin: it is not saved.
+inline constexpr const char* not_saved = "";
+
+/// Calls `visit(name, what it is of, array)` with each array of a state. From this list they are allocated, gathered from ranks,
+/// saved and restored, in this order. The thermal ones are those of a state that has a temperature.
+template <class AnyState, class Visit>
+void visit_arrays(AnyState& s, Visit&& visit) {
+    using enum ArrayOf;
+    visit("displacement", nodes, s.displacement);
+    visit("velocity", nodes, s.velocity);
+    visit("last_force", nodes, s.last_force);
+    visit("mean_displacement", nodes, s.damping_load.mean_displacement);
+    visit(not_saved, nodes, s.force);
+    visit(not_saved, nodes, s.damping_force);
+    visit(not_saved, nodes, s.near_platen);
+    visit(not_saved, element_slots, s.element_force);
+    visit("contact_slots", contact_slots, s.contact_force);
+    visit("opening", points, s.opening);
+    visit("sliding", points, s.sliding);
+    visit("integrity", points, s.integrity);
+    visit("slip", points, s.slip);
+    visit("failed", points, s.failed);
+    visit("residual", points, s.residual);
+    visit("fracture_energy", points, s.fracture_energy);
+    visit("platen_points", platen_points, s.platen_points);
+    visit("node_sums", node_chunks, s.node_sums);
+    visit("contact_sums", contact_chunks, s.contact_sums);
+    visit("debonded", everywhere, s.contact_pairs.debonded);
+    visit("released", everywhere, s.contact_pairs.released);
+    visit("candidate_pairs", pairs, s.contact_pairs.pairs);
+    visit("node_edge_contacts", pairs, s.contact_pairs.contacts);
+    visit("pair_forces", pairs, s.contact_pairs.forces);
+    visit("watched_pairs", pairs, s.contact_pairs.watched);
+    visit("pair_friction", node_chunks_once_found, s.contact_pairs.friction);
+    visit("displacement_at_search", nodes_once_found, s.contact_pairs.displacement_at_search);
+    visit("cluster_load", clusters, s.contact_pairs.cluster_load);
+    visit("active_pairs", pairs, s.contact_pairs.active.pair);
+    visit("active_counts", pairs, s.contact_pairs.active.count);
+    visit("next_mark", points, s.next_level);
+    visit("cluster_near_platen", nodes_once_found, s.clusters.near_platen);
+    visit("cluster_energies", node_chunks_once_found, s.clusters.sums);
+    visit("history", points, s.points);
+    if (s.thermal.empty()) return;
+    visit("thermal", element_chunks, s.thermal);
+    visit("strain_origin", everywhere, s.strain_origin);
+}
 
 /// Sends displacements and velocities to the ranks that read them; waits for those that this rank reads.
 inline void send_motion(const State& s) {

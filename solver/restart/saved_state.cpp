@@ -69,40 +69,6 @@ void visit_members(T& sums, Act&& act) {
     if constexpr (!std::is_const_v<T>) sums = std::bit_cast<T>(values);
 }
 
-/// Every array of a state that the next step needs and cannot find anew.
-template <class AnyState, class Visit>
-void visit_arrays(AnyState& s, Visit&& visit) {
-    visit("displacement", s.displacement);
-    visit("velocity", s.velocity);
-    visit("last_force", s.last_force);
-    visit("mean_displacement", s.damping_load.mean_displacement);
-    visit("contact_slots", s.contact_force);
-    visit("opening", s.opening);
-    visit("sliding", s.sliding);
-    visit("integrity", s.integrity);
-    visit("slip", s.slip);
-    visit("failed", s.failed);
-    visit("residual", s.residual);
-    visit("fracture_energy", s.fracture_energy);
-    visit("platen_points", s.platen_points);
-    visit("node_sums", s.node_sums);
-    visit("contact_sums", s.contact_sums);
-    visit("debonded", s.contact_pairs.debonded);
-    visit("released", s.contact_pairs.released);
-    visit("candidate_pairs", s.contact_pairs.pairs);
-    visit("node_edge_contacts", s.contact_pairs.contacts);
-    visit("pair_forces", s.contact_pairs.forces);
-    visit("watched_pairs", s.contact_pairs.watched);
-    visit("pair_friction", s.contact_pairs.friction);
-    visit("displacement_at_search", s.contact_pairs.displacement_at_search);
-    visit("cluster_load", s.contact_pairs.cluster_load);
-    visit("active_pairs", s.contact_pairs.active.pair);
-    visit("active_counts", s.contact_pairs.active.count);
-    visit("next_mark", s.next_level);
-    visit("cluster_near_platen", s.clusters.near_platen);
-    visit("cluster_energies", s.clusters.sums);
-}
-
 /// Continues the temperature that a state has.
 void resume_temperature(State& s, NamedNumbers& amplitudes) {
     if (s.thermal.empty()) return;
@@ -112,7 +78,7 @@ void resume_temperature(State& s, NamedNumbers& amplitudes) {
     amplitudes.values.push_back(s.loading.temperature);
 }
 
-/// And every single number.
+/// Every single number of a state.
 template <class AnyState, class Visit>
 void visit_numbers(AnyState& s, Visit&& visit) {
     visit("step", s.step);
@@ -189,6 +155,11 @@ public:
                             "1", "of the solver's state, in its own order, SI");
         hash_.add(name, numbers);
     }
+    void array(const std::string& name, const PointHistories& points) {
+        std::vector<ContactHistory> histories;
+        for (std::size_t point = 0; point < points.size(); ++point) histories.push_back(points[point]);
+        array(name, histories);
+    }
     void finish() { file_.attribute(group, digest_name, hash_.hex()); }
 
 private:
@@ -229,6 +200,13 @@ public:
             visit_members(item, [&](auto& member) { member = static_cast<std::decay_t<decltype(member)>>(numbers[at++]); });
         }
     }
+    void array(const std::string& name, PointHistories& points) {
+        std::vector<ContactHistory> histories(points.size());
+        array(name, histories);
+        for (std::size_t point = 0; point < histories.size(); ++point) {
+            if (histories[point] != ContactHistory{}) points.of(point) = histories[point];
+        }
+    }
     /// \throws InputError if the content is not that which was written
     void finish() {
         if (file_.attribute<std::string>(group, digest_name) != hash_.hex()) {
@@ -243,15 +221,12 @@ private:
 };
 
 /// The content of /state, in its order.
-template <class Io, class AnyState, class Histories, class Loading, class Error>
-void visit_content(Io& io, AnyState& state, Histories& histories, Loading& loading, Error& energy_balance_error) {
+template <class Io, class AnyState, class Loading, class Error>
+void visit_content(Io& io, AnyState& state, Loading& loading, Error& energy_balance_error) {
     visit_numbers(state, [&](const char* name, auto& value) { io.number(name, value); });
-    visit_arrays(state, [&](const char* name, auto& items) { io.array(name, items); });
-    io.array("history", histories);
-    if (!state.thermal.empty()) {
-        io.array("thermal", state.thermal);
-        io.array("strain_origin", state.strain_origin);
-    }
+    visit_arrays(state, [&](const char* name, ArrayOf /*of*/, auto& items) {
+        if (name != not_saved) io.array(name, items);
+    });
     io.attribute("amplitudes", loading.boundary_conditions.names);
     io.attribute("amplitude_values", loading.boundary_conditions.values);
     io.attribute("platen_speed", loading.platen_speed);
@@ -345,10 +320,8 @@ void book_change(const RunHeader& old, const Setup& setup, State& s) {
 
 void write_saved_state(H5Output& file, const State& state, const StageControllerState& loading, double energy_balance_error,
                        std::optional<FrameProgress> frames) {
-    std::vector<ContactHistory> histories;
-    for (std::size_t point = 0; point < state.failed.size(); ++point) histories.push_back(state.points[point]);
     StateWriter writer(file);
-    visit_content(writer, state, histories, loading, energy_balance_error);
+    visit_content(writer, state, loading, energy_balance_error);
     if (frames) visit_frames(writer, *frames);
     writer.finish();
 }
@@ -362,18 +335,14 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     s = make_state(setup.assemblage, setup.boundary, specimen);
     std::vector<PlatenPoint> platen_points = std::move(s.platen_points);
     s.platen_points.clear();
-    std::vector<ContactHistory> histories(s.failed.size());
     if (run.file().has(std::string(group) + "/thermal")) take_temperature(setup.assemblage, s);
     StateReader reader(run.file());
-    visit_content(reader, s, histories, saved.loading, saved.energy_balance_error);
+    visit_content(reader, s, saved.loading, saved.energy_balance_error);
     if (is_checkpoint(run)) visit_frames(reader, saved.frames);
     reader.finish();
     resume_temperature(s, saved.loading.boundary_conditions);
     group_pairs(s.contact_pairs);
     group_watched(setup.assemblage, s.contact_pairs);
-    for (std::size_t point = 0; point < histories.size(); ++point) {
-        if (histories[point] != ContactHistory{}) s.points.of(point) = histories[point];
-    }
     take_over_platens(run.name(), s.platen_points, platen_points);
     s.platen_points = platen_points;
     complete_cluster_state(setup.assemblage, setup.parameters.mass_scaling, s);

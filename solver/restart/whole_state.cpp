@@ -98,36 +98,53 @@ void gather_pairs(const Assemblage& a, ContactPairList& list) {
     list.pairs = joined(of_ranks);
 }
 
+std::vector<std::int32_t> owners_of_clusters(const Assemblage& a) {
+    std::vector<std::int32_t> owner(a.n_clusters());
+    for (std::int32_t chunk = 0; chunk < a.part.nodes.count; ++chunk) {
+        const Range clusters = a.node_chunks[chunk].clusters;
+        std::fill(owner.begin() + clusters.begin, owner.begin() + clusters.end, a.part.nodes.owner_of(chunk));
+    }
+    return owner;
+}
+
+/// Makes an array of the first rank that of the owners of its items.
+struct GatherArray {
+    const Assemblage& assemblage;
+    template <class Value>
+    void operator()(const char* name, ArrayOf of, std::vector<Value>& values) const {
+        if (name == not_saved) return;
+        const Part& part = assemblage.part;
+        switch (of) {
+            case ArrayOf::nodes:
+            case ArrayOf::nodes_once_found: gather_nodes(part, values); break;
+            case ArrayOf::points: gather_chunks(part, part.contacts, 2UL * contacts_per_chunk, values); break;
+            case ArrayOf::contact_slots: gather_chunks(part, part.contacts, slot_stride, values); break;
+            case ArrayOf::node_chunks:
+            case ArrayOf::node_chunks_once_found: gather_chunks(part, part.nodes, 1, values); break;
+            case ArrayOf::contact_chunks: gather_chunks(part, part.contacts, 1, values); break;
+            case ArrayOf::element_chunks: gather_chunks(part, part.elements, 1, values); break;
+            case ArrayOf::clusters: {
+                const std::vector<std::int32_t> owner = owners_of_clusters(assemblage);
+                gather_items(
+                    part, [&](std::int32_t i) { return owner[i]; }, values);
+                break;
+            }
+            default: break;
+        }
+    }
+    void operator()(const char* /*name*/, ArrayOf /*of*/, std::vector<PlatenPoint>& points) const {
+        gather_items(
+            assemblage.part, [&](std::int32_t i) { return assemblage.part.owner_of_node(points[i].node); }, points);
+    }
+    void operator()(const char* /*name*/, ArrayOf /*of*/, PointHistories& histories) const {
+        gather_histories(assemblage, histories);
+    }
+};
+
 State gather_state(const Assemblage& a, const State& state) {
     State s = state;
-    const Part& part = a.part;
     s.ghosts.reset();
-    for (auto* of_nodes : {&s.displacement, &s.velocity, &s.last_force, &s.damping_load.mean_displacement,
-                           &s.contact_pairs.displacement_at_search}) {
-        gather_nodes(part, *of_nodes);
-    }
-    gather_nodes(part, s.clusters.near_platen);
-    gather_chunks(part, part.contacts, slot_stride, s.contact_force);
-    constexpr std::size_t points_per_chunk = 2UL * contacts_per_chunk;
-    for (auto* of_points : {&s.opening, &s.sliding, &s.integrity, &s.slip, &s.fracture_energy, &s.next_level}) {
-        gather_chunks(part, part.contacts, points_per_chunk, *of_points);
-    }
-    for (auto* of_points : {&s.failed, &s.residual}) gather_chunks(part, part.contacts, points_per_chunk, *of_points);
-    gather_histories(a, s.points);
-    gather_items(
-        part, [&](std::int32_t i) { return part.owner_of_node(state.platen_points[i].node); }, s.platen_points);
-    gather_chunks(part, part.nodes, 1, s.node_sums);
-    gather_chunks(part, part.nodes, 1, s.contact_pairs.friction);
-    gather_chunks(part, part.nodes, 1, s.clusters.sums);
-    gather_chunks(part, part.contacts, 1, s.contact_sums);
-    if (!s.thermal.empty()) gather_chunks(part, part.elements, 1, s.thermal);
-    std::vector<std::int32_t> owner_of_cluster(a.n_clusters());
-    for (std::int32_t chunk = 0; chunk < part.nodes.count; ++chunk) {
-        const Range clusters = a.node_chunks[chunk].clusters;
-        std::fill(owner_of_cluster.begin() + clusters.begin, owner_of_cluster.begin() + clusters.end, part.nodes.owner_of(chunk));
-    }
-    gather_items(
-        part, [&](std::int32_t i) { return owner_of_cluster[i]; }, s.contact_pairs.cluster_load);
+    visit_arrays(s, GatherArray{a});
     gather_pairs(a, s.contact_pairs);
     return s;
 }
