@@ -9,7 +9,6 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <set>
 
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/check.hpp"
@@ -44,16 +43,6 @@ TEST(ContactLawTable, LawsWithFrictionBesideCohesionCountDamage) {
     }
 }
 
-TEST(ContactLawPoint, TheTableHasEveryLawOnce) {
-    std::set<std::string_view> names;
-    for (const LawDescription& law : all_contact_laws()) {
-        EXPECT_EQ(&description_of(law.variant), &law);
-        EXPECT_FALSE(law.meaning.empty());
-        EXPECT_TRUE(names.insert(law.name).second) << law.name;
-    }
-    EXPECT_EQ(names.size(), 5U);
-}
-
 TEST(ContactLawPoint, ThePageHasASectionForEveryLaw) {
     std::ifstream file(GRAINCRACK_SOURCE "/share/doc/laws.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};
@@ -77,21 +66,6 @@ TEST(ContactLawPoint, LeastFractureEnergies) {
     const double sliding = 4.0 / 3 * p.cohesion * p.cohesion / p.shear_stiffness;
     expect_close(least(LawVariant::combined).opening, opening, 1e-15, opening);
     expect_close(least(LawVariant::combined).sliding, sliding, 1e-15, sliding);
-}
-
-TEST(ContactLawPoint, PeakTractionsAndFirstMode) {
-    const ContactParameters p = augig_contact();
-    for (const ContactLaw& law : {make_contact_law(p, LawVariant::literal), make_contact_law(p, LawVariant::consistent)}) {
-        const ContactResponse at_peak = update_contact(law, {p.critical_opening * (1 - 1e-12), 0}, {});
-        expect_close(at_peak.traction.normal, p.tensile_strength, 1e-12, p.tensile_strength);
-        EXPECT_FALSE(at_peak.history.failed());
-        const ContactResponse past = update_contact(law, {p.critical_opening * 1.01, 0}, at_peak.history);
-        EXPECT_EQ(point_state(past.history), PointState::failed_tension);
-        EXPECT_LT(past.traction.normal, p.tensile_strength);
-        const ContactResponse gone = update_contact(law, {p.ultimate_opening * 1.01, 0}, past.history);
-        EXPECT_EQ(point_state(gone.history), PointState::separated);
-        EXPECT_EQ(damage(law, gone.history), 1);
-    }
 }
 
 // The shear strength of a contact that is open at zero opening is what tells the laws apart: tc, a parameter, cc.
