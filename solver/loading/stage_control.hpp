@@ -6,6 +6,8 @@
 
 #include "share/file/run_file.hpp"
 #include "solver/loading/platen_control.hpp"
+#include "solver/loading/stage_ends.hpp"
+#include "solver/loading/thermal_stage.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/program/program.hpp"
 #include "solver/setup/regions.hpp"
@@ -16,7 +18,7 @@ namespace graincrack {
 struct StageRecord {
     std::string name;
     double begin = 0, end = 0;  ///< s
-    std::string ended_by;       ///< "time", "rest", "peak_drop" or the name of a condition
+    std::string ended_by;       ///< name of a `StageEnd`, or why the run ended
 };
 
 /// Numbers with their names, as files keep them.
@@ -37,7 +39,6 @@ struct StageControllerState {
 /// The longest that a program takes.
 struct LoadingLength {
     double time = 0;           ///< s
-    std::size_t rows = 0;      ///< of the history
     double heating = 0;        ///< part of the time in which the measures decide how fast the temperature changes, s
     double usual_heating = 0;  ///< about what that takes, s
 };
@@ -65,14 +66,14 @@ public:
     IntervalLoading next(double duration);
     /// Steps to the next row of the history.
     [[nodiscard]] std::int64_t interval_steps(double time_step) const;
-    [[nodiscard]] LoadingLength longest(double time_step) const;
+    [[nodiscard]] LoadingLength longest() const;
 
-    /// True if the stage that is on has an end that it must reach.
-    [[nodiscard]] bool has_required_end() const { return !finished() && !now().must_end_by.empty(); }
+    /// True if the platens have come to their strain limit in a stage that may end so.
+    [[nodiscard]] bool is_at_strain_limit() const;
     /// True while a stage is on that has no platens, though the program has some.
     [[nodiscard]] bool is_without_platens() const { return !finished() && now().without_platens; }
     /// True while a stage is on that changes the temperature as fast as the measures allow.
-    [[nodiscard]] bool heats_automatically() const { return !finished() && now().heating && heats_; }
+    [[nodiscard]] bool heats_automatically() const { return !finished() && thermal_.heats(); }
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
     [[nodiscard]] const Feedback& feedback() const { return feedback_; }  ///< of the last row
@@ -98,20 +99,9 @@ private:
     /// Starts the functions that are written at a place.
     void start_functions(int place);
     void start_stage(const Rows& rows);
-    /// The temperature of the next `duration` seconds, where the measures decide how fast it changes.
-    void heat(double duration);
-    [[nodiscard]] HeatingControl heating_control(const AutomaticHeating& heating) const {
-        return {heating.tolerance, heating_scales_, heating.share};
-    }
-    /// The unbalanced ratio; of a specimen that only its temperature loads over at least the least forces that count.
-    [[nodiscard]] double unbalanced_ratio() const;
-    /// True if contacts have failed under a load.
-    [[nodiscard]] bool fails(double stress, const History& history) const;
-    /// True if the load is below an axial stress (absolute, Pa), and without damping has been for longer than a wave would make
-    /// it.
-    [[nodiscard]] bool has_fallen_below(double stress, const History& history) const;
-    [[nodiscard]] std::string end_reason(const Rows& rows);
-    [[nodiscard]] bool is_at_rest(double tolerance);
+    [[nodiscard]] double unbalanced_ratio() const { return thermal_.unbalanced_ratio(feedback_); }
+    /// When the functions that run now change no more, s.
+    [[nodiscard]] double end_of_functions() const;
     [[noreturn]] void refuse_end(const std::string& reason) const;
 
     const Program& program_;
@@ -121,18 +111,10 @@ private:
     PlatenControl platens_;
     int platens_origin_ = nowhere;
     std::size_t at_ = 0;
-    double stage_begin_ = 0;       ///< s
-    double functions_end_ = 0;     ///< of those the stage set, s
-    int rows_at_rest_ = 0;         ///< in succession
-    double highest_ = 0;           ///< axial stress of the stage since contacts have failed, absolute, Pa
-    std::vector<double> offsets_;  ///< of its conditions at its begin
-    HeatingScales heating_scales_;
-    HeatingControl heating_;    ///< finds the rate of the temperature
-    bool heats_ = false;        ///< it does: the temperature is not there yet
-    double heating_from_ = 0;   ///< K
-    bool is_thermal_;           ///< there is, or was, a temperature. What follows is of such a specimen alone:
-    double locked_in_ = 0;      ///< stored energy before the platens moved, J
-    double cracks_before_ = 0;  ///< contacts that failed before the stage
+    double stage_begin_ = 0;      ///< s
+    double functions_end_ = 0;    ///< of those the stage set, s
+    std::vector<StageEnd> ends_;  ///< of the stage that is on
+    ThermalStage thermal_;
     std::vector<StageRecord> records_;
     Feedback feedback_;  ///< of the last row
 };

@@ -197,10 +197,10 @@ void visit(Keys& keys, Content<Keys, PlatenFaces>& faces) {
 template <class Keys>
 void visit_until(Keys& keys, Content<Keys, Stage>& stage) {
     auto longest = std::isfinite(stage.longest_time) ? std::optional(stage.longest_time) : std::nullopt;
-    keys.given("time", duration, longest);
+    keys.given(ended_by_time, duration, longest);
     if constexpr (Keys::reads) stage.longest_time = longest.value_or(quantity::unbounded);
-    keys.given("rest", {"rest", Dimension::one, 0, 1, "rest", true}, stage.rest);
-    keys.given("peak_drop", quantity::peak_drop, stage.peak_drop);
+    keys.given(ended_by_rest, {ended_by_rest, Dimension::one, 0, 1, ended_by_rest, true}, stage.rest);
+    keys.given(ended_by_peak_drop, quantity::peak_drop, stage.peak_drop);
 }
 
 /// The keys at the top.

@@ -122,8 +122,10 @@ struct Condition {
     double value = 0;
 };
 
-/// The name of the end of a stage whose specimen has come to rest, in `must_end_by` and in the record of stages.
+/// Names of the ends of a stage but for its conditions, in `until`, in `must_end_by` and in the record of stages.
+inline constexpr const char* ended_by_time = "time";
 inline constexpr const char* ended_by_rest = "rest";
+inline constexpr const char* ended_by_peak_drop = "peak_drop";
 
 /// [stage.NAME]
 struct Stage {

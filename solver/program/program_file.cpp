@@ -240,7 +240,7 @@ Stage read_stage(Program& program, TomlTable& table) {
     table.given(program_keys::must_end_by, stage.must_end_by);
     const auto is_end = [&](const Condition& c) { return c.name == stage.must_end_by; };
     const bool has_end = stage.must_end_by.empty() || (stage.must_end_by == ended_by_rest && stage.rest) ||
-                         (stage.must_end_by == "peak_drop" && stage.peak_drop) ||
+                         (stage.must_end_by == ended_by_peak_drop && stage.peak_drop) ||
                          std::any_of(stage.until.begin(), stage.until.end(), is_end);
     if (!has_end) table.refuse(program_keys::must_end_by, "is none of the ends in until; one of them other than time fits");
     table.refuse_others();

@@ -18,9 +18,8 @@ struct SimulationPlan {
     /// Steps that tests of granite take at the automatic rate; 0 for other rates and programs, for which none are known.
     std::int64_t usual_steps = 0;
     StepBalance balance;   ///< before anything has failed
-    std::size_t rows = 0;  ///< of the history in as many steps
-    double memory = 0;     ///< with as many rows, when all contact points have failed, bytes
-    double file_size = 0;  ///< with all rows and frames, and all contact points in the crack log, before compression, bytes
+    double memory = 0;     ///< when all contact points have failed, bytes; this and the next by measured bytes a node
+    double file_size = 0;  ///< with all frames, and all contact points in the crack log, before compression, bytes
 };
 
 /// \throws InputError as the run itself

@@ -86,11 +86,8 @@ void ProgramDriver::resume(const StageControllerState& state, const RunReader& c
 }
 
 std::string ProgramDriver::stop_reason() const {
-    if (stages_.finished()) {
-        return is_standard() && stages_.records().back().ended_by == "peak_drop" ? "peak drop" : "end of the program";
-    }
-    const bool is_limited = program_.platens && !stages_.has_required_end();
-    return is_limited && std::abs(stages_.feedback().axial_strain) >= program_.platens->max_strain ? "strain limit" : "";
+    if (!stages_.finished()) return stages_.is_at_strain_limit() ? "strain limit" : "";
+    return is_standard() && stages_.records().back().ended_by == ended_by_peak_drop ? "peak drop" : "end of the program";
 }
 
 void ProgramDriver::complete(RunHeader& header) {

@@ -200,7 +200,7 @@ TEST(StandardTest, BlocksEndWithASpecimenThatDoesNotComeToRest) {
 }
 
 TEST(StandardTest, TheLongestWayIsSpeedingUpAndAllOfItAtTheSlowestSpeed) {
-    const auto longest = [](const LoadingRequest& request) { return LedPlatens(request).stages.longest(1e-7).time; };
+    const auto longest = [](const LoadingRequest& request) { return LedPlatens(request).stages.longest().time; };
     LoadingRequest request;
     request.max_strain = 0.01;
     const double travel = 0.5 * 0.01 * 0.08;
@@ -212,7 +212,6 @@ TEST(StandardTest, TheLongestWayIsSpeedingUpAndAllOfItAtTheSlowestSpeed) {
     const double slow = longest(request);
     request.rate_tolerance = 2e-3;
     expect_close(slow, 2 * longest(request), 1e-3, slow);
-    EXPECT_GT(LedPlatens(request).stages.longest(1e-7).rows, 8000U);
 }
 
 TEST(StandardTest, GivesUpOnASpecimenThatDoesNotSettle) {
@@ -379,7 +378,7 @@ TEST(Heating, GoesToItsTemperatureAndToRestBeforeThePlatensCome) {
     EXPECT_EQ(led.stages.next(0.5 * transit).velocity_end[bottom_platen], 0);
     led.history = {};
     const int rows = heat_through(led, 1);
-    const double usual = led.stages.longest(1).usual_heating / (0.5 * transit);
+    const double usual = led.stages.longest().usual_heating / (0.5 * transit);
     EXPECT_GT(rows, usual);
     EXPECT_LT(rows, 1.2 * usual);
     EXPECT_FALSE(led.stages.is_without_platens());

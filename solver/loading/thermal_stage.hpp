@@ -1,0 +1,70 @@
+// Heating within the stages of a program: the temperature goes as fast as the measures allow, and what heat leaves in a specimen,
+// stored energy and cracks, does not count in the stages after it.
+#pragma once
+
+#include "share/file/specimen.hpp"
+#include "share/rock/material.hpp"
+#include "solver/loading/rate_control.hpp"
+#include "solver/model/amplitude.hpp"
+#include "solver/program/program.hpp"
+
+namespace graincrack {
+
+class ThermalStage {
+public:
+    /// \param difference of the free expansions of the minerals (`expansion_difference`), 1/K; 0 where nothing expands
+    ThermalStage(const Program& program, const Specimen& specimen, const Rock& rock, double difference);
+
+    /// The specimen has, or had, a temperature. Nothing below matters to one that has not.
+    [[nodiscard]] bool is_thermal() const { return is_thermal_; }
+    void set_thermal() { is_thermal_ = true; }
+
+    /// A stage begins. \param was_heated whether the stage before it had a temperature, or there was none
+    /// \param amplitude of the temperature, if it has one
+    void begin(const Stage& stage, bool was_heated, const Amplitude* amplitude, const Feedback& feedback, const History& history);
+    /// Takes the control of a stage that resumes.
+    void resume(const Stage& stage) {
+        if (stage.heating) control_ = control_of(*stage.heating);
+    }
+    /// True while the measures decide how fast the temperature changes: it is not there yet.
+    [[nodiscard]] bool heats() const { return heats_; }
+    /// The temperature of the next `duration` seconds. \return false once it is there
+    bool heat(const Feedback& feedback, double duration, Amplitude& temperature);
+
+    /// The unbalanced ratio; of a specimen that only its temperature loads over at least the least forces that count.
+    [[nodiscard]] double unbalanced_ratio(const Feedback& feedback) const {
+        return is_thermal_ ? scales_.loaded(feedback) : feedback.unbalanced_ratio;
+    }
+    /// Contacts that failed before the stage.
+    [[nodiscard]] double cracks_before() const { return cracks_before_; }
+    /// Measures as the platens answer to them. \param settling_stress up to which the axial stress is no load yet, Pa
+    [[nodiscard]] Feedback of_load(Feedback feedback, double settling_stress) const;
+    /// About what a change of the temperature by so much takes where minerals crack, s.
+    [[nodiscard]] double usual_time(const AutomaticHeating& heating, double change) const {
+        return control_of(heating).usual_time(change);
+    }
+
+    /// Calls `visit(name, member)` with all that changes.
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit&& visit) {
+        visit("heats", self.heats_);
+        visit("heating_from", self.from_);
+        visit("locked_in", self.locked_in_);
+        visit("cracks_before", self.cracks_before_);
+        HeatingControl::visit_state(self.control_, visit);
+    }
+
+private:
+    [[nodiscard]] HeatingControl control_of(const AutomaticHeating& heating) const {
+        return {heating.tolerance, scales_, heating.share};
+    }
+    bool is_thermal_;
+    HeatingScales scales_;
+    HeatingControl control_;  ///< finds the rate of the temperature
+    bool heats_ = false;
+    double from_ = 0;           ///< temperature at the begin of the stage, K
+    double locked_in_ = 0;      ///< stored energy before the platens moved, J
+    double cracks_before_ = 0;  ///< contacts
+};
+
+}  // namespace graincrack
