@@ -9,18 +9,15 @@
 // Every law has an open branch (δn ≥ 0) and a closed one (δn < 0). An update that changes sides moves to δn = 0 on the one,
 // crosses to the other, and moves away from δn = 0 on that.
 //
-// Energy. `stored_energy` is a function of state. Each kind of dissipation is booked from its own formula: damage and the fall
-// from a peak as fracture, slip against friction as friction. Where a law has no potential, the difference between the work done
-// on a point and the change of its energy and dissipation is booked as non-conservative work.
+// Energy. `stored_energy` is a function of state. Damage and the fall from a peak are fracture, slip is friction, each by its own
+// formula. Where a law has no potential, the rest of the work done on a point is booked as non-conservative work.
 //
-// Strength factor. A contact whose strengths (and cohesion) are s times those of its class, its fracture energies s² times and
-// its stiffnesses the same, has displacements of peak and of loss that are s times as large. Its law is similar to that of its
-// class:
+// Strength factor. A contact whose strengths are s times those of its class, its fracture energies s² times and its stiffnesses
+// the same, has a similar law, with the same length E G/t² of the process zone:
 //
-//   σ_s(δ) = s σ_1(δ/s),  ψ_s(δ) = s² ψ_1(δ/s)                    the length E G/t² of the process zone stays
+//   σ_s(δ) = s σ_1(δ/s),  ψ_s(δ) = s² ψ_1(δ/s)
 //
-// So its points are advanced with the constants of the class at motions over s; tractions are then times s, energies times s².
-// `State` keeps motions and slips over s.
+// So its points are advanced with the constants of the class at motions over s, and `State` keeps motions and slips over s.
 //
 // Valid for |δ| small against the contact's length.
 #pragma once
@@ -131,6 +128,8 @@ double damage(const ContactLaw& law, const ContactHistory& history) {
     return history.separated ? 1 : Law::damage(law, history);
 }
 
+/// Fraction of the peak of its cohesive traction that a contact point can still bear: 1 up to its failure. Below the last of
+/// `damage_levels` the point is broken. Down to one half a bridge does not count.
 template <class Law>
 double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) {
     if (!history.failed() || history.separated) return history.failed() ? 0 : 1;
@@ -158,21 +157,9 @@ inline ContactResponse update_contact(const ContactLaw& law, const ContactMotion
     return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::update<decltype(kind)>(law, to, history); });
 }
 
-/// Recoverable energy per area of a contact point in its present motion, J/m².
-inline double stored_energy(const ContactLaw& law, const ContactHistory& history) {
-    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::stored_energy(law, history); });
-}
-
 /// Damage D of a contact point, 0 to 1 (Eq 9).
 inline double damage(const ContactLaw& law, const ContactHistory& history) {
     return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::damage<decltype(kind)>(law, history); });
-}
-
-/// Share of the peak of its cohesive traction that a contact point can still bear, 0 to 1: 1 up to its failure. Below the last of
-/// `damage_levels` the point is broken. Down to one half a bridge does not count.
-inline double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) {
-    return contact_law::with_law(law.variant,
-                                 [&](auto kind) { return contact_law::remaining_cohesion<decltype(kind)>(law, history); });
 }
 
 }  // namespace graincrack

@@ -10,6 +10,19 @@
 #include "share/rock/material.hpp"
 #include "solver/law/contact_law.hpp"
 
+namespace graincrack {
+
+/// Recoverable energy per area of a contact point in its present motion, J/m².
+inline double stored_energy(const ContactLaw& law, const ContactHistory& h) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::stored_energy(law, h); });
+}
+/// Fraction of the peak of its cohesive traction that a contact point can still bear.
+inline double remaining_cohesion(const ContactLaw& law, const ContactHistory& h) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::remaining_cohesion<decltype(kind)>(law, h); });
+}
+
+}  // namespace graincrack
+
 namespace graincrack::test {
 
 /// Every contact law.
