@@ -291,7 +291,6 @@ void record_actions(Program& program) {
 void read_platens(TomlTable& file, Program& program) {
     if (auto table = file.table("platens")) {
         program.platens.emplace();
-        table->given("glued", program.platens->bonded);  // the former name of `bonded`
         visit(*table, *program.platens);
         for (auto& [name, faces] : {std::pair("bottom", &program.platens->bottom), std::pair("top", &program.platens->top)}) {
             auto side = table->table(name);
