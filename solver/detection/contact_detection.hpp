@@ -38,9 +38,8 @@ void detect_contacts(const Assemblage& assemblage, const StepParameters& paramet
 /// Once all chunks are done, on all ranks if pairs are watched anywhere: gives each contact that has just begun its area, in the
 /// order of the pairs, whatever the number of threads and ranks. This is the tributary area of its node, or less where that would
 /// exceed what is available at the node or at the nearer end of the edge: half of the two outline edges there, less what bonds
-/// and other node–edge contacts occupy. A node inside the specimen was bonded over all of that, and the stable step was found for
-/// it; without the limit many corners at one end of an edge would be stiffer together than any bond was. A contact that is
-/// transferred or moves to the other end of its edge keeps its area.
+/// and other node–edge contacts occupy, so that no corners are stiffer together than bonds were. A contact that is transferred
+/// keeps its area.
 void find_areas_of_new_contacts(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 
 }  // namespace graincrack

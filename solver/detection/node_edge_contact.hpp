@@ -1,23 +1,17 @@
-// A node–edge contact: a node of one grain against an edge of another, where no bond is left. Penalty and Coulomb friction, with
-// an energy.
+// A node–edge contact (share/doc/laws.md): a node of one grain against an edge of another, where no bond is left. Penalty and
+// Coulomb friction, with an energy.
 //
 // With x the node, x0 → x1 the edge (solid on its left), t its direction, n its outward normal and s the place of the node along
-// it, 0 to 1, the depth of the node behind the edge is d = −(x − x0)·n. The overlap is e = d − initial overlap; the
-// initial overlap is the depth at which the contact was found, so that it begins without a force however late that was, and is
-// transferred to another edge without a jump. Per tributary area A of the node:
+// it, 0 to 1: depth d = −(x − x0)·n, overlap e = d − initial overlap, the depth at which the contact was found. Per tributary
+// area A of the node:
 //
 //   normal    kt A e on the node along n, stored ½ kt A e²
-//   friction  τ = ks q within ±(c_r + kt e tan φ_r) while e > 0, q the elastic part of the sliding of the node along the edge;
-//   stored ½ ks A q²
+//   friction  τ = ks q within ±(c_r + kt e tan φ_r) while e > 0, q the elastic part of the sliding along the edge, stored ½ ks A
+//   q²
 //
-// A contact ends between two steps: when the node is found outside it is past the edge by o, and the scheme has taken ½ kt A e o
-// more energy from the spring than it stored; a grain would gain energy at every impact. In the following step a tension of ½ kt
-// A e o/(e + o) corrects this: its work in the mean of the scheme, over the distance 2 (e + o) of two steps, is that energy.
-//
-// kt, ks and the residual cohesion c_r and friction angle φ_r (0 and φc where the law has none of its own) are those of a contact
-// on which nothing but friction is left (Kazerani & Zhao 2014, Eqs 10, 12), so a bonded contact that has lost its cohesion turns
-// into node–edge contacts of the same force and energy. The edge takes the opposite forces at its nodes in the shares 1 − s and
-// s, and the couple d τ that the distance of node and edge makes: linear and angular momentum are exact.
+// The edge takes the opposite forces in the fractions 1 − s and s, and the couple d τ. A contact ends between two steps: when the
+// node is found past the edge by o, the scheme has taken ½ kt A e o more energy from the spring than it stored. A tension of ½ kt
+// A e o/(e + o) in the following step corrects this: its work over the distance 2 (e + o) of two steps is that energy.
 #pragma once
 
 #include <algorithm>

@@ -1,19 +1,13 @@
-// How stiff node–edge contacts may be in a step with mass scaling.
+// How stiff node–edge contacts may be in a step with mass scaling (share/doc/laws.md).
 //
-// A node–edge contact with the stiffness kt A resists the motion Σ a_C v_C of the vertex clusters C of its three nodes, where a_C
-// sums the shares 1, −(1 − s) and −s of the node and the ends of the edge that are in C. (Its resistance to motions within a
-// cluster is that of the bonds it replaces: contact_detection.cpp limits the areas of a node to those of its bonds.) For all
-// contacts i together and any motion v of clusters
+// A contact with the stiffness kt A resists the motion Σ a_C v_C of the vertex clusters C of its three nodes, where a_C sums the
+// fractions 1, −(1 − s) and −s of those in C. By the Cauchy–Schwarz inequality, for all contacts i and any motion v of clusters
 //
 //   Σ_i kt_i A_i (Σ_C a_iC v_C)² ≤ Σ_C v_C² L_C,   L_C = Σ_i kt_i A_i |a_iC| Σ_D |a_iD|
 //
-// by the Cauchy–Schwarz inequality. The load L_C of each cluster is kept below η M_C/Δt², M_C its mass, so that node–edge
-// contacts add at most η to ω² Δt², which the fraction of the stable step keeps below 2 (4 is the limit without damping). A
-// contact beside the vertex it came from has small a_C and keeps all of its area; one that has slid to another vertex becomes
-// softer.
-//
-// If the load is too large, areas are reduced at the next update of the pair list, to c A. Overlap and elastic slip grow by
-// 1/√c, so that the stored energy ½ A (kt e² + ks q²) stays as it is; forces fall by √c, and the limit of friction with them.
+// The load L_C is kept below η M_C/Δt², M_C the mass of the cluster, so that contacts add at most η to ω² Δt². Where it is
+// larger, areas fall to c A at the next update of the pair list, and overlap and elastic slip grow by 1/√c: the stored energy
+// stays.
 #pragma once
 
 #include <array>

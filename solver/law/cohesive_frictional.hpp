@@ -1,24 +1,15 @@
-// `cohesive-frictional`: the law `consistent` whose closed contacts lose their cohesion over a fracture energy G_II, with
-// friction mobilised beside it, so that the strength depends on pressure before a contact has failed.
+// `cohesive-frictional` (share/doc/laws.md): the law `consistent` whose closed contacts lose their cohesion over a fracture
+// energy G_II, with friction mobilised beside it, so that the strength depends on pressure before a contact has failed.
 //
 //   open     (σn, τ) = β (kt δn, ks δs)
 //   closed   σn = kt δn, τ = β ks δs + a ks (δs − slip), the second term within ±|σn| tan φ
 //
-// β is the integrity of `cohesive_damage.hpp`. Its softening has the area Gf while open and G_II while closed: sliding under
-// compression follows Eq 10's curve to cc at δcs and then falls linearly to zero at δcs (1 + s), s = 2 [G_II/(cc δcs) − (e − 2)].
-// a is 0 until the point fails and 1 from then on: friction starts from zero and is mobilised over a sliding of |σn| tan φ/ks, so
-// that the strength under a compression is cc + |σn| tan φc less what cohesion loses over that distance, cc |σn| tan φc/(ks s
-// δcs). Pressure acts through friction alone: a cohesion in the energy that depended on σn would make a normal force.
+// β is the integrity of `cohesive_damage.hpp`; while closed it falls linearly from cc at δcs to zero at δcs (1 + s), s = 2
+// [G_II/(cc δcs) − (e − 2)]. a is 0 until the point fails and 1 from then on. tan φ falls from tan φc to tan φr in proportion to
+// 1 − D of the closed branch (Hajiabdolmajid, Kaiser & Martin 2002, Int J Rock Mech Min Sci 39). Where G_II is no more than the
+// energy to the peak, cc δcs (e − 2), cohesion is lost at once and friction starts from the traction the point had (Eq 12).
 //
-// Friction itself may weaken (cohesion weakening, Hajiabdolmajid, Kaiser & Martin 2002, Int J Rock Mech Min Sci 39): tan φ falls
-// from tan φc, while all cohesion is there, to tan φr, when it is gone, in proportion to 1 − D of the closed branch.
-//
-// The sudden loss of the paper is the limit of small G_II. Where G_II is no more than the energy of the path to the peak,
-// cc δcs (e − 2), there is no softening: cohesion is lost at once, and friction starts from the traction the point had (Eq 12).
-//
-// Bridges are those of `bridge.hpp`. Energy: that of `consistent`. Every part of the dissipation, by the fall of β and by slip,
-// is never negative. On crossing δn = 0 friction is zero and β can only fall: the law has a potential. Failure in one mode always
-// weakens the other.
+// Bridges are those of `bridge.hpp`, the energy is that of `consistent`.
 #pragma once
 
 #include "solver/law/bridge.hpp"

@@ -1,23 +1,16 @@
-// `combined`: the combined single and smeared crack model of FEM/DEM codes (Munjiza, Andrews & White 1999, Int J Numer Meth Engng
-// 44, 41–57; in shear as Y-Geo, Mahabadi et al. 2012, Int J Geomech 12), made a law with an energy.
+// `combined` (share/doc/laws.md): the combined single and smeared crack model of FEM/DEM codes (Munjiza, Andrews & White 1999,
+// Int J Numer Meth Engng 44, 41–57; in shear as Y-Geo, Mahabadi et al. 2012, Int J Geomech 12), made a law with an energy.
 //
 //   σn = z tc P(δn/o_p) while open, kt δn while closed;  τ = z cc P(δs/s_p), P(x) = x (2 − |x|), 1 at the peak
 //   o_p = 2 tc/kt, s_p = 2 cc/ks                         so that the parabola starts with kt and ks
 //   z = [1 − (a+b−1)/(a+b) e^(D (a+cb)/((a+b)(1−a−b)))] [a (1−D) + b (1−D)^c],  a = 0.63, b = 1.8, c = 6
 //   D = √(⟨(o−o_p)/(o_r−o_p)⟩² + ⟨(s−s_p)/(s_r−s_p)⟩²)   with the largest opening o and sliding s so far, 0 to 1
 //
-// Before a peak a point is elastic along the parabola. Past the peak it unloads and reloads on the secant, P(x) = x/(largest x).
-// o_r and s_r follow from the fracture energies: the area under the curve of pure opening is G_I, that of pure sliding G_II:
+// Past the peak a point unloads and reloads on the secant, P(x) = x/(largest x). o_r and s_r give the curves the areas G_I and
+// G_II: ∫σ do = tc o_p (2/3 + I (o_r−o_p)/o_p), I = ∫0^1 z dD. A closed point that has failed bears friction beside its cohesion,
+// on all of its area, from zero: τ += ks (δs − slip) within ±σres.
 //
-//   ∫σ do = tc o_p (2/3 + I (o_r−o_p)/o_p),  I = ∫0^1 z dD = 0.386307…
-//
-// A closed point that has failed in either mode bears friction beside its cohesion, on all of its area, starting from zero in the
-// step in which it fails: τ += ks (δs − slip) within ±σres. The strength under compression is then nearly cc + |σn| tan φc, as in
-// those codes. It is less by the fall of z while friction is mobilised, over a sliding of |σn| tan φc/ks.
-//
-// Energy: z (tc o_p E(δn/o_p) + cc s_p E(δs/s_p)) + ½ kt⟨−δn⟩² + ½ ks (δs − slip)², E = ∫P. Each of its history variables only
-// lowers it, so dissipation is never negative. It is continuous at δn = 0, so the law has a potential. Failure in one mode always
-// weakens the other.
+// Energy: z (tc o_p E(δn/o_p) + cc s_p E(δs/s_p)) + ½ kt⟨−δn⟩² + ½ ks (δs − slip)², E = ∫P. Each history variable only lowers it.
 #pragma once
 
 #include <cmath>

@@ -1,22 +1,14 @@
-// The variant `consistent`: the curves of Kazerani & Zhao (2014) with one damage variable, an energy, and a dissipation that is
-// never negative.
-//
-// The fraction β of the cohesion of a point remains (1 at first), and a fraction a carries friction (0 at first):
+// `consistent` (share/doc/laws.md): the curves of Kazerani & Zhao (2014) with the integrity β of `cohesive_damage.hpp`, a
+// fraction a of the area that carries friction, and an energy:
 //
 //   ψ = ½ β (kt⟨δn⟩² + ks δs²) + ½ kt⟨−δn⟩² + ½ a ks (δs − slip)²          the last term while closed only
 //   open     (σn, τ) = β (kt δn, ks δs)
 //   closed   σn = kt δn, τ = β ks δs + a ks (δs − slip), the second term within ±a σres
 //
-// β is the integrity of `cohesive_damage.hpp`. While open its softening has the area Gf; while closed there is none: past the
-// peak β = 0, cohesion is lost at once. So pure opening gives Eq 7's curve with area Gf, sliding under compression Eq 10's. Where
-// the paper has non-linear elasticity before the peak, this law has damage: a point unloads and reloads along the secant there
-// too.
-//
-// A point that failed closed carries friction on all of its area, starting from the traction it had (Eq 12). One that failed open
-// carries friction on the fraction D of the area that it has lost, starting from zero when it closes (Alfano & Sacco 2006, Int J
-// Numer Meth Engng 68: friction on the damaged part). When a point fails while closed, both shares continue with their mean slip;
-// the energy is convex in the slip, so the loss is never negative. Bridges are those of `bridge.hpp`. On crossing δn = 0 β can
-// only fall, which dissipates energy: the law has a potential. Failure in one mode always weakens the other.
+// While open the softening has the area Gf; past the peak of the closed branch β = 0 at once, and friction has all of the area,
+// from the traction that the point had (Eq 12). A point that failed open carries friction on the fraction D of the area (Alfano &
+// Sacco 2006, Int J Numer Meth Engng 68), from zero. When it fails while closed, both fractions continue with their mean slip;
+// the energy is convex in the slip, so the loss is never negative. Bridges are those of `bridge.hpp`.
 #pragma once
 
 #include "solver/law/bridge.hpp"

@@ -1,17 +1,13 @@
-// `coulomb-slip`: the Coulomb slip model of joints with residual strength, as UDEC has it (Itasca, UDEC, Constitutive models:
-// "Coulomb slip with residual strength (area contact)"), without dilation.
+// `coulomb-slip` (share/doc/laws.md): the Coulomb slip model of joints with residual strength of UDEC (Itasca), without dilation.
 //
 //   σn = kt δn,  τ = ks (δs − slip)             linear, the same on both sides of δn = 0
-//   fails if  σn > T  or  |τ| > c − σn tan φ    T, c, φ: tensile strength, cohesion, friction angle; the Coulomb line continues
-//                                               into tension, where it ends at zero
+//   fails if  σn > T  or  |τ| > c − σn tan φ    the Coulomb line continues into tension, where it ends at zero
 //
-// A point that failed in either way has the residual values T_r, c_r, φ_r in place of T, c, φ at once. From then on slip keeps
-// |τ| ≤ c_r − σn tan φ_r. A point that is pulled above T_r, or fails above it, separates: from then on it carries nothing while
-// open, and compression and friction while closed. T_r = 0 unless given, so a failed point that opens has separated.
+// A failed point has the residual values T_r, c_r, φ_r. One that is pulled above T_r separates: it carries nothing while open,
+// compression and friction while closed.
 //
-// Energy: ½ kt δn² + ½ ks (δs − slip)², zero while open and separated. The fall from the peak dissipates fracture energy, slip
-// dissipates friction. When a point separates its limit falls to zero, and the shear it carried by c_r relaxes as friction. The
-// law has a potential.
+// Energy: ½ kt δn² + ½ ks (δs − slip)², zero while open and separated. The fall from the peak is fracture; slip, and the shear
+// that a point carried by c_r when it separates, is friction.
 #pragma once
 
 #include <cmath>

@@ -1,13 +1,11 @@
-// Damping of a step: a fraction α of the unbalanced force, component by component, in one of two forms.
+// Damping of a step (Cundall 1987; share/doc/loading.md): a fraction α of the unbalanced force, component by component.
 //
 //   local      Fd = −α |F| sign(v)                        against the motion
 //   combined   Fd = ½ α |F| (sign(Ḟ) − sign(v))           half against the motion, half with the rate of the unbalanced force
 //
-// In an oscillation F falls while v > 0 and rises while v < 0: both halves oppose it, and both forms take the same energy from
-// it. In steady motion, sliding above all, v keeps its sign while F fluctuates about zero: local damping then opposes the motion
-// by α times the mean of |F|, a force that holds load; the halves of the combined form cancel in each half of a fluctuation where
-// F rises against the motion's sign, so that it holds far less, and does not excite by itself the chatter that it damps. Both are
-// Cundall's (1987, local; combined as in the codes of Itasca for "significant uniform motion").
+// In an oscillation F falls while v > 0 and rises while v < 0: both forms take the same energy from it. In steady motion, sliding
+// above all, v keeps its sign while F fluctuates: local damping holds load by α times the mean of |F|, and the halves of the
+// combined form cancel in each half of a fluctuation where F rises against the motion's sign.
 #pragma once
 
 #include <cmath>

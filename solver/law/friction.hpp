@@ -3,12 +3,10 @@
 // τ = ks (δs − slip) within ±limit; the limit is −kt δn tan φc in the paper. The slip is the history variable. As printed, Eq 12
 // would create energy when the slip reverses.
 //
-// Energy. Over a step, the central-difference scheme does the work ½ (τ0 + τ1) Δδs on a point, of which ½ (τ0 + τ1)(Δδs − Δslip)
-// is stored. Friction dissipates the rest, ½ (τ0 + τ1) Δslip. This is negative in one case: within one step the point turns from
-// slip in one direction to slip in the other while its limit falls (τ0 > 0, τ1 = −limit, limit < τ0, Δslip < 0). No admissible
-// traction avoids it: τ1 ≥ −limit > −τ0 keeps the sum positive, and Δslip ≥ 0 would need τ1 ≤ τ0 + ks Δδs < −limit. In such a
-// step no dissipation is booked. The error of the scheme, at most ½ τ0 |Δδs| per area and of second order in the step, remains
-// visible in the residual of the energy balance.
+// Energy. Over a step, the central-difference scheme does the work ½ (τ0 + τ1) Δδs on a point; friction dissipates ½ (τ0 + τ1)
+// Δslip of it. This is negative where a point turns within a step from slip in one direction to slip in the other while its limit
+// falls (τ0 > 0, τ1 = −limit, limit < τ0, Δslip < 0), and no admissible traction avoids it. Then no dissipation is booked. The
+// error, at most ½ τ0 |Δδs| and of second order in the step, is visible in the energy balance.
 #pragma once
 
 #include <algorithm>

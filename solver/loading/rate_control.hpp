@@ -1,23 +1,18 @@
-// How fast the platens may move: as fast as the run's own measures say that it stays quasi-static.
+// How fast the platens may move (share/doc/loading.md): as fast as the run's own measures say that it stays quasi-static.
 //
-// Three measures are kept below a tolerance T, each dimensionless:
+// Three measures are kept below a tolerance T:
 //
 //   inertia            √(12 K/U) of kinetic over stored energy. In a bar between platens that approach at a speed v each, it is
 //                      2 v/(c ε), what the load rises by, relative to itself, while a wave runs through (K = m v²/6,
-//                      U = ½ E ε² V, c = √(E/ρ))
+//                      U = ½ E ε² V, c = √(E/ρ)). K is of the masses as they are
 //   unbalanced ratio   Σ|unbalanced force| / Σ|element force|
 //   force difference   of the platens over their mean
 //
-// and a fourth below `max_damping_load`: the load that damping carries by holding back what slides.
+// and a fourth, the load that damping carries, below `max_damping_load`. While no contact is near failure (`near_failure`) the
+// first two may reach 0.1. The strain rises by at most 6 % of itself in a transit, by 1.5 % once contacts are near failure.
+// Temperature ramps follow the same rules (`HeatingControl`), with the change of temperature in place of the strain.
 //
-// The kinetic energy is that of the true masses: nodes on a platen move with it whatever mass scaling adds to them. While no
-// contact is near failure or slides (`near_failure`), a fast rise of the load does no harm, and the first two measures may reach
-// 0.1. Whatever they say, the strain rises by at most 6 % of itself in a transit, by 1.5 % once contacts are near failure.
-//
-// A temperature is gone to by the same rules (`HeatingControl`), with its change in place of the strain.
-//
-// Pure: measures in, speed out. The logarithm of the speed follows what the measures allow within some wave transits, and its
-// rate is limited, so that the speed changes smoothly. The lowest speed only keeps a test from standing still.
+// Pure: measures in, speed out. The logarithm of the speed follows what the measures allow, at a limited rate.
 #pragma once
 
 #include <algorithm>
@@ -106,11 +101,10 @@ struct HeatingScales {
     }
 };
 
-/// How fast a temperature may change. The difference of free expansions grows with its change θ since the ramp began, so that θ̇/θ
-/// is what thermal stress rises by, relative to itself: per wave transit it may reach what the first two measures of
-/// `RateControl` may, and no more than strain may. The unbalanced ratio slows it down; forces that a free specimen of one mineral
-/// has, those of waves alone (`HeatingScales::loaded`), do not. Kinetic energy tells nothing here: a specimen that expands freely
-/// and evenly moves, at a constant rate without any stress of inertia.
+/// How fast a temperature may change. Its change θ since the ramp began gives thermal stress a relative rise of θ̇/θ: per wave
+/// transit it may reach what the first two measures of `RateControl` may, and no more than strain may. The unbalanced ratio slows
+/// it down, but for forces of waves alone (`HeatingScales::loaded`). Kinetic energy tells nothing: free expansion is motion
+/// without stress.
 class HeatingControl {
 public:
     HeatingControl(double tolerance, const HeatingScales& scales, double fraction = 1)

@@ -60,7 +60,7 @@ struct NodeSums {
     using IsSum = void;
 };
 
-/// What the temperature does to a chunk of elements: as a motion, whose force is the change of the stored energy with it.
+/// Thermal work on a chunk of elements. Temperature acts as a generalised displacement; its conjugate force is ∂W/∂T.
 struct ThermalState {
     double temperature = 0;  ///< K
     double force = 0;        ///< Σ V ∂W/∂T, of the stored energy W: −σ : ∂ε0/∂T and what is across the plane, J/K

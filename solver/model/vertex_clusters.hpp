@@ -1,24 +1,16 @@
-// Selective mass scaling: the nodes that contacts link at a vertex of the reference mesh, a vertex cluster, move relative to each
-// other with 1 + β times their mass, and together with their own mass (Olovsson, Simonsson & Unosson 2005 do so for the nodes of
-// an element).
-//
-// For linked nodes with masses m and total mass m_g:
+// Selective mass scaling (share/doc/loading.md): the nodes that contacts link at a vertex of the reference mesh, a vertex
+// cluster, move relative to each other with 1 + β times their mass, and together with their own mass (Olovsson, Simonsson &
+// Unosson 2005 do so for the nodes of an element). For linked nodes with masses m and total mass m_g:
 //
 //   M' = M + β (M − m mᵀ/m_g)            a_i = ā + (f_i/m_i − ā)/(1 + β),  ā = Σf/m_g
 //
-// Contacts are much stiffer than grains, so the relative motion of their nodes limits the step. The scaling slows the vibration
-// of contacts, which does not matter in a quasi-static test. Equilibrium and momentum are unchanged; angular momentum of the
-// relative motion is not conserved.
+// Contacts are much stiffer than grains, so the relative motion of their nodes limits the step. Equilibrium and momentum are
+// unchanged; angular momentum of the relative motion is not conserved. A cluster stays what it is when its contacts have failed:
+// node–edge contacts, as stiff as bonds, need it as bonds do.
 //
-// A vertex cluster stays what it is when its contacts have failed: an added mass on relative motions changes no equilibrium, and
-// node–edge contacts, which are as stiff as bonds, need it as bonds do. What it leaves of their stiffness is limited by
-// `detection/stable_area.hpp`. So the long step lasts to the end of a test. Fragments move slowly relative to each other: the
-// energy that a fracture sets free turns into slower motion, and the test must be loaded slowly enough to follow.
-//
-// A cluster with a node on a platen, or as close to one as `platen_reach`, is constrained by the platen as by an infinite mass: ā
-// is the platen's. The force that accelerates the added mass with the platen does work, which is booked as the platen's. When a
-// cluster meets a platen or leaves it, its nodes keep their momentum M' v, as keeping their velocities would create energy. That
-// loses kinetic energy and never gains any; the loss is booked.
+// A cluster with a node on a platen, or within `platen_reach` of one, is constrained by the platen as by an infinite mass: ā is
+// the platen's, and the work on the added mass is booked as the platen's. When a cluster meets a platen or leaves it, its nodes
+// keep their momentum M' v. That loses kinetic energy and never gains any; the loss is booked.
 #pragma once
 
 #include <array>
