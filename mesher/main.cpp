@@ -88,7 +88,8 @@ int run(int argc, char** argv) {
         return 0;
     }
     if (options->imported) {
-        const Import mesh = import_specimen(*options->imported, request.fabric, request.seed);
+        Import mesh = import_specimen(*options->imported, request.fabric, request.seed);
+        mesh.specimen.settings = options->settings;
         if (options->dry_run) {
             print(std::cout, summary_of(mesh.specimen, ""));
             print(std::cout, describe(mesh));
@@ -110,8 +111,9 @@ int run(int argc, char** argv) {
     H5Output file(options->output, "specimen");
     Progress progress("mesh", options->verbosity);
     MeshReport report;
-    const Specimen specimen = mesh(
+    Specimen specimen = mesh(
         request, [&](double fraction) { progress.update(fraction, ""); }, &report);
+    specimen.settings = options->settings;
     progress.finish();
     write(file, specimen, "", *options, argc, argv, start);
 

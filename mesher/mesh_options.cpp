@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/mesh_settings.hpp"
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/region/region_files.hpp"
 #include "share/base/error.hpp"
@@ -57,13 +58,13 @@ struct Kind {
 };
 
 void add_width(OptionSet set, KindOptions& options, const char* name) {
-    add_quantity(set, name, options.width, quantity::width, "width, along x").required();
+    add_quantity(set, name, options.width, quantity::width, "width, along x").of(SettingGroup::size).required();
 }
 void add_height(OptionSet set, KindOptions& options) {
-    add_quantity(set, "--height", options.height, quantity::height, "height, along the load").required();
+    add_quantity(set, "--height", options.height, quantity::height, "height, along the load").of(SettingGroup::size).required();
 }
 void add_diameter(OptionSet set, KindOptions& options) {
-    add_quantity(set, "--diameter", options.diameter, quantity::diameter, "diameter").required();
+    add_quantity(set, "--diameter", options.diameter, quantity::diameter, "diameter").of(SettingGroup::size).required();
 }
 
 const Kind kinds[] = {
@@ -74,11 +75,13 @@ const Kind kinds[] = {
          add_quantity(
              set.usual(), "--slit", options.notch, quantity::notch,
              "length of a slit through the centre, across the load, whose grain boundaries are broken from the start; the "
-             "width of the specimen makes it a joint");
+             "width of the specimen makes it a joint")
+             .of(SettingGroup::cuts);
          add_quantity(
              set, "--slit-angle", options.angle, quantity::direction,
              "direction of the slit from x: a straight slit, which grain boundaries follow; default: across the load, of "
-             "triangles along whole grain boundaries as they lie, of crystals straight");
+             "triangles along whole grain boundaries as they lie, of crystals straight")
+             .of(SettingGroup::cuts);
      },
      [](const KindOptions& options, Request& request) {
          request.region = rectangle(options.width, options.height);
@@ -93,20 +96,29 @@ const Kind kinds[] = {
      [](OptionSet set, KindOptions& options) {
          add_diameter(set, options);
          Option pole = add_choice<Pole>(set, "--pole", options.pole, {{"facet", Pole::facet}, {"vertex", Pole::vertex}},
-                                        "part of the rim that meets the platens");
-         Option diameters = add_integer<int>(set, "--diameters", options.diameters,
-                                             "number of diameters that can be loaded, at equal angles: 6 for every 30 degrees", 1,
-                                             max_diameters);
-         Option loaded = add_integer<int>(
-             set, "--loaded-diameter", options.loaded_diameter,
-             "index of the diameter along the load, counter-clockwise from 0: the same grains, rotated, with holes and flaws", 0,
-             max_diameters - 1);
+                                        "part of the rim that meets the platens")
+                           .of(SettingGroup::shape);
+         Option diameters =
+             add_integer<int>(set, "--diameters", options.diameters,
+                              "number of diameters that can be loaded, at equal angles: 6 for every 30 degrees", 1, max_diameters)
+                 .of(SettingGroup::none);
+         Option loaded =
+             add_integer<int>(
+                 set, "--loaded-diameter", options.loaded_diameter,
+                 "index of the diameter along the load, counter-clockwise from 0: the same grains, rotated, with holes and flaws",
+                 0, max_diameters - 1)
+                 .of(SettingGroup::seed);
          Option flats = add_quantity(set, "--flats", options.flats, quantity::flats,
-                                     "angle under which flat poles, the parts top and bottom, are seen from the centre");
+                                     "angle under which flat poles, the parts top and bottom, are seen from the centre")
+                            .of(SettingGroup::shape);
          for (Option other : {pole, diameters, loaded}) flats.excludes(other);
-         add_quantity(set.usual(), "--slit", options.notch, quantity::slit, "length of a straight crack through the centre");
+         add_quantity(set.usual(), "--slit", options.notch, quantity::slit, "length of a straight crack through the centre")
+             .of(SettingGroup::cuts);
          add_quantity(set, "--slit-angle", options.angle, quantity::direction,
-                      "direction of the crack from x; 90deg along the load; default: 90deg");
+                      "direction of the crack from x; 90deg along the load; default: 90deg")
+             .of(SettingGroup::cuts, [&options] {
+                 return options.notch ? SettingValue(options.angle.value_or(quantity::right_angle)) : SettingValue();
+             });
      },
      [](const KindOptions& options, Request& request) {
          request.region = options.flats ? disc_with_flats(options.diameter, *options.flats)
@@ -120,7 +132,9 @@ const Kind kinds[] = {
     {"ring", "a ring, loaded along its vertical diameter",
      [](OptionSet set, KindOptions& options) {
          add_diameter(set, options);
-         add_quantity(set, "--inner-diameter", options.inner_diameter, quantity::diameter, "diameter of the hole").required();
+         add_quantity(set, "--inner-diameter", options.inner_diameter, quantity::diameter, "diameter of the hole")
+             .of(SettingGroup::shape)
+             .required();
      },
      [](const KindOptions& options, Request& request) {
          if (!(options.inner_diameter < options.diameter)) throw UsageError("--inner-diameter: must be less than --diameter");
@@ -130,8 +144,8 @@ const Kind kinds[] = {
      [](OptionSet set, KindOptions& options) {
          add_width(set, options, "--length");
          add_height(set, options);
-         add_quantity(set.usual(), "--slit", options.notch, quantity::slit,
-                      "length of a straight crack from below at mid-length");
+         add_quantity(set.usual(), "--slit", options.notch, quantity::slit, "length of a straight crack from below at mid-length")
+             .of(SettingGroup::cuts);
      },
      [](const KindOptions& options, Request& request) {
          request.region = rectangle(options.width, options.height);
@@ -142,7 +156,8 @@ const Kind kinds[] = {
      [](OptionSet set, KindOptions& options) {
          add_diameter(set, options);
          add_quantity(set.usual(), "--slit", options.notch, quantity::slit,
-                      "length of a straight crack from the middle of the flat side");
+                      "length of a straight crack from the middle of the flat side")
+             .of(SettingGroup::cuts);
      },
      [](const KindOptions& options, Request& request) {
          request.region = half_disc(options.diameter);
@@ -239,24 +254,34 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
         set.usual(), "--tessellation", fabric.tessellation,
         {{"delaunay", Tessellation::delaunay}, {"voronoi", Tessellation::voronoi}, {"trigon", Tessellation::trigon}},
         "grains: triangles (delaunay), crystals of elements that do not break (voronoi), or crystals whose triangles are grains, "
-        "so that they break (trigon)");
+        "so that they break (trigon)")
+        .of(SettingGroup::fabric);
     add_quantity(
         set, "--element-size", fabric.element_size, quantity::element_size,
         "side of the triangles of crystals, the same everywhere; default: 0.36 of --edge, which makes seven to eight of them a "
         "crystal, and graded as crystals are with --grade")
+        .of(SettingGroup::none)
         .excludes(add_quantity(set, "--elements-per-crystal", fabric.elements_per_crystal, quantity::elements_per_crystal,
                                "mean number of elements of a crystal instead of --element-size; the corners of crystals ask for "
-                               "three to four at least"));
+                               "three to four at least")
+                      .of(SettingGroup::none));
     add_choice<std::optional<SizeDistribution>>(
         set, "--size-distribution", fabric.size_distribution,
         {{"normal", SizeDistribution::normal}, {"lognormal", SizeDistribution::lognormal}},
-        "distribution of the equal-area diameters of crystals; default: normal");
-    Option edge = add_quantity(
-        set.usual(), "--edge", fabric.edge, quantity::mean_edge,
-        "requested mean edge over all grain edges, rim included; of crystals the edge of the equilateral triangle of their "
-        "mean area");
+        "distribution of the equal-area diameters of crystals; default: normal")
+        .of(SettingGroup::fabric, [&fabric] {
+            const bool is_normal = fabric.size_distribution.value_or(SizeDistribution::normal) == SizeDistribution::normal;
+            return fabric.has_crystals() ? SettingValue(std::string(is_normal ? "normal" : "lognormal")) : SettingValue();
+        });
+    Option edge =
+        add_quantity(
+            set.usual(), "--edge", fabric.edge, quantity::mean_edge,
+            "requested mean edge over all grain edges, rim included; of crystals the edge of the equilateral triangle of their "
+            "mean area")
+            .of(SettingGroup::none);
     Option grains = add_integer<std::int64_t>(set.usual(), "--grains", fabric.grains,
-                                              "exact number of triangles, or of crystals, instead of --edge", 1);
+                                              "exact number of triangles, or of crystals, instead of --edge", 1)
+                        .of(SettingGroup::none);
     Option grain_size = add_quantity(set.usual(), "--grain-size", kind.grain_size, quantity::grain_size,
                                      "mean equal-area diameter of triangles or crystals, instead of --edge; with --grade as many "
                                      "as without it");
@@ -266,7 +291,8 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
                  "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
                  "about 0.1 are reached only as far as a mesh without a preferred direction allows; of crystals that of their "
                  "equal-area diameters over their graded size, at most 0.6",
-                 "0.1");
+                 "0.1")
+        .of(SettingGroup::fabric);
     add_value(
         set, "--grade", [&fabric](const std::string& text) { fabric.grading = parse_grading(text, "--grade"); },
         "sizes that are graded, around the same mean edge (of crystals mean area) or number of grains: along=y,from=0.5,to=2 "
@@ -274,37 +300,49 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
         "slits, straight notches, flaws and joints, growing to 1 at the distance; towards=boundary and towards=holes too)",
         "KEY=VALUE,...", "");
     add_quantity(set, "--elongation", fabric.elongation.ratio, quantity::elongation,
-                 "ratio of the long to the short axis of grains, 1 to 4: foliated rock", "1");
+                 "ratio of the long to the short axis of grains, 1 to 4: foliated rock", "1")
+        .of(SettingGroup::fabric);
     add_quantity(
         set, "--elongation-angle", fabric.elongation.angle, quantity::direction,
         "direction of the long axis of elongated grains from x; on a disc turned to another of its diameters it turns too",
-        "0deg");
+        "0deg")
+        .of(SettingGroup::fabric,
+            [&fabric] { return fabric.elongation.ratio != 1 ? SettingValue(fabric.elongation.angle) : SettingValue(); });
     add_integer<int>(set, "--elements-per-edge", fabric.elements_per_edge,
-                     "each triangle becomes N x N constant-strain triangles", 1, max_elements_per_edge);
+                     "each triangle becomes N x N constant-strain triangles", 1, max_elements_per_edge)
+        .of(SettingGroup::fabric);
 }
 
 /// Options of all kinds: phases, strengths, and where the specimen goes.
 void add_fabric_options(OptionSet set, MeshOptions& options) {
     Fabric& fabric = options.request.fabric;
-    add_integer<std::uint64_t>(set.usual(), "--seed", options.request.seed, "seed of the random numbers", 0);
+    add_integer<std::uint64_t>(set.usual(), "--seed", options.request.seed, "seed of the random numbers", 0)
+        .of(SettingGroup::seed);
     add_value(
         set, "--phases", [&fabric](const std::string& text) { fabric.phases.fractions = parse_phases(text); },
         "phases of the grains with their fractions of the area, whose sum is 1: quartz=0.32,feldspar=0.62,mica=0.06; reached to "
         "one grain",
         "NAME=FRACTION,...", "");
-    add_integer<std::uint64_t>(set, "--phase-seed", fabric.phases.seed, "seed of the phases; default: that of --seed", 0);
+    add_integer<std::uint64_t>(set, "--phase-seed", fabric.phases.seed, "seed of the phases; default: that of --seed", 0)
+        .of(SettingGroup::seed);
     add_quantity(set, "--phase-cluster", fabric.phases.cluster, quantity::phase_cluster,
-                 "mean number of neighbouring grains that are drawn together to be of one phase", "1");
+                 "mean number of neighbouring grains that are drawn together to be of one phase", "1")
+        .of(SettingGroup::fabric);
     add_quantity(set, "--strength-modulus", fabric.strength.modulus, quantity::strength_modulus,
-                 "Weibull modulus of the strength of grain boundaries: each has a factor of mean 1; default: no scatter");
+                 "Weibull modulus of the strength of grain boundaries: each has a factor of mean 1; default: no scatter")
+        .of(SettingGroup::fabric);
     add_quantity(set, "--strength-correlation", fabric.strength.correlation, quantity::strength_correlation,
-                 "distance at which the autocorrelation of the strength of grain boundaries is 1/e; default: uncorrelated");
+                 "distance at which the autocorrelation of the strength of grain boundaries is 1/e; default: uncorrelated")
+        .of(SettingGroup::fabric);
     add_integer<std::uint64_t>(set, "--strength-seed", fabric.strength.seed,
-                               "seed of the strength of grain boundaries; default: that of --seed", 0);
+                               "seed of the strength of grain boundaries; default: that of --seed", 0)
+        .of(SettingGroup::seed);
     add_quantity(set, "--open-boundaries", fabric.open.fraction, quantity::open_boundaries,
                  "fraction of the length of grain boundaries, 0 to below 1, that is open from the start: whole boundaries at "
-                 "random, without tension or cohesion, with friction; default: none");
-    add_integer<std::uint64_t>(set, "--open-seed", fabric.open.seed, "seed of the open boundaries; default: that of --seed", 0);
+                 "random, without tension or cohesion, with friction; default: none")
+        .of(SettingGroup::fabric);
+    add_integer<std::uint64_t>(set, "--open-seed", fabric.open.seed, "seed of the open boundaries; default: that of --seed", 0)
+        .of(SettingGroup::seed);
     add_value(
         set.usual(), "--material", [&options](const std::string& text) { options.material = read_material(text); },
         "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose "
@@ -327,11 +365,13 @@ void add_import(OptionSet set, ImportRequest& request) {
         set.usual(), "--grain", request.grains,
         {{"element", GrainChoice::element}, {"entity", GrainChoice::entity}, {"physical", GrainChoice::physical}},
         "what is a grain: an element, a geometrical entity (elset of Neper, piece of a picture), or what is connected "
-        "of a physical group; default: entity, or element where there is one entity only");
+        "of a physical group; default: entity, or element where there is one entity only")
+        .of(SettingGroup::fabric);
     add_choice<CrystalChoice>(
         set.usual(), "--crystals", request.crystals, {{"elastic", CrystalChoice::elastic}, {"break", CrystalChoice::breaking}},
         "crystals of several elements: elastic (the elements deform together, as those of voronoi crystals), or break (the "
-        "elements are grains within their crystal, as those of trigon crystals)");
+        "elements are grains within their crystal, as those of trigon crystals)")
+        .of(SettingGroup::fabric);
     add_text(set.usual(), "--phase-key", request.phase_key,
              "phases of grains: TSV with columns key (name or number of a physical group, a group or an elset; number or "
              "colour as #c03020 of a label) and phase; default: names of physical groups and elsets")
@@ -341,13 +381,17 @@ void add_import(OptionSet set, ImportRequest& request) {
              "no specimen; - for stdout")
         .type_name("FILE|-");
     add_quantity(set.usual(), "--pixel-size", request.labels.pixel_size, quantity::pixel_size,
-                 "side of a pixel of a picture, as 0.1mm");
+                 "side of a pixel of a picture, as 0.1mm")
+        .of(SettingGroup::none);
     add_quantity(set, "--element-size", request.labels.element_size, quantity::element_size,
                  "side of the triangles into which grains of a picture are divided; default: a third of the mean diameter of "
-                 "grains, at least 2 pixels");
+                 "grains, at least 2 pixels")
+        .of(SettingGroup::fabric);
     add_integer<int>(set, "--smallest-piece", request.labels.smallest_piece,
-                     "pieces of fewer pixels of a picture join the neighbour with the longest common border", 1);
-    add_quantity(set.usual(), "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m");
+                     "pieces of fewer pixels of a picture join the neighbour with the longest common border", 1)
+        .of(SettingGroup::fabric);
+    add_quantity(set.usual(), "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m")
+        .of(SettingGroup::none);
     add_value(
         set, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
         "point of the file that becomes the origin, as 40mm,80mm; default: the middle of the extent", "X,Y", "");
@@ -467,6 +511,8 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     options.verbosity = common.verbosity;
     options.dry_run = common.dry_run;
     options.configuration = line.effective_configuration();
+    options.settings = line.settings();
+    add_settings(options.request, options.settings);
     const bool writes_key = options.imported && !options.imported->new_key.empty();
     if (options.output.empty() && !options.dry_run && !writes_key) {
         throw UsageError("-o: missing; give the specimen file to write, or - for stdout");

@@ -21,6 +21,7 @@ struct MeshOptions {
     Verbosity verbosity = Verbosity::normal;
     bool dry_run = false;
     std::string configuration;  ///< effective options as TOML
+    Settings settings;          ///< their effective values, for the file
 };
 
 /// Reads the command line. \return nothing after --help, --version or --print-config, which were answered

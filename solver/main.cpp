@@ -172,15 +172,6 @@ void print_sensitivity(std::FILE* out, const std::vector<SensitivityRow>& rows) 
     }
 }
 
-/// The options by which a file was made, as TOML; "" if it does not say: nothing of a run depends on them.
-std::string configuration_of(const H5Input& file) {
-    try {
-        return file.attribute_or<std::string>(schema::provenance_group, "configuration", "");
-    } catch (const InputError&) {
-        return "";
-    }
-}
-
 /// The specimen. What comes from a pipe, comes to the first rank.
 H5Input open_specimen(const std::string& path, const Ranks& ranks) {
     if (path != "-" || ranks.is_alone()) return H5Input(path, "specimen");
@@ -195,14 +186,10 @@ std::string content(const std::string& digest) { return "content " + digest.subs
 Facts facts_of(const std::optional<SolveOptions>& options) {
     if (!options) return {{"--help, --version or --print-config", "given"}};
     const SimulationRequest& request = options->request;
-    Facts facts =
-        facts_of_configuration(options->configuration, {"specimen", "material", "program", "restart", "threads", "vector"});
-    Sha256 material;
-    material.add(request.material.name + request.material.law);
-    for (const auto& [key, value] : read_incomplete_material(request.material.file.string()).values) {
-        material.add(fmt::format("{} {}", key, value));
-    }
-    facts.emplace_back("--material " + request.material.name, content(material.hex()));
+    Facts facts = facts_of(request.settings, "--");
+    facts.emplace_back("the command", name_of(request.loading.test));
+    facts.emplace_back("--plane", name_of(request.plane));
+    facts.emplace_back("--contact-law", name_of(request.law));
     facts.emplace_back("--program", request.program ? content(sha256_of(request.program->text)) : "");
     facts.emplace_back("--restart", request.restart.empty() ? "" : content(H5Input(request.restart).digest()));
     facts.emplace_back("the specimen", options->specimen == "-" ? "stdin" : "a file");
@@ -230,9 +217,12 @@ int solve(int argc, char** argv, const Ranks& ranks) {
         specimen = read_specimen(*opened);
         require_shape(options->request.loading.test, specimen, opened->name());
         digest = opened->digest();
-        return {{"the specimen", content(digest)}};
+        Facts facts{{"the specimen", content(digest)}};
+        if (ranks.is_alone()) return facts;
+        const MaterialSettings values = material_settings(options->request, specimen);
+        for (Fact& fact : facts_of(material_values(values), "material: ")) facts.push_back(std::move(fact));
+        return facts;
     });
-    const H5Input& input = *opened;
     if (options->print_program) {
         print_program(*options, specimen);
         return 0;
@@ -246,7 +236,6 @@ int solve(int argc, char** argv, const Ranks& ranks) {
     provenance.command_line.assign(argv, argv + argc);
     provenance.configuration = options->configuration;
     provenance.input_digest = digest;
-    provenance.specimen_configuration = configuration_of(input);
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     print_summary(out, summary, specimen, options->output);
     if (options->verbosity == Verbosity::verbose) {

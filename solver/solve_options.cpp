@@ -58,18 +58,29 @@ void add_rate_options(OptionSet command, LoadingRequest& loading, RawOptions& ra
     add_value(
         command, "--rate", [&loading](const std::string& text) { read_rate(text, loading); }, quantity::platen_speed,
         "speed of each platen; auto: as fast as quasi-static equilibrium allows; blocks: loading and equilibration alternate",
-        "auto|blocks|SPEED", "auto");
+        "auto|blocks|SPEED", "auto")
+        .of(SettingGroup::rate, [&loading]() -> SettingValue {
+            if (loading.rate == RateKind::fixed) return loading.platen_speed;
+            return std::string(name_of(loading.rate));
+        });
     add_quantity(
         command.usual(), "--rate-tolerance", raw.rate_tolerance, quantity::rate_tolerance,
         fmt::format(
             "tolerance of quasi-static loading: relative load increase per wave transit (auto; default {}), or unbalanced-force "
             "ratio regarded as equilibrium (blocks; default {})",
-            test.rate_tolerance, default_rest_tolerance));
+            test.rate_tolerance, default_rest_tolerance))
+        .of(SettingGroup::rate, [&loading] { return loading.control_tolerance(); });
     add_quantity(command, "--block-speed", raw.block_speed, quantity::platen_speed,
-                 "speed of each platen in a block; default 5mm/s");
+                 "speed of each platen in a block; default 5mm/s")
+        .of(SettingGroup::rate,
+            [&loading] { return loading.rate == RateKind::blocks ? SettingValue(loading.platen_speed) : SettingValue(); });
     add_quantity(command, "--rate-share", raw.rate_share, quantity::rate_share,
-                 "factor on all platen speeds and limits of the automatic rate; default 1");
-    add_integer(command, "--block-steps", raw.block_steps, "number of steps of a block; default 5000", std::int64_t{5});
+                 "factor on all platen speeds and limits of the automatic rate; default 1")
+        .of(SettingGroup::rate, [&loading] { return loading.rate_share; });
+    add_integer(command, "--block-steps", raw.block_steps, "number of steps of a block; default 5000", std::int64_t{5})
+        .of(SettingGroup::rate, [&loading] {
+            return loading.rate == RateKind::blocks ? SettingValue(static_cast<double>(loading.block_steps)) : SettingValue();
+        });
 }
 
 /// \throws UsageError where an option does not belong to the chosen --rate
@@ -98,23 +109,29 @@ void add_method_options(OptionSet command, SimulationRequest& request, RawOption
     add_choice<DampingForm>(command, "--damping-form", request.damping_form,
                             {{"combined", DampingForm::combined}, {"local", DampingForm::local}},
                             "combined: half opposes the motion, half follows the rate of the force, so that steady sliding is "
-                            "hardly resisted; local: all of it opposes the motion");
+                            "hardly resisted; local: all of it opposes the motion")
+        .of(SettingGroup::loading);
     add_choice<std::optional<bool>>(
         command, "--mass-scaling", raw.mass_scaling, {{"none", false}, {"selective", true}},
         "selective: mass is added to the relative motion of nodes across contacts, which allows a time step about ten times as "
-        "long; default: selective, but none for tests without damping and for programs that make waves");
+        "long; default: selective, but none for tests without damping and for programs that make waves")
+        .of(SettingGroup::loading, [&request] { return std::string(request.mass_scaling ? "selective" : "none"); });
     add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,
                  "ratio of added to real mass in relative motion across contacts; default: large enough that the grains, not the "
-                 "contacts, limit the time step");
+                 "contacts, limit the time step")
+        .of(SettingGroup::loading);
     add_quantity(command, "--time-step-fraction", request.time_step_fraction, quantity::time_step_fraction,
                  "time step over the stable time step of undamped motion; with damping it must be below 1/sqrt(1 + damping)",
-                 "0.7");
+                 "0.7")
+        .of(SettingGroup::loading);
     add_flag(command, "--save-state", request.save_state,
-             "store the final state in the run file, so that a program can start from it");
+             "store the final state in the run file, so that a program can start from it")
+        .of(SettingGroup::none);
     add_integer(command.usual(), "--frames", request.frames,
                 "number of frames to store, evenly spaced (at most twice as many), besides those at the peak and the end; 0: the "
                 "end only",
-                0);
+                0)
+        .of(SettingGroup::none);
     add_threads(command.usual(), request.threads);
     add_choice<std::optional<VectorTarget>>(
         command, "--vector", request.vector_target,
@@ -136,7 +153,8 @@ void add_sensitivity_flag(OptionSet command, SimulationRequest& request) {
     add_flag(
         command, "--sensitivity", request.sensitivity,
         "repeat the test with half the loading rate, half the time step, half the damping, a quarter of the mass scaling and "
-        "twice the elements along an edge; print the changes of the results and store them in the run file");
+        "twice the elements along an edge; print the changes of the results and store them in the run file")
+        .of(SettingGroup::none);
 }
 
 void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& raw, const TestDescription& test) {
@@ -145,31 +163,39 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
     if (rolls) {
         add_quantity(command.usual(), "--span", loading.span, quantity::span,
                      "distance of the lower rollers, which stand at the nodes next to its ends; default: four heights of a beam, "
-                     "0.6 diameters of a half-disc");
+                     "0.6 diameters of a half-disc")
+            .of(SettingGroup::size);
         add_quantity(
             command, "--roller-width", loading.roller_width, quantity::roller_width,
-            "width of the flat faces of the rollers; default: the mean edge of the boundary, so that each meets one node");
+            "width of the flat faces of the rollers; default: the mean edge of the boundary, so that each meets one node")
+            .of(SettingGroup::loading);
     }
     if (test.is_confined) {
         add_quantity(command, "--confining-pressure", raw.confining_pressure, quantity::confining_pressure,
                      "confining pressure on the lateral edges")
+            .of(SettingGroup::pressure)
             .required();
     }
     add_quantity(command, "--heat", raw.heat, quantity::heat,
                  "heat the free specimen by so much before the test, below 0 cool it, as fast as equilibrium allows; platens are "
                  "placed afterwards "
-                 "where its faces then are, and strains count from there");
-    add_flag(command, "--cool", loading.cool, "bring it back before the test");
+                 "where its faces then are, and strains count from there")
+        .of(SettingGroup::heat);
+    add_flag(command, "--cool", loading.cool, "bring it back before the test").of(SettingGroup::heat);
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
                  rolls ? "friction angle between rock and rollers; default: 0, since they roll"
-                       : "friction angle between rock and platens; default: the material's");
+                       : "friction angle between rock and platens; default: the material's")
+        .of(SettingGroup::loading, [&loading] { return loading.platen_friction; });
     add_rate_options(command, loading, raw, test);
     add_quantity_or(command, "--peak-drop", request.peak_drop, quantity::peak_drop, "none", 0,
-                    "fall of the stress that ends the test, as a fraction of the peak; none: continue to --max-strain", "0.3");
+                    "fall of the stress that ends the test, as a fraction of the peak; none: continue to --max-strain", "0.3")
+        .of(SettingGroup::end);
     add_quantity(command.usual(), "--max-strain", loading.max_strain, quantity::max_strain,
-                 "strain limit: platen travel over specimen height at which the test ends", "0.015");
+                 "strain limit: platen travel over specimen height at which the test ends", "0.015")
+        .of(SettingGroup::end);
     add_quantity_or(command, "--damping", request.damping, quantity::damping, "none", 0,
-                    "damping force as a fraction of the unbalanced force", "0.8");
+                    "damping force as a fraction of the unbalanced force", "0.8")
+        .of(SettingGroup::loading);
     add_checkpoint_options(command, request, raw);
     add_text(command.usual(), "--restart", request.restart, "checkpoint of this test, to resume it").type_name("FILE");
     add_sensitivity_flag(command, request);
@@ -198,10 +224,12 @@ OptionSet add_program(OptionSet tool, SolveOptions& options, RawOptions& raw, Co
         .type_name("FILE|NAME");
     add_contact_options(command, raw.contact);
     add_quantity(command, "--platen-friction", raw.platen_friction, quantity::platen_friction,
-                 "friction angle between rock and platens; default: the material's");
+                 "friction angle between rock and platens; default: the material's")
+        .of(SettingGroup::loading, [&options] { return options.request.loading.platen_friction; });
     add_quantity_or(
         command, "--damping", raw.damping, quantity::damping, "none", 0,
-        "damping force as a fraction of the unbalanced force, instead of the value in the program; one of the two is required");
+        "damping force as a fraction of the unbalanced force, instead of the value in the program; one of the two is required")
+        .of(SettingGroup::loading, [&options] { return options.request.damping; });
     add_method_options(command, options.request, raw);
     add_checkpoint_options(command, options.request, raw);
     add_sensitivity_flag(command, options.request);
@@ -331,6 +359,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     }
     if (program.is_called()) complete_program(options.request, raw);
     complete_mass_scaling(options.request, raw);
+    options.request.settings = line.settings();
     require_other_output(options);
     return options;
 }

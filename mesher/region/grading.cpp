@@ -36,6 +36,12 @@ constexpr const char* examples =
 
 }  // namespace
 
+std::string name_of(Grading::Kind kind) {
+    const auto* const row =
+        std::find_if(directions.begin(), directions.end(), [&](const Direction& d) { return d.kind == kind; });
+    return fmt::format("{} {}", row->key, row->value);
+}
+
 Grading parse_grading(std::string_view text, const std::string& name) {
     Grading grading;
     std::optional<Kind> kind;

@@ -22,6 +22,8 @@ struct Grading {
     [[nodiscard]] bool is_along() const { return kind == Kind::along_x || kind == Kind::along_y; }
 };
 
+/// "along x", "towards flaws"
+std::string name_of(Grading::Kind kind);
 /// Reads "along=y,from=0.5,to=2" or "towards=flaws,from=0.4,distance=10mm". \throws UsageError naming `name`
 Grading parse_grading(std::string_view text, const std::string& name);
 

@@ -6,7 +6,7 @@
 
 #include "post/fit/envelope.hpp"
 #include "post/options/command.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/table/column.hpp"
 #include "share/base/events.hpp"
 

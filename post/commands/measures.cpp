@@ -11,7 +11,7 @@
 #include "post/measure/toughness.hpp"
 #include "post/options/command.hpp"
 #include "post/report/properties.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/summary/summarize.hpp"
 #include "share/base/error.hpp"
 #include "share/options/option_set.hpp"

@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
 #include "post/statistics/linear_model.hpp"
 #include "post/statistics/nonlinear_fit.hpp"
@@ -131,7 +131,7 @@ void require_comparable(const RunData& run, const RunData& first, const Envelope
                          "; compression tests of an envelope differ in confining pressure and seed only");
     };
     const std::string found =
-        differences(run, first, {Aspect::test, Aspect::pressure, Aspect::loading, Aspect::rate, Aspect::end});
+        differences(run, first, {SettingGroup::test, SettingGroup::pressure, SettingGroup::loading, SettingGroup::rate, SettingGroup::end});
     if (!found.empty()) refuse(found);
     if (options.strength == StrengthKind::largest && options.strain_limit_runs == StrainLimitRuns::accept &&
         run.header.max_strain != first.header.max_strain) {
@@ -240,7 +240,7 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
     EnvelopeTests tests;
     tests.kind = options.strength;
     const RunData* first_compression = nullptr;
-    require_alike(runs, "an envelope");
+    require_comparable(runs, "an envelope");
     for (const RunData& run : runs) {
         if (run.header.loading() == Loading::program) {
             throw InputError(

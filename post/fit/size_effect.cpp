@@ -8,7 +8,7 @@
 #include <map>
 
 #include "post/fit/paper_rock.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
 #include "post/statistics/nonlinear_fit.hpp"
 #include "post/table/column.hpp"
@@ -104,22 +104,22 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std
 namespace {
 
 /// What may differ: the size of the grains, with that of the specimen if it is as many times as large.
-Aspects of_sizes(const std::vector<RunData>& runs) {
+SettingGroups of_sizes(const std::vector<RunData>& runs) {
     constexpr double slack = 0.1;
     const auto scale = [](const RunData& run) { return run.specimen.width / run.specimen.mean_edge; };
     for (const RunData& run : runs) {
         const auto other =
             std::find_if(runs.begin(), runs.end(), [&](const RunData& r) { return r.header.test == run.header.test; });
-        if (!(std::abs(scale(run) / scale(*other) - 1) < slack)) return {Aspect::grain_size};
+        if (!(std::abs(scale(run) / scale(*other) - 1) < slack)) return {SettingGroup::grain_size};
     }
-    return {Aspect::grain_size, Aspect::size};
+    return {SettingGroup::grain_size, SettingGroup::size};
 }
 
 }  // namespace
 
 std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, const EnvelopeOptions& options) {
     std::map<std::pair<std::string, double>, SizeSeries> series;
-    require_alike(runs, "a size effect", of_sizes(runs));
+    require_comparable(runs, "a size effect", of_sizes(runs));
     for (const RunData& run : runs) {
         const auto same_test =
             std::find_if(runs.begin(), runs.end(), [&](const RunData& r) { return r.header.test == run.header.test; });

@@ -80,7 +80,7 @@ void CaveatCount::add(const RunData& run, const std::vector<Caveat>& caveats) {
             ++known->second;
         }
     }
-    const std::vector<Trait> traits = traits_of(run);
+    const ComparedSettings traits = compared_settings(run);
     const bool known = std::any_of(rocks_.begin(), rocks_.end(),
                                    [&](const auto& each) { return differences(each, traits, of_the_test).empty(); });
     if (!known) rocks_.push_back(traits);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "post/measure/brazilian.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 
 namespace graincrack {
 
@@ -41,7 +41,7 @@ private:
     Group& group(const RunData& run);
     [[nodiscard]] std::optional<double> mean_of(const std::string& test) const;
     std::vector<Group> groups_;
-    std::vector<std::vector<Trait>> rocks_;  ///< the first of each material and fabric
+    std::vector<ComparedSettings> rocks_;  ///< the first of each material and fabric
 };
 
 /// Reads runs, each test of a specimen once, and counts the caveats of their strengths. \param command as of `once_each`

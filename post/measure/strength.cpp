@@ -7,7 +7,7 @@
 
 #include "post/measure/caveats.hpp"
 #include "post/run/crack_label.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "post/statistics/statistics.hpp"
@@ -187,7 +187,7 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
     RunList runs;
     for (const StrengthRow& row : rows) runs.push_back(&row.run);
     const std::vector<std::size_t> counted = once_each(runs, "strength", diagnostics);
-    for (const LikeGroup& group : groups_of_like(runs, {}, {Aspect::plane, Aspect::heat})) {
+    for (const ComparableGroup& group : comparable_groups(runs, {}, {SettingGroup::plane, SettingGroup::heat})) {
         const StrengthRow& first = rows[group.runs.front()];
         table.group(series_label(first.run) + ", plane " + std::string(name_of(first.header().plane)) +
                     (first.header().heat != 0 ? ", " : "") + first.header().heat_label() +

@@ -6,7 +6,7 @@
 
 #include "post/measure/caveats.hpp"
 #include "post/measure/strength.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
 #include "share/base/events.hpp"
@@ -15,7 +15,7 @@ namespace graincrack {
 
 namespace {
 
-StrengthGroup group_of(const std::vector<RunData>& runs, const LikeGroup& like, StrengthKind kind) {
+StrengthGroup group_of(const std::vector<RunData>& runs, const ComparableGroup& like, StrengthKind kind) {
     StrengthGroup group;
     const RunData& first = runs[like.runs.front()];
     group.test = first.header.test;
@@ -54,7 +54,7 @@ std::string StrengthGroup::name() const {
 
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs, StrengthKind kind) {
     std::vector<StrengthGroup> groups;
-    for (const LikeGroup& like : groups_of_like(list_of(runs), {}, {Aspect::heat})) groups.push_back(group_of(runs, like, kind));
+    for (const ComparableGroup& like : comparable_groups(list_of(runs), {}, {SettingGroup::heat})) groups.push_back(group_of(runs, like, kind));
     add_ratios(groups, runs);
     return groups;
 }

@@ -67,16 +67,10 @@ CrackedSpecimen cracked_specimen(const Toughness& toughness, const std::string& 
     return {a, of_plate * size / 2, [=](double x) { return centre_crack_intensity(1, 2 * x, size); }};
 }
 
-/// The notch that the mesher was asked for, m; empty if the run does not say, or not so that it can be read.
-std::optional<double> requested_notch(const RunReader& reader) {
-    try {
-        for (const char* key : {"notch", "slit"}) {
-            if (const auto value = specimen_option(reader.file(), key)) return parse_quantity(*value, quantity::notch, key);
-        }
-    } catch (const Error&) {
-        return std::nullopt;
-    }
-    return std::nullopt;
+/// The slit that the mesher was asked for, m; empty if the run does not say.
+std::optional<double> requested_slit(const RunData& run) {
+    const double length = number_of(run.specimen.settings, "slit");
+    return std::isfinite(length) ? std::optional(length) : std::nullopt;
 }
 
 /// Notch, ligament and stress intensity at the largest load of a plate in tension.
@@ -223,7 +217,7 @@ Toughness measure_toughness(const RunData& run, const Specimen& specimen) {
 
 Toughness measure_toughness(const RunReader& reader, const RunData& run) {
     Toughness toughness = measure_toughness(run, reader.specimen());
-    toughness.requested_notch_length = requested_notch(reader);
+    toughness.requested_notch_length = requested_slit(run);
     return toughness;
 }
 

@@ -13,7 +13,7 @@
 #include "post/measure/caveats.hpp"
 #include "post/measure/first_peak.hpp"
 #include "post/measure/strength.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"

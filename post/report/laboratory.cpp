@@ -9,7 +9,7 @@
 #include <regex>
 
 #include "post/report/html.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
@@ -128,7 +128,7 @@ std::string difference_from(const Material& material, const RunSettings& run) {
     } catch (const InputError&) {
         if (material.name == run.material) return "minerals";
     }
-    return differences(material_traits(run), material_traits(made));
+    return differences(compared_material(run), compared_material(made));
 }
 
 std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,

@@ -10,7 +10,7 @@
 #include "post/measure/property.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/report/laboratory.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/table/column.hpp"
 
 namespace graincrack {
@@ -173,7 +173,7 @@ std::vector<PropertyRow> measure_properties(const std::vector<RunData>& runs, co
                                             const EnvelopeOptions& options) {
     const Known known(material);
     std::vector<PropertyRow> properties;
-    require_alike(runs, "a property");
+    require_comparable(runs, "a property");
     add_moduli(properties, runs, known);
     add_strengths(properties, runs, known, options.strength);
     if (have_two_pressures(runs, options.strength)) add_envelope(properties, collect_envelope_tests(runs, options), known);

@@ -38,7 +38,7 @@ struct PropertyRow {
 
 /// E and ν (chord to half the peak) of the uniaxial tests, tensile strengths, σ1 at each pressure, and C, φ and b of the line
 /// through them, also by the stress at first yield. The laboratory's σ1 under pressure is that of its line σ1 = 2C√b + b σ3. What
-/// the runs do not give is left out, as are fits through a single pressure. \throws InputError as require_alike and
+/// the runs do not give is left out, as are fits through a single pressure. \throws InputError as require_comparable and
 /// collect_envelope_tests
 std::vector<PropertyRow> measure_properties(const std::vector<RunData>& runs, const Material& material,
                                             const EnvelopeOptions& options);

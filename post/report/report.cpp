@@ -21,7 +21,7 @@
 #include "post/report/quality_checks.hpp"
 #include "post/report/test_report.hpp"
 #include "post/run/crystals.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -140,7 +140,7 @@ void add_envelopes(Content& content) {
     std::vector<RunData> runs = data_of(content);
     runs.erase(std::remove_if(runs.begin(), runs.end(), [](const RunData& run) { return !distinct_shape(run).empty(); }),
                runs.end());
-    for (const LikeGroup& fabric : groups_of_like(list_of(runs), of_the_test)) {
+    for (const ComparableGroup& fabric : comparable_groups(list_of(runs), of_the_test)) {
         std::vector<RunData> own;
         for (const std::size_t i : fabric.runs) own.push_back(runs[i]);
         const std::string& name = fabric.distinction;
@@ -217,8 +217,8 @@ std::string drop_other_material(ReportOptions& options, const RunHeader& run, st
 
 /// \throws InputError if they differ
 void require_one_material(const RunData& run, const RunData& first) {
-    Aspects except = of_the_test;
-    except.insert({Aspect::grain_size, Aspect::fabric});
+    SettingGroups except = of_the_test;
+    except.insert({SettingGroup::grain_size, SettingGroup::fabric});
     const std::string found = differences(run, first, except);
     if (found.empty()) return;
     throw InputError(run.name + ": differs from " + first.name + " in " + found + "; a report needs tests of one material");

@@ -11,7 +11,7 @@
 #include "post/measure/caveats.hpp"
 #include "post/measure/toughness.hpp"
 #include "post/report/html.hpp"
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
@@ -117,7 +117,7 @@ std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests) {
     RunList runs;
     for (const TestReport& test : tests) runs.push_back(&test.data);
     std::vector<SeedGroup> groups;
-    for (const LikeGroup& like : groups_of_like(runs)) {
+    for (const ComparableGroup& like : comparable_groups(runs)) {
         SeedGroup& group = groups.emplace_back(SeedGroup{series_label(*runs[like.runs[0]]), like.distinction, {}});
         for (const std::size_t i : like.runs) group.runs.push_back(&tests[i]);
     }

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "share/base/error.hpp"
-#include "share/base/toml_file.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/schema.hpp"
 
@@ -39,42 +37,19 @@ std::string grains_label(const Specimen& specimen) {
     return fmt::format("{} crystals of {} elements", number_of_crystals(specimen), specimen.n_grains());
 }
 
-std::map<std::string, std::string> specimen_options(const H5Input& file) {
-    std::map<std::string, std::string> options;
-    try {
-        const char* name = file.kind() == "run" ? "specimen_configuration" : "configuration";
-        const auto text = file.attribute_or<std::string>(schema::provenance_group, name, "");
-        for (const TomlEntry& entry : parse_toml(text, name).entries) {
-            std::string& option = options[entry.key];
-            for (const TomlValue& value : entry.values) option += (option.empty() ? "" : "; ") + value.text;
-        }
-    } catch (const Error&) {
-        options.clear();
-    }
-    return options;
-}
-
-std::optional<std::string> specimen_option(const H5Input& file, const std::string& key) {
-    const auto options = specimen_options(file);
-    const auto found = options.find(key);
-    return found == options.end() ? std::nullopt : std::optional(found->second);
-}
-
 std::string asked_grains(const H5Input& file) {
-    const auto options = specimen_options(file);
-    const auto tessellation = options.find("tessellation");
-    if (tessellation == options.end()) return "";
-    const auto elongation = options.find("elongation");
-    const bool is_equiaxed = elongation == options.end() || elongation->second == "1";
-    std::string text = tessellation->second;
-    for (const char* key : {"grain-size", "grains", "edge", "spread", "grade", "elements-per-crystal", "element-size",
-                            "elongation", "elongation-angle"}) {
-        const auto found = options.find(key);
-        const bool is_left_out = is_equiaxed && std::string_view(key).starts_with("elongation");
-        if (found != options.end() && !is_left_out) text += fmt::format(", {} {}", key, found->second);
+    const Settings settings = read_settings(file, schema::specimen_group);
+    std::string text = text_of(settings, "tessellation");
+    if (text.empty()) return "";
+    const double elongation = number_of(settings, "elongation");
+    for (const char* name : {"grains", "edge", "spread", "grade", "grade_relative_edges", "elements_per_crystal", "element_size",
+                             "elongation", "elongation_angle"}) {
+        const Setting* const setting = find_setting(settings, name);
+        const bool is_given = setting != nullptr && !std::holds_alternative<std::monostate>(setting->value);
+        const bool is_equiaxed = elongation == 1 && std::string_view(name).starts_with("elongation");
+        if (is_given && !is_equiaxed) text += fmt::format(", {} {}", option_name(*setting), shown(*setting));
     }
-    const auto material = options.find("material");
-    return material == options.end() ? text : fmt::format("{} (material {})", text, material->second);
+    return text;
 }
 
 std::optional<CrystalSizes> crystal_sizes(const H5Input& file) {

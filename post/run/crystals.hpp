@@ -1,5 +1,4 @@
-// The crystals of a specimen, one or several grains each, and the options by which the mesher made it. In a specimen without
-// crystals each grain is one.
+// The crystals of a specimen, one or several grains each. In a specimen without crystals each grain is one.
 #pragma once
 
 #include <array>
@@ -25,16 +24,7 @@ bool is_within_crystal(const Specimen& specimen, std::size_t contact);
 /// "452 grains" or, of polygons that break, "300 crystals of 2168 elements".
 std::string grains_label(const Specimen& specimen);
 
-/// The options by which the specimen of a file was made, by their keys in a configuration file ("grain-size"), as they were
-/// given, several values of one with "; " between; none if the file does not say.
-std::map<std::string, std::string> specimen_options(const H5Input& file);
-
-/// The value of an option by which the specimen of a file was made, as it was given; nothing if the file does not say.
-/// \param key its name in a configuration file, "grain-size"
-std::optional<std::string> specimen_option(const H5Input& file, const std::string& key);
-
-/// The grains that were asked for, by a material or by options: "delaunay, grain-size 3.811 mm, spread 0.1 (material
-/// augig-granite-triangles)"; "" if the file does not say.
+/// The grains that were asked for, by a material or by options: "delaunay, grains 8, spread 0.1"; "" if the file does not say.
 std::string asked_grains(const H5Input& file);
 
 /// The polygons of a specimen.

@@ -84,7 +84,7 @@ SpecimenSummary specimen_summary(const H5Input& file) {
     summary.holes = static_cast<std::size_t>(
         std::count_if(parts.begin(), parts.end(), [](const std::string& part) { return part.starts_with("hole_"); }));
     summarize_grains(file, summary);
-    summary.options = specimen_options(file);
+    summary.settings = read_settings(file, schema::specimen_group);
     return summary;
 }
 

@@ -34,8 +34,8 @@ struct SpecimenSummary {
     double grain_diameter = 0;        ///< mean of the crystals' equal-area diameters, m
     double elements_per_crystal = 0;  ///< mean
     bool has_strength_factors = false;
-    std::map<std::string, double> phases = {};        ///< fractions of the area
-    std::map<std::string, std::string> options = {};  ///< by which it was made (`specimen_options`)
+    std::map<std::string, double> phases = {};  ///< fractions of the area
+    Settings settings = {};                     ///< by which it was made
 };
 SpecimenSummary specimen_summary(const H5Input& file);
 

@@ -22,7 +22,7 @@ class Handle;
 }
 
 /// Version of the file layout that this build writes and reads; files of another one are refused.
-inline constexpr int schema_version = 4;
+inline constexpr int schema_version = 5;
 
 /// A file of the wanted kind, of another schema version.
 class SchemaError : public InputError {

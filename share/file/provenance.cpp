@@ -54,9 +54,6 @@ void write_provenance(H5Output& file, const Provenance& provenance) {
     file.attribute(group, "utc_time", utc_time());
     file.attribute(group, "libraries", provenance.libraries.empty() ? library_versions() : provenance.libraries);
     file.attribute(group, "input_digest", provenance.input_digest);
-    if (!provenance.specimen_configuration.empty()) {
-        file.attribute(group, "specimen_configuration", provenance.specimen_configuration);
-    }
     if (!provenance.vector_target.empty()) file.attribute(group, "vector_target", provenance.vector_target);
     file.quantity(group, "wall_time", provenance.wall_time, "s");
     file.attribute(group, "threads", std::int64_t{provenance.threads});

@@ -19,9 +19,8 @@ std::vector<std::string> library_versions();
 struct Provenance {
     std::string tool;
     std::vector<std::string> command_line;
-    std::string configuration;           ///< effective options as TOML
-    std::string input_digest;            ///< digest of the input file, "" if none
-    std::string specimen_configuration;  ///< of a run: options by which its specimen was made, as TOML; "" if unknown
+    std::string configuration;  ///< effective options as TOML
+    std::string input_digest;   ///< digest of the input file, "" if none
     std::vector<std::string> libraries;
     double wall_time = 0;  ///< s
     int threads = 1;       ///< of each rank

@@ -113,6 +113,23 @@ struct HeaderReader {
     }
 };
 
+/// Visits what changes with temperature: the expansion of each phase along and across its axis, the factor on its modulus.
+template <class Phases, class Visit>
+void visit_curves(Phases& phases, const std::vector<std::string>& names, Visit&& visit) {
+    for (std::size_t p = 0; p < std::min(phases.size(), names.size()); ++p) {
+        const auto path = [&](const char* what) { return fmt::format("{}/{}_of_{}", schema::phases_group, what, names[p]); };
+        visit(path("thermal_expansion"), phases[p].along);
+        visit(path("thermal_expansion_across"), phases[p].across);
+        visit(path("softening"), phases[p].softening);
+    }
+}
+
+/// The name of a phase by the class of its contacts with itself, "quartz-quartz".
+std::string phase_of_class(const std::vector<std::string>& class_names, std::size_t phase) {
+    const std::size_t k = contact_class(phase, phase);
+    return k < class_names.size() ? class_names[k].substr(0, class_names[k].size() / 2) : fmt::format("phase {}", phase);
+}
+
 }  // namespace
 
 std::string RunSettings::heat_label() const {
@@ -120,8 +137,42 @@ std::string RunSettings::heat_label() const {
     return cooled != 0 ? fmt::format("heated by {:.4g} K and cooled", heat) : fmt::format("at {:+.4g} K", heat);
 }
 
+Settings material_values(const MaterialSettings& material) {
+    Settings values;
+    const auto add = [&values](const auto& properties, const auto& row, const std::string& whose) {
+        for (const auto& [name, member, dimension, may_lack] : properties) {
+            values.push_back({name + whose, row.*member, dimension, SettingGroup::material});
+        }
+    };
+    add(phase_properties, phase_of(material.rock), "");
+    const auto add_contact = [&values](const ContactParameters& contact, const std::string& whose) {
+        for (const ContactParameter& row : all_contact_parameters()) {
+            values.push_back(
+                {std::string(row.quantity.name) + whose, contact.*row.value, row.quantity.dimension, SettingGroup::material});
+        }
+    };
+    add_contact(material.contact, "");
+    std::vector<std::string> phases;
+    for (std::size_t p = 0; p < material.fabric.phases.size(); ++p) {
+        phases.push_back(phase_of_class(material.class_names, p));
+        add(phase_properties, material.fabric.phases[p], " of " + phases.back());
+    }
+    visit_curves(material.fabric.phases, phases, [&](const std::string& path, const TemperatureCurve& curve) {
+        if (curve.empty()) return;
+        std::vector<double> numbers;
+        for (const auto& [temperature, value] : curve) numbers.insert(numbers.end(), {temperature, value});
+        values.push_back({path.substr(path.rfind('/') + 1), numbers, Dimension::one, SettingGroup::material});
+    });
+    for (std::size_t k = 0; k < material.fabric.contacts.size(); ++k) {
+        const std::string name = k < material.class_names.size() ? material.class_names[k] : fmt::format("class {}", k);
+        add_contact(material.fabric.contacts[k], " of " + name);
+    }
+    return values;
+}
+
 void write_header(H5Output& file, const RunHeader& header) {
     file.create_group(schema::run_group);
+    write_settings(file, schema::run_group, header.request);
     file.attribute(schema::run_group, "plane", std::string(name_of(header.plane)));
     file.attribute(schema::run_group, "crack_event", std::string(name_of(header.crack_event)));
     visit_header(header, HeaderWriter{file});
@@ -161,17 +212,6 @@ void read_properties(const H5Input& file, const std::string& group, const Proper
             }
             rows[i].*member = values[i];
         }
-    }
-}
-
-/// Visits what changes with temperature: the expansion of each phase along and across its axis, the factor on its modulus.
-template <class Phases, class Visit>
-void visit_curves(Phases& phases, const std::vector<std::string>& names, Visit&& visit) {
-    for (std::size_t p = 0; p < std::min(phases.size(), names.size()); ++p) {
-        const auto path = [&](const char* what) { return fmt::format("{}/{}_of_{}", schema::phases_group, what, names[p]); };
-        visit(path("thermal_expansion"), phases[p].along);
-        visit(path("thermal_expansion_across"), phases[p].across);
-        visit(path("softening"), phases[p].softening);
     }
 }
 
@@ -235,6 +275,7 @@ RunHeader read_header(const H5Input& file) {
     visit_header(header, HeaderReader{file});
     header.fabric = read_fabric(file);
     header.class_names = file.attribute<std::vector<std::string>>(schema::classes_group, "names");
+    header.request = read_settings(file, schema::run_group);
     header.span = file.attribute_or<double>(schema::run_group, "span", 0);
     header.heat = file.attribute_or<double>(schema::run_group, "heat", 0);
     header.cooled = file.attribute_or<std::int64_t>(schema::run_group, "cooled", 0);

@@ -7,6 +7,7 @@
 
 #include "share/file/fabric.hpp"
 #include "share/file/h5_file.hpp"
+#include "share/file/settings.hpp"
 #include "share/rock/contact_state.hpp"
 #include "share/rock/fracture_process_zone.hpp"
 #include "share/rock/material.hpp"
@@ -27,7 +28,7 @@ struct MaterialSettings {
     Rock rock;
     ContactParameters contact;
     Fabric fabric;                         ///< of phases and classes; empty: all are of the rock and the contact
-    std::vector<std::string> class_names;  ///< of `fabric.contacts`, in a header that was read
+    std::vector<std::string> class_names;  ///< of `fabric.contacts`
 };
 
 /// How a run is loaded and computed.
@@ -52,6 +53,7 @@ struct LoadingSettings {
 
 /// The settings of a run; attributes of /run with the names of the members. SI units.
 struct RunSettings : MaterialSettings, LoadingSettings {
+    Settings request;  ///< effective values of the options by which the run was asked for
     [[nodiscard]] const TestDescription& description() const { return test_named(test); }
     [[nodiscard]] Loading loading() const { return description().loading; }
     /// "heated by 300 K and cooled", "at +300 K"; "" of a specimen that was not heated before its test.
@@ -85,6 +87,10 @@ struct RunSummary {
 
 /// Both, as a run file has them.
 struct RunHeader : RunSettings, RunSummary {};
+
+/// All effective values of rock, contacts, phases and classes of contacts, "contact_cohesion of quartz-mica"; values by
+/// temperature as pairs of K and value.
+Settings material_values(const MaterialSettings& material);
 
 void write_header(H5Output& file, const RunHeader& header);
 /// The fabric of a header, or of its one rock and contact.

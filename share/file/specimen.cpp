@@ -429,6 +429,7 @@ void write_specimen(H5Output& file, const Specimen& s) {
     file.attribute(group, "elements_per_edge", std::int64_t{s.elements_per_edge});
     file.quantity(group, "loading_arc", s.loading_arc, "rad");
     file.attribute(group, "grains", static_cast<std::int64_t>(s.n_grains()));
+    if (!s.settings.empty()) write_settings(file, group, s.settings);
     for (const StatisticAttribute& a : statistic_attributes) {
         if (s.statistics.elongation == 0 && std::string_view(a.name).starts_with("elongation")) continue;  // not measured
         file.quantity(group, a.name, s.statistics.*a.member, si_unit(a.dimension));
@@ -475,6 +476,7 @@ Specimen read_specimen(const H5Input& file) {
     s.seed = static_cast<std::uint64_t>(file.attribute_or<std::int64_t>(group, "seed", 0));
     s.elements_per_edge = static_cast<int>(file.attribute_or<std::int64_t>(group, "elements_per_edge", 1));
     s.loading_arc = file.attribute_or<double>(group, "loading_arc", 0);
+    s.settings = read_settings(file, group);
     for (const StatisticAttribute& a : statistic_attributes) s.statistics.*a.member = file.attribute_or<double>(group, a.name, 0);
     visit_arrays(s, [&]<class T>(const schema::Dataset& dataset, std::vector<T>& array, std::optional<std::size_t> rows,
                                  bool is_optional) {

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "share/file/settings.hpp"
+
 namespace graincrack {
 
 class H5Input;
@@ -72,6 +74,7 @@ struct Specimen {
     double loading_arc =
         0;  ///< disc: angle (rad) under which the facet at a pole is seen from the centre; 0: vertex or rectangle
     MeshStatistics statistics;
+    Settings settings;  ///< by which it was made; none if that is unknown
 
     std::vector<std::array<double, 2>> node_position;        ///< [n] m
     std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e] counter-clockwise

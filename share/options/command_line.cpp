@@ -471,6 +471,8 @@ bool CommandLine::parse(int argc, const char* const* argv, const std::function<v
     return false;
 }
 
+Settings CommandLine::settings() const { return configuration_file(*app_)->settings(); }
+
 std::string CommandLine::effective_configuration() const { return graincrack::effective_configuration(*app_); }
 
 int available_processors() {

@@ -81,6 +81,8 @@ public:
     /// target. \return whether it holds: neither the option is given, nor one that excludes it
     bool replace_default(const std::string& option, const std::string& text);
 
+    /// The effective values of the options that decide results (`Option::of`), once their targets are complete.
+    [[nodiscard]] Settings settings() const;
     /// The effective options as TOML that --config loads again. Options without a value appear as comments.
     [[nodiscard]] std::string effective_configuration() const;
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
@@ -65,7 +66,7 @@ std::string ConfigurationFile::origin(const CLI::Option* option) const {
 
 void ConfigurationFile::apply_default(const CLI::Option* option) const {
     const auto value = values_.find(option);
-    if (value != values_.end() && option->count() == 0 && !option->get_default_str().empty()) {
+    if (value != values_.end() && value->second.read && option->count() == 0 && !option->get_default_str().empty()) {
         value->second.read(option->get_default_str());
     }
 }
@@ -73,6 +74,27 @@ void ConfigurationFile::apply_default(const CLI::Option* option) const {
 ConfigurationFile::Value ConfigurationFile::value(const CLI::Option* option) const {
     const auto value = values_.find(option);
     return value == values_.end() ? Value{} : value->second;
+}
+
+void ConfigurationFile::make_setting(const CLI::Option* option, SettingGroup group, const std::function<SettingValue()>& value) {
+    Value& own = values_[option];
+    own.group = group;
+    if (value) own.value = value;
+}
+
+Settings ConfigurationFile::settings() const {
+    Settings all;
+    for (const CLI::App* each : running(std::as_const(app_))) {
+        for (const CLI::Option* option : each->get_options()) {
+            const auto found = values_.find(option);
+            if (found == values_.end() || !found->second.group) continue;
+            const Value& own = found->second;
+            std::string name = key_of(*option);
+            std::replace(name.begin(), name.end(), '-', '_');
+            all.push_back({name, own.value(), own.bounds ? own.bounds->dimension : Dimension::one, *own.group});
+        }
+    }
+    return all;
 }
 
 void ConfigurationFile::check_section(const TomlFile& toml, const TomlSection& section) const {

@@ -10,6 +10,7 @@
 
 #include "share/base/quantities.hpp"
 #include "share/base/toml_file.hpp"
+#include "share/file/settings.hpp"
 
 namespace graincrack {
 
@@ -18,8 +19,10 @@ class ConfigurationFile : public CLI::Config {
 public:
     struct Value {
         std::function<void(const std::string&)> read;
-        std::optional<Quantity> bounds = {};    ///< of a quantity or a whole number
-        std::vector<std::string> endings = {};  ///< of the name of a file
+        std::optional<Quantity> bounds = {};       ///< of a quantity or a whole number
+        std::vector<std::string> endings = {};     ///< of the name of a file
+        std::function<SettingValue()> value = {};  ///< that is effective
+        std::optional<SettingGroup> group = {};    ///< of a setting of files
     };
     explicit ConfigurationFile(CLI::App& app) : app_(app) {}
 
@@ -34,6 +37,10 @@ public:
     void apply_default(const CLI::Option* option) const;
     /// What is kept of an option.
     [[nodiscard]] Value value(const CLI::Option* option) const;
+    /// Makes the effective value of an option a setting. \param value in place of that of its target, unless empty
+    void make_setting(const CLI::Option* option, SettingGroup group, const std::function<SettingValue()>& value);
+    /// The settings of the commands that run.
+    [[nodiscard]] Settings settings() const;
 
 private:
     void check_section(const TomlFile& toml, const TomlSection& section) const;

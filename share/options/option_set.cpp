@@ -64,30 +64,58 @@ T parse_integer(const std::string& text, const std::string& where, T lower, T up
     return value;
 }
 
+/// What a target holds, as a setting.
+template <class T>
+SettingValue value_of(const T& target) {
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool> || std::is_same_v<T, std::uint64_t>)
+        return target;
+    else if constexpr (std::is_integral_v<T>)
+        return static_cast<double>(target);
+    else
+        return target.empty() ? SettingValue() : SettingValue(target);
+}
+template <class T>
+SettingValue value_of(const std::optional<T>& target) {
+    return target ? value_of(*target) : SettingValue();
+}
+
+/// The handle of an option of the library, whose effective value is that of a target.
+template <class Target>
+Option keep(OptionSet set, CLI::Option* added, Target& target) {
+    auto* const file = configuration_file(set.app());
+    if (file != nullptr) file->remember(added, {.read = nullptr, .value = [&target] { return value_of(target); }});
+    return {added, file};
+}
+
 /// Adds an option with one value, whose bounds are kept for its description.
-Option add_bounded(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
-                   const std::optional<Quantity>& bounds, const std::string& help, const std::string& type_name,
-                   const std::string& default_text) {
-    CLI::callback_t callback = [read](const CLI::results_t& results) {
+Option add_bounded(OptionSet set, const std::string& option, ConfigurationFile::Value value, const std::string& help,
+                   const std::string& type_name, const std::string& default_text) {
+    CLI::callback_t callback = [read = value.read](const CLI::results_t& results) {
         for (const std::string& text : results) read(text);
         return true;
     };
-    if (!default_text.empty()) read(default_text);
+    if (!default_text.empty()) value.read(default_text);
     CLI::Option* added = set.app().add_option(option, std::move(callback), help);
     added->type_name(type_name);
     added->default_str(default_text);
-    if (auto* file = configuration_file(set.app()); file != nullptr) file->remember(added, {read, bounds});
-    return Option(added);
+    auto* const file = configuration_file(set.app());
+    if (file != nullptr) file->remember(added, std::move(value));
+    return {added, file};
 }
 
 }  // namespace
 
-Option Option::required() { return Option(option_->required()); }
-Option Option::type_name(const std::string& name) { return Option(option_->type_name(name)); }
-Option Option::only_on_command_line() { return Option(option_->configurable(false)); }
-Option Option::excludes(Option other) { return Option(option_->excludes(other.option_)); }
-Option Option::needs(Option other) { return Option(option_->needs(other.option_)); }
-Option Option::repeatable() { return Option(option_->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)); }
+Option Option::required() { return {option_->required(), file_}; }
+Option Option::type_name(const std::string& name) { return {option_->type_name(name), file_}; }
+Option Option::only_on_command_line() { return {option_->configurable(false), file_}; }
+Option Option::excludes(Option other) { return {option_->excludes(other.option_), file_}; }
+Option Option::needs(Option other) { return {option_->needs(other.option_), file_}; }
+Option Option::repeatable() { return {option_->multi_option_policy(CLI::MultiOptionPolicy::TakeAll), file_}; }
+Option Option::of(SettingGroup group) { return of(group, nullptr); }
+Option Option::of(SettingGroup group, const std::function<SettingValue()>& value) {
+    if (file_ != nullptr) file_->make_setting(option_, group, value);
+    return *this;
+}
 
 OptionSet OptionSet::usual() const { return OptionSet(app_, usual_options); }
 OptionSet OptionSet::seldom() const { return OptionSet(app_, seldom_options); }
@@ -107,19 +135,19 @@ OptionSet OptionSet::add_subcommand(const std::string& name, const std::string& 
 bool OptionSet::is_called() const { return app_->parsed(); }
 
 Option add_text(OptionSet set, const std::string& option, std::string& target, const std::string& help) {
-    return Option(set.app().add_option(option, target, help));
+    return keep(set, set.app().add_option(option, target, help), target);
 }
 
 Option add_texts(OptionSet set, const std::string& option, std::vector<std::string>& target, const std::string& type,
                  const std::string& help) {
     const auto read = [&target](const std::string& text) { target.push_back(text); };
-    return add_value(set, option, read, help, type).repeatable();
+    return add_bounded(set, option, {.read = read, .value = [&target] { return value_of(target); }}, help, type, "").repeatable();
 }
 
 Option add_files(OptionSet set, const std::string& name, std::vector<std::string>& target, const std::string& help,
                  bool several) {
     CLI::Option* added = set.app().add_option(name, target, help)->type_name("FILE")->default_str("");
-    return Option(several ? added : added->expected(1, CLI::detail::expected_max_vector_size - 1));
+    return {several ? added : added->expected(1, CLI::detail::expected_max_vector_size - 1), configuration_file(set.app())};
 }
 
 Option add_output_file(OptionSet set, std::string& target, const std::string& help, const std::vector<std::string>& endings) {
@@ -129,22 +157,22 @@ Option add_output_file(OptionSet set, std::string& target, const std::string& he
 }
 
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help) {
-    return Option(set.app().add_flag(option, target, help));
+    return keep(set, set.app().add_flag(option, target, help), target);
 }
 
 Option add_flag(OptionSet set, const std::string& option, const std::function<void()>& action, const std::string& help) {
-    return Option(set.app().add_flag_callback(option, action, help));
+    return {set.app().add_flag_callback(option, action, help), configuration_file(set.app())};
 }
 
 Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
                  const std::string& help, const std::string& type_name, const std::string& default_text) {
-    return add_bounded(set, option, read, std::nullopt, help, type_name, default_text);
+    return add_bounded(set, option, {.read = read}, help, type_name, default_text);
 }
 
 Option add_value(OptionSet set, const std::string& option, const std::function<void(const std::string&)>& read,
                  const Quantity& quantity, const std::string& help, const std::string& type_name,
                  const std::string& default_text) {
-    return add_bounded(set, option, read, quantity, help_of(help, quantity), type_name, default_text);
+    return add_bounded(set, option, {.read = read, .bounds = quantity}, help_of(help, quantity), type_name, default_text);
 }
 
 template <class Target>
@@ -154,7 +182,8 @@ Option add_quantity(OptionSet set, const std::string& option, Target& target, co
         target = parse_quantity(text, quantity, where);
         note_bare_number(text, quantity, where);
     };
-    return add_value(set, option, read, quantity, help, type_name(quantity.dimension), default_text);
+    return add_bounded(set, option, {.read = read, .bounds = quantity, .value = [&target] { return value_of(target); }},
+                       help_of(help, quantity), type_name(quantity.dimension), default_text);
 }
 template Option add_quantity(OptionSet, const std::string&, double&, const Quantity&, const std::string&, const std::string&);
 template Option add_quantity(OptionSet, const std::string&, std::optional<double>&, const Quantity&, const std::string&,
@@ -163,12 +192,11 @@ template Option add_quantity(OptionSet, const std::string&, std::optional<double
 Option add_quantity_or(OptionSet set, const std::string& option, double& target, const Quantity& quantity,
                        const std::string& word, double word_value, const std::string& help, const std::string& default_text) {
     const std::string where = long_name(option);
-    return add_value(
-        set, option,
-        [&target, quantity, where, word, word_value](const std::string& text) {
-            target = parse_quantity_or(text, word, word_value, quantity, where);
-        },
-        quantity, help, type_name(quantity.dimension) + "|" + word, default_text);
+    const auto read = [&target, quantity, where, word, word_value](const std::string& text) {
+        target = parse_quantity_or(text, word, word_value, quantity, where);
+    };
+    return add_bounded(set, option, {.read = read, .bounds = quantity, .value = [&target] { return value_of(target); }},
+                       help_of(help, quantity), type_name(quantity.dimension) + "|" + word, default_text);
 }
 
 Option add_fracture_energy(OptionSet set, std::optional<FractureEnergyChoice>& target, const std::string& help) {
@@ -187,7 +215,8 @@ Option add_integer(OptionSet set, const std::string& option, Target& target, con
     };
     const double most = upper == std::numeric_limits<T>::max() ? quantity::unbounded : static_cast<double>(upper);
     const Quantity bounds{"", Dimension::one, static_cast<double>(lower), most, ""};
-    return add_bounded(set, option, read, bounds, help, "N", default_text);
+    return add_bounded(set, option, {.read = read, .bounds = bounds, .value = [&target] { return value_of(target); }}, help, "N",
+                       default_text);
 }
 template Option add_integer(OptionSet, const std::string&, int&, const std::string&, int, int);
 template Option add_integer(OptionSet, const std::string&, std::optional<int>&, const std::string&, int, int);
@@ -199,7 +228,8 @@ template Option add_integer(OptionSet, const std::string&, std::optional<std::ui
                             std::uint64_t);
 
 Option add_keyword(OptionSet set, const std::string& option, const std::vector<std::string>& words,
-                   const std::function<void(std::size_t)>& choose, const std::string& help, const std::string& default_word) {
+                   const std::function<void(std::size_t)>& choose, const std::function<std::string()>& word,
+                   const std::string& help, const std::string& default_word) {
     const std::string keywords = fmt::to_string(fmt::join(words, "|"));
     const auto read = [words, choose, keywords, where = long_name(option)](const std::string& text) {
         const auto found = std::find(words.begin(), words.end(), text);
@@ -209,14 +239,16 @@ Option add_keyword(OptionSet set, const std::string& option, const std::vector<s
         }
         choose(static_cast<std::size_t>(found - words.begin()));
     };
-    return add_value(set, option, read, help, keywords, default_word);
+    const auto value = [word] { return value_of(word()); };
+    return add_bounded(set, option, {.read = read, .value = value}, help, keywords, default_word);
 }
 
 Option add_choice(OptionSet set, const std::string& option, std::string& target, const std::vector<std::string>& choices,
                   const std::string& help) {
     const auto choose = [&target, choices](std::size_t i) { target = choices[i]; };
     const bool is_choice = std::find(choices.begin(), choices.end(), target) != choices.end();
-    return add_keyword(set, option, choices, choose, help, is_choice ? target : "");
+    return add_keyword(
+        set, option, choices, choose, [&target] { return target; }, help, is_choice ? target : "");
 }
 
 std::vector<std::string>& bare_number_notes() {

@@ -3,6 +3,7 @@
 // alone.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "share/base/quantities.hpp"
+#include "share/file/settings.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a name of CLI11
 class App;
@@ -20,12 +22,13 @@ class Option;
 
 namespace graincrack {
 
+class ConfigurationFile;
 struct FractureEnergyChoice;
 
 /// An option that has been declared, and what else is asked of it: `add_text(set, …).type_name("FILE").required()`.
 class Option {
 public:
-    explicit Option(CLI::Option* option) : option_(option) {}
+    Option(CLI::Option* option, ConfigurationFile* file) : option_(option), file_(file) {}
 
     Option required();
     /// How help names its value.
@@ -38,9 +41,14 @@ public:
     Option needs(Option other);
     /// May be given again: each value is read.
     Option repeatable();
+    /// Its effective value is a setting of this group (`CommandLine::settings`); other options stand in no file.
+    Option of(SettingGroup group);
+    /// The same with a value other than that of its target.
+    Option of(SettingGroup group, const std::function<SettingValue()>& value);
 
 private:
     CLI::Option* option_;
+    ConfigurationFile* file_;
 };
 
 /// A handle of the options of a program or subcommand; valid as long as the `CommandLine` it came from.
@@ -105,8 +113,10 @@ Option add_integer(OptionSet set, const std::string& option, Target& target, con
                    T upper = std::numeric_limits<T>::max());
 
 /// Adds an option that takes one of several keywords, whose index `choose` gets. \param default_word "" for none
+/// \param word of its effective value, "" for none
 Option add_keyword(OptionSet set, const std::string& option, const std::vector<std::string>& words,
-                   const std::function<void(std::size_t)>& choose, const std::string& help, const std::string& default_word);
+                   const std::function<void(std::size_t)>& choose, const std::function<std::string()>& word,
+                   const std::string& help, const std::string& default_word);
 /// Adds an option that takes one of several keywords; help shows the keyword of the value of `target` as the default.
 template <class T>
 Option add_choice(OptionSet set, const std::string& option, T& target, const std::vector<std::pair<std::string, T>>& choices,
@@ -119,8 +129,12 @@ Option add_choice(OptionSet set, const std::string& option, T& target, const std
         values.push_back(value);
         if (value == target) default_word = word;
     }
+    const auto word = [&target, words, values] {
+        const auto found = std::find(values.begin(), values.end(), target);
+        return found == values.end() ? "" : words[static_cast<std::size_t>(found - values.begin())];
+    };
     return add_keyword(
-        set, option, words, [&target, values](std::size_t i) { target = values[i]; }, help, default_word);
+        set, option, words, [&target, values](std::size_t i) { target = values[i]; }, word, help, default_word);
 }
 /// The same with the keyword itself as the value.
 Option add_choice(OptionSet set, const std::string& option, std::string& target, const std::vector<std::string>& choices,

@@ -6,7 +6,7 @@
 namespace graincrack {
 namespace {
 
-bool waves(const Settings& settings) {
+bool waves(const ActionFunctions& settings) {
     return std::any_of(settings.begin(), settings.end(), [](const auto& f) { return f && f->is_wave(); });
 }
 
@@ -23,7 +23,7 @@ void slow_down(TimeFunction& f, bool of_velocity) {
     }
 }
 
-void slow_down(Settings& settings) {
+void slow_down(ActionFunctions& settings) {
     for (std::size_t i = 0; i < n_actions; ++i) {
         if (settings[i]) slow_down(*settings[i], is_velocity(static_cast<Action>(i)));
     }

@@ -37,13 +37,13 @@ constexpr std::string_view name_of(Action action) {
 constexpr bool is_velocity(Action action) { return action <= Action::velocity_y; }
 
 /// New functions of a boundary condition, by action; those that are missing stay as they were.
-using Settings = std::array<std::optional<TimeFunction>, n_actions>;
+using ActionFunctions = std::array<std::optional<TimeFunction>, n_actions>;
 
 /// [boundary.NAME]: velocities or loads prescribed to a part of the specimen.
 struct BoundaryCondition {
     std::string name;
     Region region;
-    Settings start;                        ///< from the start of the program on; what is missing is free, or 0
+    ActionFunctions start;                 ///< from the start of the program on; what is missing is free, or 0
     std::array<bool, n_actions> is_set{};  ///< anywhere in the program
 };
 
@@ -130,11 +130,11 @@ inline constexpr const char* ended_by_peak_drop = "peak_drop";
 /// [stage.NAME]
 struct Stage {
     std::string name;
-    std::optional<PlatenMotion> platens;       ///< missing: they continue as they did
-    std::map<std::string, Settings> settings;  ///< by boundary condition
-    std::optional<TimeFunction> temperature;   ///< of all grains, K above that of the state without stress
-    std::optional<AutomaticHeating> heating;   ///< finds the rate of `temperature`
-    bool without_platens = false;              ///< the next stage with platens places them in touch with the specimen
+    std::optional<PlatenMotion> platens;              ///< missing: they continue as they did
+    std::map<std::string, ActionFunctions> settings;  ///< by boundary condition
+    std::optional<TimeFunction> temperature;          ///< of all grains, K above that of the state without stress
+    std::optional<AutomaticHeating> heating;          ///< finds the rate of `temperature`
+    bool without_platens = false;                     ///< the next stage with platens places them in touch with the specimen
     double longest_time =
         std::numeric_limits<double>::infinity();  ///< s; infinite where only the strain limit of the platens ends it
     std::optional<double> rest;       ///< unbalanced ratio, and relative error of a servo's pressure, below which it is at rest

@@ -102,8 +102,8 @@ bool moves_on(const std::optional<PlatenMotion>& motion) {
            (function->kind == TimeFunction::Kind::ramp && function->value != 0);
 }
 
-Settings read_settings(TomlTable& table) {
-    Settings settings;
+ActionFunctions read_functions(TomlTable& table) {
+    ActionFunctions settings;
     program_keys::visit_settings(settings,
                                  [&](const std::string& name, const Quantity& quantity, auto& function, bool may_be_free) {
                                      function = read_function(table, name, quantity, may_be_free);
@@ -138,7 +138,7 @@ BoundaryCondition read_boundary_condition(TomlTable& table) {
     if (!table.has("on") && !table.has("box")) {
         table.refuse("", "nowhere; give on = \"a part of the boundary\" or box = [left, right, bottom, top]");
     }
-    condition.start = read_settings(table);
+    condition.start = read_functions(table);
     return condition;
 }
 
@@ -229,7 +229,7 @@ Stage read_stage(Program& program, TomlTable& table) {
     read_absence(program, table, stage);
     for (BoundaryCondition& condition : program.boundary_conditions) {
         if (auto own = table.table(condition.name)) {
-            const Settings settings = read_settings(*own);
+            const ActionFunctions settings = read_functions(*own);
             own->refuse_others();
             stage.settings[condition.name] = settings;
         }
@@ -341,7 +341,7 @@ struct AddMotion {
     }
 };
 
-std::string settings_lines(const std::string& before, const Settings& settings) {
+std::string function_lines(const std::string& before, const ActionFunctions& settings) {
     TomlEntries entries;
     program_keys::visit_settings(settings, [&](const std::string& name, const Quantity& quantity, const auto& function, bool) {
         if (function) entries.add(name, function_text(*function, quantity));
@@ -351,7 +351,7 @@ std::string settings_lines(const std::string& before, const Settings& settings) 
 
 std::string stage_text(const Stage& stage) {
     std::string text = fmt::format("\n[stage.{}]\n", toml_key(stage.name));
-    for (const auto& [condition, settings] : stage.settings) text += settings_lines(toml_key(condition) + ".", settings);
+    for (const auto& [condition, settings] : stage.settings) text += function_lines(toml_key(condition) + ".", settings);
     TomlEntries entries;
     if (stage.platens) std::visit(AddMotion{entries}, *stage.platens);
     if (stage.without_platens) entries.given(program_keys::presence_of_platens, std::string("absent"));
@@ -404,7 +404,7 @@ std::string program_text(const Program& program) {
     }
     for (const BoundaryCondition& condition : program.boundary_conditions) {
         text += fmt::format("\n[boundary.{}]\n{}{}", toml_key(condition.name), lines(condition.region),
-                            settings_lines("", condition.start));
+                            function_lines("", condition.start));
     }
     for (const ProbeRequest& probe : program.probes) text += fmt::format("\n[probe.{}]\n{}", toml_key(probe.name), lines(probe));
     for (std::size_t i = 0; i < program.initial_velocities.size(); ++i) {

@@ -32,18 +32,10 @@ void refuse_difference(const std::string& first, const std::string& other, std::
 
 }  // namespace
 
-Facts facts_of_configuration(const std::string& configuration, const std::vector<std::string_view>& left_out) {
+Facts facts_of(const Settings& settings, const std::string& before) {
+    constexpr int all_digits = 17;
     Facts facts;
-    for (const std::string_view line : split(configuration, '\n')) {
-        const std::string_view option = line.substr(line.starts_with("# ") ? 2 : 0);  // a comment of one that is not given
-        const auto [key, value] = sides_of_equals(option);
-        const std::string_view name = trimmed(key);
-        if (name.empty() || std::find(left_out.begin(), left_out.end(), name) != left_out.end()) continue;
-        facts.emplace_back(name.front() == '[' ? "the command" : "--" + std::string(name), name.front() == '[' ? name
-                                                                                           : option.size() < line.size()
-                                                                                               ? std::string_view()
-                                                                                               : trimmed(value));
-    }
+    for (const Setting& each : settings) facts.emplace_back(before + option_name(each), shown(each, all_digits));
     return facts;
 }
 

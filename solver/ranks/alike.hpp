@@ -3,19 +3,20 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "share/file/settings.hpp"
 #include "solver/ranks/ranks.hpp"
 
 namespace graincrack {
 
-/// Names and values: "--rate-tolerance" and "0.006", "the specimen" and a digest of its content.
-using Facts = std::vector<std::pair<std::string, std::string>>;
+/// A name and a value: "--rate-tolerance" and "0.006", "the specimen" and a digest of its content.
+using Fact = std::pair<std::string, std::string>;
+using Facts = std::vector<Fact>;
 
-/// The options of an effective configuration (`CommandLine::effective_configuration`). \param left_out by their keys, "threads"
-Facts facts_of_configuration(const std::string& configuration, const std::vector<std::string_view>& left_out);
+/// Settings with all their digits. \param before each name
+Facts facts_of(const Settings& settings, const std::string& before);
 
 /// Prepares a run on every rank. \param prepare returns what must be alike; alone its result does not matter
 /// \throws UsageError on all ranks that names the first difference, or what some of them cannot do; what `prepare` throws where

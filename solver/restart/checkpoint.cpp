@@ -15,26 +15,17 @@ namespace {
 
 volatile std::sig_atomic_t is_requested = 0;
 
-/// Options of a test as its header tells them, as words. Numbers with all their digits.
-std::vector<std::pair<std::string, std::string>> options_of(const RunHeader& h) {
-    const auto number = [](double value) { return fmt::format("{}", value); };
-    std::vector<std::pair<std::string, std::string>> options{{"the test", h.test},
-                                                             {"--material", h.material},
-                                                             {"--contact-law", h.contact_law},
-                                                             {"--confining-pressure", number(h.confining_pressure)},
-                                                             {"--heat", number(h.heat)},
-                                                             {"--cool", h.cooled != 0 ? "given" : "left out"},
-                                                             {"--platen-friction", number(h.platen_friction)},
-                                                             {"--rate", h.rate},
-                                                             {"--rate-tolerance", number(h.rate_tolerance)},
-                                                             {"--rate-share", number(h.rate_share)},
-                                                             {"the speed of the platens", number(h.platen_speed)},
-                                                             {"--span", number(h.span)},
-                                                             {"--damping", number(h.damping)},
-                                                             {"--damping-form", h.damping_form},
-                                                             {"the time step", number(h.time_step)}};
-    for (const ContactParameter& row : all_contact_parameters()) options.emplace_back(row.option(), number(h.contact.*row.value));
-    return options;
+/// What decides the course of a test but for where it ends.
+Settings course_of(const RunHeader& h) {
+    Settings course{
+        {"test", h.test}, {"material", h.material}, {"contact_law", h.contact_law}, {"plane", std::string(name_of(h.plane))}};
+    for (const Setting& each : h.request) {
+        if (each.group != SettingGroup::none && each.group != SettingGroup::end) course.push_back(each);
+    }
+    const Settings values = material_values(h);
+    course.insert(course.end(), values.begin(), values.end());
+    course.push_back({"time_step", h.time_step, Dimension::time});
+    return course;
 }
 
 }  // namespace
@@ -71,14 +62,12 @@ void require_same_test(const std::string& name, const RunHeader& before, const R
     if (before.stop_reason != "checkpoint") {
         throw InputError(name + ": is a complete run, not a checkpoint; a test resumes from RUN.checkpoint");
     }
-    const auto old_options = options_of(before);
-    const auto options = options_of(now);
-    for (std::size_t i = 0; i < options.size(); ++i) {
-        if (options[i].second != old_options[i].second) {
-            throw InputError(fmt::format("{}: {} was {}, not {} (SI units); a test resumes only with the options it began with",
-                                         name, options[i].first, old_options[i].second, options[i].second));
-        }
-    }
+    constexpr int digits = 10;
+    const auto [old_one, new_one] = first_difference(course_of(before), course_of(now), {});
+    if (old_one == nullptr && new_one == nullptr) return;
+    const auto value_of = [](const Setting* setting) { return setting == nullptr ? "not given" : shown(*setting, digits); };
+    throw InputError(fmt::format("{}: --{} was {}, not {}; a test resumes only with the options it began with", name,
+                                 option_name(old_one == nullptr ? *new_one : *old_one), value_of(old_one), value_of(new_one)));
 }
 
 }  // namespace graincrack

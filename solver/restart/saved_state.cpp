@@ -264,7 +264,7 @@ void require_same(const RunReader& run, const Specimen& specimen, const Simulati
         refuse("has a saved state of another version of graincrack-solve; make it again with this one");
     }
     if (!same_mesh(run.specimen(), specimen)) refuse("is a run of another specimen; give the one it was made from, or itself");
-    const std::vector<Phase>& phases = setup.fabric.phases;
+    const std::vector<Phase>& phases = setup.material.fabric.phases;
     if (old.plane != request.plane ||
         old.fabric.phases != (old.fabric.feels_temperature() ? phases : without_expansion(phases))) {
         refuse("has other phases, another rock or another plane condition; they must be the same");

@@ -24,15 +24,8 @@ namespace {
 
 RunHeader make_header(const SimulationRequest& r, const Program& program, const Setup& setup) {
     RunHeader h;
+    static_cast<MaterialSettings&>(h) = setup.material;
     h.test = name_of(r.loading.test);
-    h.material = r.material.name;
-    h.contact_law = name_of(r.law);
-    h.crack_event = description_of(r.law).crack_event();
-    h.fracture_energy_choice = r.fracture_energy_choice;
-    h.plane = r.plane;
-    h.rock = r.material.rock;
-    h.contact = r.contact;
-    h.fabric = setup.fabric;
     h.platen_friction = r.loading.platen_friction;
     h.confining_pressure = r.loading.confining_pressure;
     h.heat = r.loading.heat;
@@ -51,6 +44,7 @@ RunHeader make_header(const SimulationRequest& r, const Program& program, const 
     h.time_step = setup.parameters.time_step;
     h.max_strain = program.platens ? program.platens->max_strain : 0;
     h.span = description_of(r.loading.test).loading == Loading::bending ? program.platens->span() : 0;
+    h.request = r.settings;
     return h;
 }
 
@@ -146,6 +140,7 @@ private:
             driver_.take_over(saved.loading);
             return;
         }
+        if (state_.thermal.empty()) header_.fabric.phases = without_expansion(header_.fabric.phases);
         require_same_test(run.name(), run.header(), header_);
         driver_.resume(saved.loading, run);
         recorder_.resume(run, state_);

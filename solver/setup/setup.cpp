@@ -46,10 +46,23 @@ Program program_of(const SimulationRequest& request, const Specimen& specimen) {
                            : standard_test(request.loading, request.peak_drop, specimen, request.material.rock);
 }
 
+MaterialSettings material_settings(const SimulationRequest& r, const Specimen& specimen) {
+    return {.material = r.material.name,
+            .contact_law = std::string(name_of(r.law)),
+            .crack_event = description_of(r.law).crack_event(),
+            .fracture_energy_choice = r.fracture_energy_choice,
+            .plane = r.plane,
+            .rock = r.material.rock,
+            .contact = r.contact,
+            .fabric = fabric_of(r, specimen),
+            .class_names = contact_class_names(specimen)};
+}
+
 Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Program& program) {
     Setup s;
-    s.fabric = fabric_of(r, specimen);
-    s.assemblage = make_assemblage(specimen, s.fabric.phases, r.plane);
+    s.material = material_settings(r, specimen);
+    const Fabric& fabric = s.material.fabric;
+    s.assemblage = make_assemblage(specimen, fabric.phases, r.plane);
     if (program.has_temperature() && s.assemblage.expansion.empty()) {
         throw InputError(
             fmt::format("{}, and no phase of the material {} expands; give its [phases.NAME] a thermal_expansion, such as \"8e-6 "
@@ -57,7 +70,7 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Pro
                         r.loading.heat != 0 ? "--heat: changes the temperature" : program.file + ": prescribes a temperature",
                         r.material.file.string()));
     }
-    s.parameters.laws = make_contact_laws(s.fabric.contacts, r.law);
+    s.parameters.laws = make_contact_laws(fabric.contacts, r.law);
     s.parameters.damping = r.damping;
     s.parameters.damping_form = r.damping_form;
     s.assemblage.vector_target = r.vector_target.value_or(widest_vector_target());

@@ -1,6 +1,7 @@
 // The constants of a run, found once from specimen and request.
 #pragma once
 
+#include "share/file/run_header.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/step_parameters.hpp"
@@ -11,8 +12,11 @@ namespace graincrack {
 /// The program of a run: the one that is asked for, or that of the standard test.
 Program program_of(const SimulationRequest& request, const Specimen& specimen);
 
+/// The effective values of law, rock, contacts, phases and classes. \throws InputError if the material does not fit the specimen
+MaterialSettings material_settings(const SimulationRequest& request, const Specimen& specimen);
+
 struct Setup {
-    Fabric fabric;
+    MaterialSettings material;
     Assemblage assemblage;
     Boundary boundary;
     StepParameters parameters;

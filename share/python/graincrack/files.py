@@ -35,7 +35,7 @@ try:
 except ImportError as error:
     raise ImportError(f"graincrack needs numpy and h5py, and {error.name} is not there; on Debian apt install python3-h5py") from None
 
-SCHEMA_VERSION = 4  # as share/file/h5_file.hpp has it
+SCHEMA_VERSION = 5  # as share/file/h5_file.hpp has it
 
 
 class GraincrackError(Exception):

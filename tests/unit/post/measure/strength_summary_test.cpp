@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "post/run/likeness.hpp"
+#include "post/run/comparability.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {

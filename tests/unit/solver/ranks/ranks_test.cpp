@@ -168,11 +168,14 @@ TEST(Ranks, PrepareAlikeOrSayInWhatTheyDiffer) {
     const auto refused = [&](const std::function<Facts(int)>& facts_of_rank, const std::string& line) {
         test::expect_one_line<UsageError>([&] { prepare(facts_of_rank); }, {line, "all ranks need the same options"});
     };
-    const auto options = [](const std::string& text) { return facts_of_configuration(text, {"threads"}); };
-    EXPECT_NO_THROW(prepare([&](int rank) { return options("[uniaxial]\nthreads = " + std::to_string(rank) + "\nseed = 1\n"); }));
-    refused(
-        [&](int rank) { return options(rank == 2 ? "[bend]\n# rate =\nseed = 1\n" : "[bend]\nrate = \"5mm/s\"\nseed = 1\n"); },
-        "--rate: \"5mm/s\" on rank 0, not given on rank 2");
+    const auto settings = [](const SettingValue& rate) {
+        return facts_of({{"rate", rate, Dimension::speed, SettingGroup::rate}, {"seed", 1.0}}, "--");
+    };
+    EXPECT_NO_THROW(prepare([&](int) { return settings(5e-3); }));
+    refused([&](int rank) { return settings(rank == 2 ? SettingValue("auto") : SettingValue(5e-3)); },
+            "--rate: 5 mm/s on rank 0, auto on rank 2");
+    refused([&](int rank) { return settings(rank == 2 ? SettingValue() : SettingValue(5e-3)); },
+            "--rate: 5 mm/s on rank 0, none on rank 2");
     refused([](int rank) { return Facts{{"a.h5", rank == 1 ? "f0" : "f1"}}; }, "a.h5: f1 on rank 0, f0 on rank 1");
     const auto fail = [](int first) {
         return [first](int rank) {

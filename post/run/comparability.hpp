@@ -1,5 +1,5 @@
-// The rule by which runs are comparable: their mean, their fit or their common row has a meaning if they are alike in all that
-// makes a result what it is. Seeds, frames, threads, ranks and machines are no part of it.
+// The rule by which runs are comparable: their mean, their fit or their common row has a meaning if all settings that decide
+// results agree. Seeds, frames, threads, ranks and machines are no part of it.
 #pragma once
 
 #include <cstddef>
@@ -10,58 +10,55 @@
 #include <vector>
 
 #include "post/run/load_curve.hpp"
-#include "share/base/quantities.hpp"
+#include "share/file/settings.hpp"
 
 namespace graincrack {
 
-/// What a trait belongs to. Cuts are holes, slits, flaws and joints; the fabric is the tessellation, its distributions and the
-/// scatter of strengths; loading is friction, damping, masses and program; the end is the fall behind the peak that ends a test.
-enum class Aspect { test, pressure, heat, plane, material, shape, size, cuts, grain_size, fabric, loading, rate, end };
-using Aspects = std::set<Aspect>;
+using SettingGroups = std::set<SettingGroup>;
 
 /// What tests of one rock may differ in if they are of different kinds or at different pressures.
-inline const Aspects of_the_test{Aspect::test, Aspect::pressure, Aspect::plane, Aspect::shape, Aspect::size,
-                                 Aspect::cuts, Aspect::loading,  Aspect::rate,  Aspect::end};
+inline const SettingGroups of_the_test{SettingGroup::test,    SettingGroup::pressure, SettingGroup::plane,
+                                       SettingGroup::shape,   SettingGroup::size,     SettingGroup::cuts,
+                                       SettingGroup::loading, SettingGroup::rate,     SettingGroup::end};
 
-/// A property by which the result of a run is what it is: a number, else a text, which is empty for what the run does not have.
-struct Trait {
-    Aspect aspect{};
-    std::string name;  ///< "diameter"
-    std::string text = {};
-    std::optional<double> number = std::nullopt;  ///< SI
-    Dimension dimension = Dimension::one;
+/// A setting, or a measure of a specimen, by which the result of a run is what it is.
+struct ComparedSetting {
+    Setting setting;             ///< its name as people read it, "grain diameter"
     double tolerance = 1e-9;     ///< relative difference of equal numbers; what is drawn differs from seed to seed
     double slack = 0;            ///< the same in SI, where it is more
     bool follows_plane = false;  ///< compared in one plane condition only
-    std::string follows = {};    ///< told only where the trait of this name is the same
+    std::string follows = {};    ///< told only where the setting of this name is the same
 };
+using ComparedSettings = std::vector<ComparedSetting>;
 
 /// Law, rock, contacts and phases, in the order of reports.
-std::vector<Trait> material_traits(const RunSettings& header);
-/// All traits of a run. What its file does not hold is empty.
-std::vector<Trait> traits_of(const RunData& run);
+ComparedSettings compared_material(const MaterialSettings& material);
+/// All settings of a run and its specimen by which it is compared. What its file does not hold is no part of them.
+ComparedSettings compared_settings(const RunData& run);
 
 /// In what two runs differ, with both values: "material (Granite, Gabbro), diameter (30 mm, 60 mm)"; "" if in nothing. Of
 /// materials with different names only these are told. \param except may differ
-std::string differences(const std::vector<Trait>& a, const std::vector<Trait>& b, const Aspects& except = {});
-std::string differences(const RunData& a, const RunData& b, const Aspects& except = {});
+std::string differences(const ComparedSettings& a, const ComparedSettings& b, const SettingGroups& except = {});
+std::string differences(const RunData& a, const RunData& b, const SettingGroups& except = {});
 
 /// Runs by pointers, which must stay where they are.
 using RunList = std::vector<const RunData*>;
 RunList list_of(const std::vector<RunData>& runs);
 
-/// Comparable runs: each has no differences from another of them.
-struct LikeGroup {
+/// Comparable runs: each agrees with all others of them.
+struct ComparableGroup {
     std::vector<std::size_t> runs;  ///< indices in their order
     std::string distinction;        ///< of the first from those of other groups, as of `distinctions`
 };
-/// In the order of tables: Brazilian, tension, compression by rising pressure; within a test by rising size of the grains.
+/// In the order of tables: Brazilian, tension, compression by rising pressure; within a test by rising size of the grains. Runs
+/// join groups by rising size of grains and of specimen, so that the groups do not depend on the order of the runs.
 /// \param except may differ \param untold is left out of distinctions
-std::vector<LikeGroup> groups_of_like(const RunList& runs, const Aspects& except = {}, const Aspects& untold = {});
+std::vector<ComparableGroup> comparable_groups(const RunList& runs, const SettingGroups& except = {},
+                                               const SettingGroups& untold = {});
 
 /// For each run what tells it from those of its `series_label`, or from all if tests may differ: "Gabbro, diameter 60 mm"; ""
 /// if nothing does. \param except is not told
-std::vector<std::string> distinctions(const RunList& runs, const Aspects& except = {});
+std::vector<std::string> distinctions(const RunList& runs, const SettingGroups& except = {});
 
 /// The name of the material of all runs, another text if they have several or none.
 std::string common_material(const std::vector<RunData>& runs, const std::string& otherwise);
@@ -71,9 +68,9 @@ std::vector<std::string> names_apart(const std::vector<RunData>& runs);
 
 /// \param what needs equal tests, with an article: "an envelope" \param except may differ
 /// \throws InputError if runs of one test, pressure and `distinct_shape` differ, or if others are not of one material and fabric
-void require_alike(const std::vector<RunData>& runs, const std::string& what, const Aspects& except = {});
+void require_comparable(const std::vector<RunData>& runs, const std::string& what, const SettingGroups& except = {});
 
-/// Whether two files are of one test of one specimen, which one of them may have followed further.
+/// Whether two files are of one test of one specimen: all settings that decide results are equal, seeds and ends included.
 bool is_same_run(const RunData& a, const RunData& b);
 /// The indices of the runs, each test of a specimen once, with the file that followed it furthest. \param diagnostics gets a line
 /// for each file that is left out
