@@ -44,14 +44,14 @@ SettingValue value_of(const Json& json) {
     return json.get<std::vector<double>>();
 }
 
-Dimension dimension_of(const std::string& unit) {
+Dimension dimension_of_unit(const std::string& unit) {
     const auto* const row = std::find_if(dimension_rows.begin(), dimension_rows.end(),
                                          [&](const DimensionRow& each) { return each.units.front().symbol == unit; });
     if (row == dimension_rows.end()) throw InputError("unknown unit " + unit);
     return static_cast<Dimension>(row - dimension_rows.begin());
 }
 
-SettingGroup group_of(const std::string& name) {
+SettingGroup group_named(const std::string& name) {
     const auto* const found = std::find(group_names.begin(), group_names.end(), name);
     if (found == group_names.end()) throw InputError("unknown group " + name);
     return static_cast<SettingGroup>(found - group_names.begin());
@@ -146,7 +146,7 @@ Settings read_settings(const H5Input& file, const std::string& group) {
         const Json fields = Json::parse(file.attribute<std::string>(group, fields_attribute));
         for (const auto& [name, value] : request.items()) {
             const Json& field = fields.at(name);
-            settings.push_back({name, value_of(value), dimension_of(field.at("unit")), group_of(field.at("group"))});
+            settings.push_back({name, value_of(value), dimension_of_unit(field.at("unit")), group_named(field.at("group"))});
         }
     } catch (const Json::exception& error) {
         throw InputError(fmt::format("{}: attribute {} of {} is damaged ({}); make the file again", file.name(),
