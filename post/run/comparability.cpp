@@ -22,8 +22,10 @@ namespace {
 
 constexpr const char *measured_material = "material", *minerals = "minerals";
 
+/// The name of a setting in words, "contact cohesion of within_quartz": a class of contacts keeps its name.
 std::string words_of(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
+    const std::size_t of = name.find(" of ");
+    std::replace(name.begin(), of == std::string::npos ? name.end() : name.begin() + static_cast<std::ptrdiff_t>(of), '_', ' ');
     return name;
 }
 

@@ -63,8 +63,8 @@ std::string text_of(const Settings& settings, std::string_view name);
 std::string option_name(const Setting& setting);
 /// A value as people read it: "4 mm", "voronoi", "none"; of many the first ones. \param digits of numbers
 std::string shown(const Setting& setting, int digits = 4);
-/// The first setting in which two differ in value, by both, one of which is null where the other has none; both null if none
-/// does. Those of `ignored` groups do not count.
+/// The first setting in which two lists, which must outlive the result, differ in value: that of each list, null where it has
+/// none; two nulls if they are the same. Those of `ignored` groups do not count.
 std::pair<const Setting*, const Setting*> first_difference(const Settings& a, const Settings& b,
                                                            const std::vector<SettingGroup>& ignored = {SettingGroup::none});
 

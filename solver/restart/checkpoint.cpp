@@ -63,7 +63,8 @@ void require_same_test(const std::string& name, const RunHeader& before, const R
         throw InputError(name + ": is a complete run, not a checkpoint; a test resumes from RUN.checkpoint");
     }
     constexpr int digits = 10;
-    const auto [old_one, new_one] = first_difference(course_of(before), course_of(now), {});
+    const Settings old_course = course_of(before), course = course_of(now);
+    const auto [old_one, new_one] = first_difference(old_course, course, {});
     if (old_one == nullptr && new_one == nullptr) return;
     const auto value_of = [](const Setting* setting) { return setting == nullptr ? "not given" : shown(*setting, digits); };
     throw InputError(fmt::format("{}: --{} was {}, not {}; a test resumes only with the options it began with", name,

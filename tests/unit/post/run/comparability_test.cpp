@@ -80,7 +80,7 @@ TEST(Comparability, RunsOfOneTestDifferInTheirSeedsOnly) {
     refuse_setting({"time_step_fraction", 0.35, Dimension::one, loading}, "time step fraction (0.35, 0.7)");
     refuse_setting({"peak_drop", 0.0, Dimension::one, end}, "peak drop (0, 0.3)");
     refuse_setting({"platen_friction", 0.1, Dimension::angle, loading}, "platen friction (5.73 deg, 0 deg)");
-    refuse_made({"holes", std::vector{0.0, 0.0, 5e-3}, Dimension::length, cuts}, "holes (0 um 0 um 5 mm, none)");
+    refuse_made({"holes", std::vector{0.0, 0.0, 5e-3}, Dimension::length, cuts}, "holes (0 m 0 m 5 mm, none)");
     refuse_made({"elongation", 2.0, Dimension::one, fabric}, "elongation (2, 1)");
     refuse_made({"phase_fractions", std::vector{0.3, 0.7}, Dimension::one, material}, "phase fractions (0.3 0.7, none)");
 }

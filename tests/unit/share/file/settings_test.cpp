@@ -49,7 +49,7 @@ TEST(Settings, AreShownWithTheirUnits) {
     std::vector<std::string> texts;
     for (const Setting& each : one_of_each) texts.push_back(shown(each));
     EXPECT_EQ(texts, (std::vector<std::string>{"none", "given", "80 mm", "1122", "9223372036854775808", "voronoi",
-                                               "0 um 333.3 mm 2 mm", "joint broken \"quoted\""}));
+                                               "0 m 333.3 mm 2 mm", "joint broken \"quoted\""}));
     EXPECT_EQ(number_of(one_of_each, "width"), 0.08);
     EXPECT_EQ(text_of(one_of_each, "tessellation"), "voronoi");
     EXPECT_EQ(text_of(one_of_each, "width"), "");
