@@ -1,7 +1,6 @@
 #include "post/run/comparability.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -152,8 +152,9 @@ Option add_files(OptionSet set, const std::string& name, std::vector<std::string
 
 Option add_output_file(OptionSet set, std::string& target, const std::string& help, const std::vector<std::string>& endings) {
     CLI::Option* added = set.app().add_option("-o,--output", target, help)->type_name(endings.empty() ? "FOLDER" : "FILE");
-    if (auto* file = configuration_file(set.app()); file != nullptr) file->remember(added, {nullptr, std::nullopt, endings});
-    return Option(added);
+    auto* const file = configuration_file(set.app());
+    if (file != nullptr) file->remember(added, {.read = nullptr, .endings = endings});
+    return {added, file};
 }
 
 Option add_flag(OptionSet set, const std::string& option, bool& target, const std::string& help) {
