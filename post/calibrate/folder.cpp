@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <functional>
 #include <set>
 
+#include "post/calibrate/outcome.hpp"
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
 #include "share/base/toml_document.hpp"
@@ -92,6 +94,25 @@ double time_of(const std::vector<RequestedRun>& requested, const FinishedRuns& f
     return sum;
 }
 
+/// Writes a file of a folder. \param what it is
+using WriteFile = std::function<void(const std::string& what, const std::string& name, const std::string& text)>;
+
+/// Writes the files of a calibration that has ended.
+void write_end(const Material& rock, const std::string& folder, const Problem& problem, const FolderDecision& out,
+               const std::optional<Draws>& draws, std::size_t n_runs, const WriteFile& write) {
+    const Decision& decision = out.decision;
+    std::optional<Material> at;
+    if (!decision.point.empty()) {
+        const bool calibrated = decision.ending == Ending::calibrated;
+        const std::string name = calibrated ? "calibrated.toml" : "nearest.toml";
+        write("material", name, material_text(rock, decision, calibrated ? "calibrated" : "nearest point"));
+        at = read_material((fs::path(folder) / name).string());
+    }
+    if (decision.fit) write("sensitivities", "identify.tsv", identify_table(out.sensitivities));
+    if (draws) write("draws", "draws.tsv", draws_table(problem, *decision.fit, *draws));
+    write("report", "report.md", report_text(rock, at, problem, decision, draws, n_runs));
+}
+
 }  // namespace
 
 FinishedRuns read_finished(const std::string& folder) {
@@ -127,7 +148,8 @@ Problem read_problem(const Material& rock, const std::vector<std::string>& setti
 FolderDecision calibrate_folder(const std::string& folder, const std::string& material, const std::vector<std::string>& settings,
                                 std::ostream& diagnostics) {
     const fs::path parent(folder);
-    const auto path = [&](const char* name) { return (parent / name).string(); };
+    const auto path = [&](const std::string& name) { return (parent / name).string(); };
+    remove_file(path("outcome.json"));
     const Material rock = read_rock(material.empty() ? path("material.toml") : material);
     write_notes(diagnostics, "calibrate", rock);
     const Problem problem = read_problem(rock, settings);
@@ -141,25 +163,21 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
          {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "identify.png", "draws.tsv"}) {
         remove_file(path(name));
     }
+    OutcomeFiles files;
+    const WriteFile write = [&](const std::string& what, const std::string& name, const std::string& text) {
+        write_whole_file(path(name), text);
+        files[what] = name;
+    };
+    std::optional<Draws> draws;
     if (decision.ending == Ending::requested) {
-        write_whole_file(path("wanted.tsv"), requested_table(rock, problem.study, decision.requested));
+        write("wanted", "wanted.tsv", requested_table(rock, problem.study, decision.requested));
         out.requested_time = time_of(decision.requested, finished);
-        return out;
+    } else {
+        draws = draws_of(problem, decision);
+        if (decision.fit) out.sensitivities = sensitivities(problem.parameters, *decision.fit);
+        write_end(rock, folder, problem, out, draws, finished.size(), write);
     }
-    std::optional<Material> at;
-    if (!decision.point.empty()) {
-        const bool calibrated = decision.ending == Ending::calibrated;
-        const std::string file = path(calibrated ? "calibrated.toml" : "nearest.toml");
-        write_whole_file(file, material_text(rock, decision, calibrated ? "calibrated" : "nearest point"));
-        at = read_material(file);
-    }
-    if (decision.fit) {
-        out.sensitivities = sensitivities(problem.parameters, *decision.fit);
-        write_whole_file(path("identify.tsv"), identify_table(out.sensitivities));
-    }
-    const std::optional<Draws> draws = draws_of(problem, decision);
-    if (draws) write_whole_file(path("draws.tsv"), draws_table(problem, *decision.fit, *draws));
-    write_whole_file(path("report.md"), report_text(rock, at, problem, decision, draws, finished.size()));
+    write_whole_file(path("outcome.json"), outcome_text(rock, problem, decision, draws, finished.size(), files));
     return out;
 }
 

@@ -8,6 +8,7 @@
 //     calibrated.toml  the material with the values found, and [fitted]                 written if calibrated
 //     nearest.toml     the same for the nearest point                                   written if it ends otherwise
 //     report.md        targets, results, values with intervals, every step              written in the end
+//     outcome.json     state, values, predictions, caveats and files, for programs          written last at every call
 //     identify.tsv     d ln response / d ln parameter                                   written in the end
 //     draws.tsv        values and properties drawn from what the data leave open        written in the end, of a known kind
 #pragma once

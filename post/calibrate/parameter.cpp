@@ -8,6 +8,8 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <set>
+#include <string_view>
 
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
@@ -32,54 +34,43 @@ struct Basis {
     bool crystals;          ///< that break, with that law
 };
 
-/// A box about a first guess, as parts of a reference value. The limits of boxes that move are wider.
-Parameter parts_of(double reference, double first, double low, double high, double least, double most, bool logarithmic,
-                   std::string source) {
-    return {"",
-            logarithmic,
-            reference * low,
-            reference * high,
-            reference * least,
-            reference * most,
-            reference * first,
-            std::move(source)};
+/// Which materials a row is of: those of other laws than `cohesive-frictional`, those of that law, of these those of crystals
+/// that break. A later row replaces an earlier one.
+enum class Of { all, others, frictional, crystals };
+bool holds(Of materials, const Basis& b) {
+    if (materials == Of::others) return !b.frictional;
+    return materials == Of::all || (b.frictional && (materials == Of::frictional || b.crystals));
 }
 
-Parameter tensile_strength(const Basis& b) {
-    if (b.frictional) return parts_of(b.rock.rock.tensile_strength, 0.9, 0.6, 1.4, 0.2, 3, true, "0.9 of the Brazilian strength");
-    const double guess = fpz::contact_tensile_strength_from_toughness(b.rock.rock.mode_i_toughness, b.edge);
-    return parts_of(guess, 1, 0.5, 2, 0.1, 4, true, "2 K_IC/√(π dp), Eq 40");
+/// A default box about a first guess, as parts of a reference. The limits of boxes that move are wider; of angles they are 5° and
+/// 75°.
+struct DefaultBox {
+    const char* key;
+    Of materials;
+    bool is_free;  ///< a parameter unless [parameters] say otherwise
+    double (*reference)(const Basis& basis);
+    double first, low, high, least, most;
+    const char* source;
+    [[nodiscard]] bool is_angle() const { return std::string_view(key).ends_with("angle"); }
+    [[nodiscard]] Parameter of(const Basis& basis) const {
+        const double unit = reference(basis);
+        if (is_angle()) return {key, false, unit * low, unit * high, 5 * degree, 75 * degree, unit * first, source};
+        return {key, true, unit * low, unit * high, unit * least, unit * most, unit * first, source};
+    }
+};
+
+double rock_tension(const Basis& b) { return b.rock.rock.tensile_strength; }
+double ucs(const Basis& b) { return b.ucs; }
+double rock_friction(const Basis& b) { return b.friction_angle; }
+double tension_of_toughness(const Basis& b) {
+    return fpz::contact_tensile_strength_from_toughness(b.rock.rock.mode_i_toughness, b.edge);
 }
-Parameter cohesion(const Basis& b) {
-    if (b.frictional) return parts_of(b.ucs, 0.3, 0.15, 0.6, 0.03, 1.5, true, "0.3 UCS, because friction adds to it");
-    return parts_of(b.ucs, 0.5, 0.25, 1, 0.05, 3, true, "UCS/2, the centre of Kazerani & Zhao's design");
-}
-Parameter friction_angle(const Basis& b) {
-    Parameter p = b.frictional ? parts_of(b.friction_angle, 0.85, 0.65, 1.05, 0, 0, false, "0.85 φ")
-                               : parts_of(b.friction_angle, 0.7, 0.45, 0.95, 0, 0, false,
-                                          "0.7 φ: specimens are rougher than their contacts");
-    p.least = 5 * degree;
-    p.most = 75 * degree;
-    return p;
-}
-Parameter residual_friction_angle(const Basis& b) {
-    Parameter p = b.crystals
-                      ? parts_of(b.friction_angle, 0.57, 0.4, 0.75, 0, 0, false, "0.57 φ, of crystals that break")
-                      : parts_of(b.friction_angle, 0.7, 0.5, 0.9, 0, 0, false, "0.7 φ, somewhat below that of intact contacts");
-    p.least = 5 * degree;
-    p.most = 75 * degree;
-    return p;
-}
-/// K_IC² / Ẽ and half of it: what a notch that is long enough to measure K_IC would want of G_I.
-Parameter fracture_energy(const Basis& b) {
-    const double of_toughness = fpz::mode_i_fracture_energy(b.rock.rock, PlaneCondition::strain);
-    return parts_of(of_toughness, 0.75, 0.5, 1, 0.5, 1, true, "½ to 1 K_IC²/Ẽ, so that K_IC stays the rock's");
-}
-Parameter open_shear_strength(const Basis& b) {
-    return parts_of(b.rock.rock.tensile_strength, 3, 1, 9, 0.3, 30, true, "3 times the Brazilian strength");
-}
-/// Published tables of moduli of granite's minerals have coefficients of variation from 0.17 to 0.32.
-Parameter contrast(const Basis& b) {
+/// K_IC² / Ẽ: what a notch that is long enough to measure K_IC would want of G_I.
+double energy_of_toughness(const Basis& b) { return fpz::mode_i_fracture_energy(b.rock.rock, PlaneCondition::strain); }
+double stiffness_of_zone(const Basis& b) { return fpz::normal_stiffness(b.rock.rock, PlaneCondition::strain); }
+/// The contrast by which the moduli of grains have a coefficient of variation of 1. Published tables of moduli of granite's
+/// minerals have 0.17 to 0.32.
+double contrast_of_variation(const Basis& b) {
     double mean = 0;
     double square = 0;
     for (const auto& [name, phase] : b.rock.fabric.phases) {
@@ -88,38 +79,29 @@ Parameter contrast(const Basis& b) {
         square += phase.fraction * r * r;
     }
     const double variation = std::sqrt(square - mean * mean) / mean;
-    if (!(variation > 0)) return {"", true, NAN, NAN, NAN, NAN, NAN, ""};
-    return {"",
-            true,
-            0.17 / variation,
-            0.32 / variation,
-            0.17 / variation,
-            0.32 / variation,
-            b.rock.fabric.contrast,
-            "coefficients of variation of published moduli, 0.17 to 0.32"};
+    return variation > 0 ? 1 / variation : NAN;
 }
 
-struct Row {
-    const char* key;
-    Parameter (*box)(const Basis& basis);
-    bool free_by_default;       ///< of every law
-    bool free_when_frictional;  ///< of the law `cohesive-frictional`
-};
-constexpr Row rows[] = {
-    {"contact.tensile_strength", tensile_strength, true, true},
-    {"contact.cohesion", cohesion, true, true},
-    {"contact.friction_angle", friction_angle, true, true},
-    {"contact.residual_friction_angle", residual_friction_angle, false, true},
-    {"contact.fracture_energy", fracture_energy, false, false},
-    {"contact.open_shear_strength", open_shear_strength, false, false},
-    {"contact.normal_stiffness",
-     [](const Basis& b) {
-         return parts_of(fpz::normal_stiffness(b.rock.rock, PlaneCondition::strain), 1, 0.3, 3, 0.01, 10, true,
-                         "E / w_I, Eqs 3-5");
-     },
-     false, false},
-    {"phases.contrast", contrast, false, false},
-};
+constexpr const char* below_intact = "0.7 φ, somewhat below that of intact contacts";
+constexpr const char* contrast = "phases.contrast";
+constexpr DefaultBox default_boxes[] = {
+    {"contact.tensile_strength", Of::others, true, tension_of_toughness, 1, 0.5, 2, 0.1, 4, "2 K_IC/√(π dp), Eq 40"},
+    {"contact.tensile_strength", Of::frictional, true, rock_tension, 0.9, 0.6, 1.4, 0.2, 3, "0.9 of the Brazilian strength"},
+    {"contact.cohesion", Of::others, true, ucs, 0.5, 0.25, 1, 0.05, 3, "UCS/2, the centre of Kazerani & Zhao's design"},
+    {"contact.cohesion", Of::frictional, true, ucs, 0.3, 0.15, 0.6, 0.03, 1.5, "0.3 UCS, because friction adds to it"},
+    {"contact.friction_angle", Of::others, true, rock_friction, 0.7, 0.45, 0.95, 0, 0,
+     "0.7 φ: specimens are rougher than their contacts"},
+    {"contact.friction_angle", Of::frictional, true, rock_friction, 0.85, 0.65, 1.05, 0, 0, "0.85 φ"},
+    {"contact.residual_friction_angle", Of::others, false, rock_friction, 0.7, 0.5, 0.9, 0, 0, below_intact},
+    {"contact.residual_friction_angle", Of::frictional, true, rock_friction, 0.7, 0.5, 0.9, 0, 0, below_intact},
+    {"contact.residual_friction_angle", Of::crystals, true, rock_friction, 0.57, 0.4, 0.75, 0, 0,
+     "0.57 φ, of crystals that break"},
+    {"contact.fracture_energy", Of::all, false, energy_of_toughness, 0.75, 0.5, 1, 0.5, 1,
+     "½ to 1 K_IC²/Ẽ, so that K_IC stays the rock's"},
+    {"contact.open_shear_strength", Of::all, false, rock_tension, 3, 1, 9, 0.3, 30, "3 times the Brazilian strength"},
+    {"contact.normal_stiffness", Of::all, false, stiffness_of_zone, 1, 0.3, 3, 0.01, 10, "E / w_I, Eqs 3-5"},
+    {contrast, Of::all, false, contrast_of_variation, NAN, 0.17, 0.32, 0.17, 0.32,
+     "coefficients of variation of published moduli, 0.17 to 0.32"}};
 
 struct DisplayUnit {
     const char* symbol;
@@ -173,7 +155,8 @@ Parameter ratio_box(const Basis& basis, const std::string& key) {
         return p;
     }
     if (!own && !is_factor) return {"", true, NAN, NAN, NAN, NAN, NAN};
-    return parts_of(own.value_or(1), 1, 0.5, 2, 0.1, 10, true, "the material's own");
+    const double value = own.value_or(1);
+    return {"", true, 0.5 * value, 2 * value, 0.1 * value, 10 * value, value, "the material's own"};
 }
 
 /// A box whose first guess is what [ratios] of the material make of its laboratory: as wide about it as the default is about its
@@ -269,10 +252,11 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
     const Basis basis = basis_of(rock, edge);
     const auto usual = [&](const std::string& key) {
         Parameter p = ratio_box(basis, key);
-        for (const Row& row : rows) {
-            if (key == row.key) p = row.box(basis);
+        for (const DefaultBox& box : default_boxes) {
+            if (key == box.key && holds(box.materials, basis)) p = box.of(basis);
         }
         p.key = key;
+        if (key == contrast) p.first = rock.fabric.contrast;
         begin_at_ratio(p, rock);
         return p;
     };
@@ -289,11 +273,12 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
         require_sound(parameters.back(), row.where());
     }
     if (parameters.empty()) {
-        for (const Row& row : rows) {
-            if (!(basis.frictional ? row.free_when_frictional : row.free_by_default)) continue;
+        std::set<std::string> known;
+        for (const DefaultBox& box : default_boxes) {
+            if (!box.is_free || !holds(box.materials, basis) || !known.insert(box.key).second) continue;
             // Crystals keep the ratio by which the material gives the cohesion: as parts of tc it is known before tc is.
-            const bool by_ratio = basis.crystals && row.box == cohesion && rock.ratios.cohesion && !rock.contact.cohesion;
-            parameters.push_back(usual(by_ratio ? "ratios.cohesion" : row.key));
+            const bool by_ratio = basis.crystals && box.reference == ucs && rock.ratios.cohesion && !rock.contact.cohesion;
+            parameters.push_back(usual(by_ratio ? "ratios.cohesion" : box.key));
             require_sound(parameters.back(), file.file);
         }
     }

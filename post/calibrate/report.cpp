@@ -13,9 +13,6 @@ namespace graincrack::calibrate {
 
 namespace {
 
-/// A disagreement of the laboratory's own values above which a report says so.
-constexpr double remarkable = 0.03;
-
 using Cells = std::vector<std::string>;
 
 std::string markdown_row(const Cells& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
@@ -96,13 +93,8 @@ std::string summary_text(const Material& rock, const std::optional<Material>& at
     text += fmt::format("- first peaks: {}\n- {} runs; compression at a rate tolerance of {:g}, to {:.3g} % strain at most\n",
                         peaks.empty() ? "not tested" : fmt::format("{}", fmt::join(peaks, "; ")), n_runs,
                         problem.study.rate_tolerance, 100 * problem.study.max_strain);
-    const double off = disagreement(rock);
-    if (std::abs(off) > remarkable) {
-        text += fmt::format(
-            "- C and φ of the laboratory imply a UCS that differs by {:+.1f} % from the measured one; C is not fitted\n",
-            100 * off);
-    }
-    return text;
+    const std::string disagreeing = disagreement_text(rock);
+    return text + (disagreeing.empty() ? "" : fmt::format("- {}; C is not fitted\n", disagreeing));
 }
 
 std::string outcomes_text(const Decision& decision) {
@@ -129,23 +121,19 @@ std::string outcomes_text(const Decision& decision) {
 std::string values_text(const Problem& problem, const Decision& decision) {
     std::string text = markdown_head({"parameter", "value", "95 % interval", "first guess", "first box", "limits", "source"});
     const Optimum& optimum = decision.fit->optimum;
-    for (const auto& [key, value] : decision.point) {
-        const auto p = std::find_if(problem.parameters.begin(), problem.parameters.end(),
-                                    [&, k = key](const Parameter& each) { return each.key == k; });
-        const auto in = [&, k = key](double v) { return value_text(k, v, " "); };
-        if (p == problem.parameters.end()) {
-            text += markdown_row({key, in(value), "", "", "", "", "scaled until the assemblage has the value of the rock"});
-            continue;
+    for (const FoundValue& found : found_values(problem, decision)) {
+        const auto in = [&](double v) { return value_text(found.key, v, " "); };
+        const auto between = [&](double low, double high) { return fmt::format("{} to {}", in(low), in(high)); };
+        const Parameter* const p = found.parameter;
+        Cells cells{found.key, in(found.value.value)};
+        if (p == nullptr) {
+            cells.insert(cells.end(), {"", "", "", "", "scaled until the assemblage has the value of the rock"});
+        } else {
+            const auto& [value, low, high] = found.value;
+            cells.insert(cells.end(), {low ? between(*low, *high) : "not determined by the data", in(p->first),
+                                       between(p->low, p->high), between(p->least, p->most), p->source});
         }
-        const auto k = static_cast<Eigen::Index>(p - problem.parameters.begin());
-        const double half = optimum.half_interval(k);
-        const double at = optimum.point(k);
-        text +=
-            markdown_row({key, in(value),
-                          optimum.is_undetermined(k) ? "not determined by the data"
-                                                     : fmt::format("{} to {}", in(p->value(at - half)), in(p->value(at + half))),
-                          in(p->first), fmt::format("{} to {}", in(p->low), in(p->high)),
-                          fmt::format("{} to {}", in(p->least), in(p->most)), p->source});
+        text += markdown_row(cells);
     }
     text +=
         "\nIntervals include the scatter about the response surfaces, the uncertainty of the measured values (the deviations of "
@@ -193,29 +181,17 @@ std::string surfaces_text(const Fit& fit) {
 }
 
 /// What new specimens have by kind and runs, at the values found, and the rock whatever its values.
-std::string predictions_text(const Fit& fit, const Draws& draws) {
+std::string predictions_text(const std::vector<Prediction>& predictions) {
     std::string text =
         "\nBy the kind and the runs of this rock: what a new specimen has at the values found, with 50 and 95 % intervals, and "
         "the "
         "95 % interval of the mean of the rock, whose values are not known better than the targets tell (draws.tsv).\n";
     text += markdown_head({"property", "at these values", "50 %", "95 %", "rock, 95 %"});
-    for (std::size_t r = 0; r < fit.responses.size(); ++r) {
-        const Target& t = fit.responses[r].target;
-        if (!fit.responses[r].surface) continue;
-        const LocalSurface& surface = *fit.responses[r].surface;
-        const double mean = surface.value(fit.optimum.point);
-        const double deviation = std::hypot(surface.model().scatter(), std::sqrt(surface.variance(fit.optimum.point)));
-        const auto between = [&](double low, double high) {
-            return fmt::format("{} to {}", t.text(t.of_logarithm(low)), t.text(t.of_logarithm(high)));
-        };
-        const auto around = [&](double half) { return between(mean - half, mean + half); };
-        std::vector<double> logs;
-        for (const std::vector<double>& draw : draws.logs) logs.push_back(draw[r]);
-        std::sort(logs.begin(), logs.end());
-        const std::size_t outside = logs.size() / 40;
-        text +=
-            markdown_row({t.symbol(), t.text(t.of_logarithm(mean)), around(deviations_of_50_percent * deviation),
-                          around(deviations_of_95_percent * deviation), between(logs[outside], logs[logs.size() - 1 - outside])});
+    for (const Prediction& p : predictions) {
+        const Target& t = p.target;
+        const auto interval = [&](const Estimate& e) { return fmt::format("{} to {}", t.text(*e.low), t.text(*e.high)); };
+        text += markdown_row(
+            {t.symbol(), t.text(p.rock.value), interval(p.half_of_specimens), interval(p.specimen), interval(p.rock)});
     }
     return text;
 }
@@ -257,6 +233,48 @@ std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters,
                 {response.target.symbol(), p.key,
                  estimate(gradient(k) * by_log, covariance(k, k) * by_log * by_log, response.surface->model().freedom)});
         }
+    }
+    return all;
+}
+
+std::vector<FoundValue> found_values(const Problem& problem, const Decision& decision) {
+    std::vector<FoundValue> all;
+    for (const auto& [key, value] : decision.point) {
+        FoundValue& found = all.emplace_back(FoundValue{key, {value, std::nullopt, std::nullopt}});
+        for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
+            const Parameter& p = problem.parameters[k];
+            if (p.key != key) continue;
+            found.parameter = &p;
+            const auto i = static_cast<Eigen::Index>(k);
+            const Optimum& optimum = decision.fit->optimum;
+            if (optimum.is_undetermined(i)) continue;
+            found.value.low = p.value(optimum.point(i) - optimum.half_interval(i));
+            found.value.high = p.value(optimum.point(i) + optimum.half_interval(i));
+        }
+    }
+    return all;
+}
+
+std::vector<Prediction> predictions_of(const Fit& fit, const Draws& draws) {
+    std::vector<Prediction> all;
+    for (std::size_t r = 0; r < fit.responses.size(); ++r) {
+        if (!fit.responses[r].surface) continue;
+        const Target& t = fit.responses[r].target;
+        const LocalSurface& surface = *fit.responses[r].surface;
+        const double mean = surface.value(fit.optimum.point);
+        const double deviation = std::hypot(surface.model().scatter(), std::sqrt(surface.variance(fit.optimum.point)));
+        const auto between = [&](double low, double high) {
+            return Estimate{t.of_logarithm(mean), t.of_logarithm(low), t.of_logarithm(high)};
+        };
+        const auto around = [&](double deviations) {
+            return between(mean - deviations * deviation, mean + deviations * deviation);
+        };
+        std::vector<double> logs;
+        for (const std::vector<double>& draw : draws.logs) logs.push_back(draw[r]);
+        std::sort(logs.begin(), logs.end());
+        const std::size_t outside = logs.size() / 40;
+        all.push_back({t, around(deviations_of_50_percent), around(deviations_of_95_percent),
+                       between(logs[outside], logs[logs.size() - 1 - outside])});
     }
     return all;
 }
@@ -309,7 +327,7 @@ std::string report_text(const Material& rock, const std::optional<Material>& at,
     if (!decision.outcomes.empty()) text += "\n## Targets\n" + outcomes_text(decision);
     if (decision.fit) {
         text += "\n## Values\n" + values_text(problem, decision);
-        if (draws) text += "\n## Predictions\n" + predictions_text(*decision.fit, *draws);
+        if (draws) text += "\n## Predictions\n" + predictions_text(predictions_of(*decision.fit, *draws));
         text += "\n## Surfaces\n" + surfaces_text(*decision.fit);
         text += "\n## What tells what\n" + identify_text(problem, *decision.fit);
     }

@@ -24,6 +24,23 @@ std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters,
 /// The table identify.tsv: response, parameter, exponent, exponent_low, exponent_high.
 std::string identify_table(const std::vector<Sensitivity>& sensitivities);
 
+/// A value of a material that a calibration found, SI.
+struct FoundValue {
+    std::string key;
+    Estimate value;                        ///< without an interval where it was scaled, or the data do not determine it
+    const Parameter* parameter = nullptr;  ///< null of E and ν of the grains
+};
+std::vector<FoundValue> found_values(const Problem& problem, const Decision& decision);
+
+/// What kind and runs expect of a response, SI.
+struct Prediction {
+    Target target;
+    Estimate half_of_specimens;  ///< of new specimens at the values found, 50 %
+    Estimate specimen;           ///< the same, 95 %
+    Estimate rock;               ///< of the mean of the rock, whose values are not known better than the targets tell, 95 %
+};
+std::vector<Prediction> predictions_of(const Fit& fit, const Draws& draws);
+
 /// 400 draws of the values and of all responses that the kind knows; empty of a rock without a kind, or without a fit.
 std::optional<Draws> draws_of(const Problem& problem, const Decision& decision);
 /// The table draws.tsv: a row a draw, with values in the units of reports and the mean of each property.

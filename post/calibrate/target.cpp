@@ -160,11 +160,14 @@ void set_toughness_test(Target& target, const Material& material) {
     if (target.property.name == "toughness") target.measured_on = material.toughness_test;
 }
 
-double disagreement(const Material& rock) {
+std::string disagreement_text(const Material& rock) {
     const auto angle = rock.laboratory_value("friction_angle");
     const auto cohesion = rock.laboratory_value("cohesion");
     const auto ucs = rock.laboratory_value("compressive_strength");
-    return angle && cohesion && ucs ? 2 * *cohesion * std::sqrt(mohr_coulomb_slope(*angle)) / *ucs - 1 : 0;
+    if (!angle || !cohesion || !ucs) return "";
+    const double off = 2 * *cohesion * std::sqrt(mohr_coulomb_slope(*angle)) / *ucs - 1;
+    if (std::abs(off) <= 0.03) return "";
+    return fmt::format("C and φ of the laboratory imply a UCS that differs by {:+.1f} % from the measured one", 100 * off);
 }
 
 std::optional<double> laboratory_entry(const Material& material, const Target& target) {

@@ -69,8 +69,8 @@ std::optional<double> laboratory_entry(const Material& material, const Target& t
 std::vector<Target> targets_of(const Material& rock, const TomlFile& file, double confining_pressure,
                                const std::vector<double>& predicted_pressures);
 
-/// How far the UCS of the line of C and φ, 2 C √b, is off the measured UCS, a part; 0 if C or φ is not given.
-double disagreement(const Material& rock);
+/// "" unless the UCS of the line of C and φ, 2 C √b, is off the measured one by more than 3 %, in words.
+std::string disagreement_text(const Material& rock);
 
 /// "" or, for messages and names, the pressure as "8MPa".
 std::string pressure_text(double pascal);

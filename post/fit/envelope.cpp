@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <vector>
 
 #include "post/run/comparability.hpp"
@@ -63,9 +62,10 @@ Estimate times(Estimate e, double scale) {
     return e;
 }
 
-std::optional<HoekBrown> fit(const Data& data, bool relative) {
+std::optional<HoekBrown> fit(const Data& data) {
     const auto residuals = [&](std::span<const double> x, std::span<double> f) {
-        const auto residual = [&](double model, double measured) { return (model - measured) / (relative ? measured : 1); };
+        const bool is_relative = !data.tensile.empty();
+        const auto residual = [&](double model, double measured) { return (model - measured) / (is_relative ? measured : 1); };
         const std::size_t n = data.strength.size();
         for (std::size_t i = 0; i < n; ++i) f[i] = residual(envelope(x[0], x[1], data.confining[i]), data.strength[i]);
         for (std::size_t i = 0; i < data.tensile.size(); ++i) f[n + i] = residual(tension(x[0], x[1]), data.tensile[i]);
@@ -73,15 +73,6 @@ std::optional<HoekBrown> fit(const Data& data, bool relative) {
     const std::optional<NonlinearFit> found = fit_nonlinear(residuals, first_guess(data), data.size());
     if (!found || !(found->parameters[0] > 1e-5)) return std::nullopt;
     return HoekBrown{times(found->estimate(0), data.scale), found->estimate(1)};
-}
-
-std::optional<Data> prepare(std::span<const double> confining, std::span<const double> strength,
-                            std::span<const double> tensile) {
-    const bool two = std::any_of(confining.begin(), confining.end(), [&](double c) { return c != confining[0]; });
-    if (!two) return std::nullopt;
-    const double scale = *std::max_element(strength.begin(), strength.end());
-    if (!(scale > 0)) return std::nullopt;
-    return Data{scale, scaled(confining, 1 / scale), scaled(strength, 1 / scale), scaled(tensile, 1 / scale)};
 }
 
 }  // namespace
@@ -93,15 +84,12 @@ double HoekBrown::strength(double confining) const {
 
 double HoekBrown::tensile_strength() const { return tension(sigma_ci.value, mi.value); }
 
-std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength) {
-    const std::optional<Data> data = prepare(confining, strength, {});
-    return data ? fit(*data, false) : std::nullopt;
-}
-
 std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength,
                                         std::span<const double> tensile) {
-    const std::optional<Data> data = prepare(confining, strength, tensile);
-    return data ? fit(*data, true) : std::nullopt;
+    const bool two = std::any_of(confining.begin(), confining.end(), [&](double c) { return c != confining[0]; });
+    const double scale = two ? *std::max_element(strength.begin(), strength.end()) : 0;
+    if (!(scale > 0)) return std::nullopt;
+    return fit({scale, scaled(confining, 1 / scale), scaled(strength, 1 / scale), scaled(tensile, 1 / scale)});
 }
 
 namespace {
@@ -161,10 +149,7 @@ std::string reason_left_out(const RunData& run, const Strength& strength) {
 
 /// \throws InputError if a run was left out and the others have one confining pressure or none
 void require_two_pressures(const EnvelopeTests& tests) {
-    if (tests.left_out.empty()) return;
-    std::set<double> pressures;
-    for (const EnvelopeTests::Test& test : tests.compression) pressures.insert(test.confining);
-    if (pressures.size() > 1) return;
+    if (tests.left_out.empty() || tests.pressures().size() > 1) return;
     throw InputError(
         fmt::format("{}; {} of {} compression runs have this strength; an envelope needs it at two or more "
                     "confining pressures",
@@ -173,32 +158,22 @@ void require_two_pressures(const EnvelopeTests& tests) {
 
 template <class Stress>
 EnvelopeAt fit_reached(const EnvelopeTests& tests, const Stress& stress_of) {
-    std::vector<double> confining;
-    std::vector<double> stress;
+    EnvelopeTests those;
     for (const EnvelopeTests::Test& test : tests.compression) {
-        const std::optional<double> reached = stress_of(test);
-        if (!reached) continue;
-        confining.push_back(test.confining);
-        stress.push_back(*reached);
+        if (const std::optional<double> reached = stress_of(test)) those.compression.push_back({test.confining, *reached});
     }
-    EnvelopeAt result{stress.size(), std::nullopt};
-    if (std::set<double>(confining.begin(), confining.end()).size() > 1) result.envelope = fit_envelope(confining, stress);
+    EnvelopeAt result{those.compression.size(), std::nullopt};
+    if (those.pressures().size() > 1) result.envelope = fit_envelope(those.confining(), those.strength());
     return result;
 }
 
 /// The tests of each seed; only seeds that have tests at all pressures.
-std::vector<std::vector<EnvelopeTests::Test>> whole_seeds(const EnvelopeTests& tests) {
-    std::map<std::int64_t, std::vector<EnvelopeTests::Test>> by_seed;
-    std::set<double> pressures;
-    for (const auto& test : tests.compression) {
-        by_seed[test.seed].push_back(test);
-        pressures.insert(test.confining);
-    }
-    std::vector<std::vector<EnvelopeTests::Test>> whole;
+std::vector<EnvelopeTests> whole_seeds(const EnvelopeTests& tests) {
+    std::map<std::int64_t, EnvelopeTests> by_seed;
+    for (const auto& test : tests.compression) by_seed[test.seed].compression.push_back(test);
+    std::vector<EnvelopeTests> whole;
     for (const auto& [seed, own] : by_seed) {
-        std::set<double> own_pressures;
-        for (const auto& test : own) own_pressures.insert(test.confining);
-        if (own_pressures == pressures) whole.push_back(own);
+        if (own.pressures() == tests.pressures()) whole.push_back(own);
     }
     return whole;
 }
@@ -209,6 +184,11 @@ std::vector<double> EnvelopeTests::confining() const {
     std::vector<double> out;
     for (const Test& test : compression) out.push_back(test.confining);
     return out;
+}
+
+std::set<double> EnvelopeTests::pressures() const {
+    const std::vector<double> all = confining();
+    return {all.begin(), all.end()};
 }
 
 std::vector<double> EnvelopeTests::strength() const {
@@ -308,10 +288,8 @@ std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests) {
     std::vector<double> friction_angle;
     std::vector<double> sigma_ci;
     std::vector<double> mi;
-    for (const auto& own : seeds) {
-        EnvelopeTests one;
-        one.compression = own;
-        const Envelope envelope = fit_envelope(one.confining(), one.strength());
+    for (const EnvelopeTests& own : seeds) {
+        const Envelope envelope = fit_envelope(own.confining(), own.strength());
         cohesion.push_back(envelope.cohesion.value);
         friction_angle.push_back(envelope.friction_angle.value);
         if (!envelope.hoek_brown) continue;

@@ -4,6 +4,7 @@
 #include <array>
 #include <iosfwd>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,16 +27,14 @@ struct HoekBrown {
     [[nodiscard]] double tensile_strength() const;
 };
 
-/// Non-linear least squares in σ1; intervals from the covariance at the optimum and Student's t.
+/// Non-linear least squares in σ1; intervals from the covariance at the optimum and Student's t. Tensile strengths are points of
+/// the envelope at σ1 = 0. With these, residuals are relative: that of a tensile strength counts as much as that of a strength
+/// many times as large.
 ///
-/// \param confining σ3, Pa \param strength peak σ1, Pa; equally long
+/// \param confining σ3, Pa \param strength peak σ1, Pa; equally long \param tensile strengths, Pa, positive
 /// \return empty if there are fewer than two confining pressures, or if no σci > 0 fits
-std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength);
-
-/// The same with tensile strengths (Pa, positive) as points of the envelope at σ1 = 0. Residuals are relative: that of a
-/// tensile strength counts as much as that of a strength many times as large.
 std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength,
-                                        std::span<const double> tensile);
+                                        std::span<const double> tensile = {});
 
 /// Mohr–Coulomb line and Hoek–Brown curve through compressive strengths.
 struct Envelope {
@@ -86,6 +85,7 @@ struct EnvelopeTests {
     std::vector<double> direct_tension;  ///< tensile strengths
     std::size_t at_strain_limit = 0;     ///< runs whose largest stress stands for a peak
     [[nodiscard]] std::vector<double> confining() const;
+    [[nodiscard]] std::set<double> pressures() const;  ///< each once
     [[nodiscard]] std::vector<double> strength() const;
     /// Tensile strengths that anchor an envelope: direct tension if there is any, else brazilian.
     [[nodiscard]] const std::vector<double>& tensile() const { return direct_tension.empty() ? brazilian : direct_tension; }

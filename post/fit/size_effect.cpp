@@ -74,7 +74,7 @@ void require_sizes(const SizeSeries& s) {
 std::optional<PowerLaw> fit_power_law_log(const std::vector<double>& edge, const std::vector<double>& strength) {
     const std::optional<Line> line = fit_line(logarithms(edge, millimetre), logarithms(strength, 1));
     if (!line) return std::nullopt;
-    return PowerLaw{estimate(line->slope, line->slope_variance, line->freedom), std::exp(line->intercept), line};
+    return PowerLaw{line->slope_estimate(), std::exp(line->intercept), line};
 }
 
 Estimate PowerLaw::strength_at(double edge) const {

@@ -5,20 +5,12 @@
 
 namespace graincrack {
 
-namespace {
-
-double logistic(double x) { return 1 / (1 + std::exp(-x)); }
-
-}  // namespace
-
-double Logistic::probability(const Eigen::VectorXd& factors) const { return logistic(logit(factors)); }
-
 Logistic fit_logistic(const Eigen::MatrixXd& factors, const Eigen::VectorXd& happened) {
     Eigen::MatrixXd x(factors.rows(), factors.cols() + 1);
     x << Eigen::VectorXd::Ones(factors.rows()), factors;
     Eigen::VectorXd b = Eigen::VectorXd::Zero(x.cols());
     for (int i = 0; i < 100; ++i) {
-        const Eigen::VectorXd p = (x * b).unaryExpr(&logistic);
+        const Eigen::VectorXd p = (1 + (-(x * b).array()).exp()).inverse();
         const Eigen::VectorXd w = (p.array() * (1 - p.array())).max(1e-12);
         const Eigen::MatrixXd information = x.transpose() * w.asDiagonal() * x;
         const Eigen::LDLT<Eigen::MatrixXd> solver(information);

@@ -14,7 +14,6 @@ struct Logistic {
     [[nodiscard]] double logit(const Eigen::VectorXd& factors) const {
         return coefficients(0) + coefficients.tail(coefficients.size() - 1).dot(factors);
     }
-    [[nodiscard]] double probability(const Eigen::VectorXd& factors) const;
 };
 
 /// Maximum of the likelihood times Jeffreys' prior (Firth 1993, Biometrika 80, 27–38).

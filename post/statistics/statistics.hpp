@@ -38,6 +38,8 @@ struct Line {
     double residual_sum = 0;  ///< Σ of weighted squared distances from the line
     double r_squared = 0;     ///< 1 if all y are equal
     int freedom = 0;          ///< points − 2
+    [[nodiscard]] Estimate intercept_estimate() const { return estimate(intercept, intercept_variance, freedom); }
+    [[nodiscard]] Estimate slope_estimate() const { return estimate(slope, slope_variance, freedom); }
 };
 /// Empty unless there are two different x.
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y);

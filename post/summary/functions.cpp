@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "post/fit/mohr_coulomb.hpp"
+#include "post/fit/size_effect.hpp"
 #include "post/statistics/linear_model.hpp"
 #include "post/statistics/statistics.hpp"
 #include "post/table/table.hpp"
@@ -72,24 +73,13 @@ Number half_interval(const Values& values) {
     return mean.high ? Number(*mean.high - mean.value) : std::nullopt;
 }
 
-std::optional<Estimate> intercept(const Values& x, const Values& y) {
-    const Line line = *fit_line(x, y);
-    return estimate(line.intercept, line.intercept_variance, line.freedom);
-}
-
-std::optional<Estimate> slope(const Values& x, const Values& y) {
-    const Line line = *fit_line(x, y);
-    return estimate(line.slope, line.slope_variance, line.freedom);
-}
+std::optional<Estimate> intercept(const Values& x, const Values& y) { return fit_line(x, y)->intercept_estimate(); }
+std::optional<Estimate> slope(const Values& x, const Values& y) { return fit_line(x, y)->slope_estimate(); }
 
 std::optional<Estimate> exponent(const Values& x, const Values& y) {
     const auto positive = [](double value) { return value > 0; };
     if (!std::all_of(x.begin(), x.end(), positive) || !std::all_of(y.begin(), y.end(), positive)) return std::nullopt;
-    Values log_x;
-    Values log_y;
-    for (const double value : x) log_x.push_back(std::log(value));
-    for (const double value : y) log_y.push_back(std::log(value));
-    return slope(log_x, log_y);
+    return fit_power_law_log(x, y)->exponent;
 }
 
 Number lack_of_fit_p(const Values& x, const Values& y) {

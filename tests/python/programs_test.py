@@ -156,6 +156,24 @@ class DrivesThePrograms(unittest.TestCase):
         finally:
             graincrack.folder = "graincrack-results"
 
+    def test_a_calibration_is_what_its_outcome_says(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            with self.assertRaisesRegex(graincrack.GraincrackError, "no outcome.json"):
+                graincrack.Calibration(folder)
+            outcome = {"rock": "my rock", "state": "running", "files": {"wanted": "wanted.tsv"}, "targets": {
+                "uniaxial": {"use": "fit", "value": 2e8}, "direct_tension": {"use": "predict", "value": 8e6}}}
+            (folder / "outcome.json").write_text(json.dumps(outcome))
+            with self.assertRaisesRegex(graincrack.GraincrackError, "has not ended"):
+                graincrack.Calibration(folder)
+            outcome.update(state="not reached", files={"report": "words.md", "material": "nearest.toml"})
+            (folder / "outcome.json").write_text(json.dumps(outcome))
+            (folder / "words.md").write_text("Calibration of a rock\n")
+            found = graincrack.Calibration(folder)
+            self.assertEqual((found.rock, found.end, found.report), ("my rock", "not reached", "Calibration of a rock\n"))
+            self.assertEqual(os.fspath(found), str(folder / "nearest.toml"))
+            self.assertEqual(list(found.fitted), ["uniaxial"])
+
     def test_what_does_not_fit_is_said(self):
         with self.assertRaises(graincrack.GraincrackError) as caught:
             graincrack.brazilian(self.disc, max_strain=2)

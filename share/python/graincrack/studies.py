@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-import time
+import json
 from pathlib import Path
 
 from . import functions, programs
@@ -15,19 +14,25 @@ class Calibration:
 
     def __init__(self, folder: str | Path):
         self.folder = Path(folder)  #: with all files of the calibration
-        self.report = (self.folder / "report.md").read_text(encoding="utf-8")  #: Markdown, which a notebook shows
-        #: the word of its end: "calibrated", "not reached", "contradictory" or "undecided"
-        self.rock, _, self.end = self.report.partition("\n")[0].removeprefix("# ").rpartition(": ")
-        #: file of the material: with the values that were found, or the nearest to the targets
-        self.material = self.folder / ("calibrated.toml" if self.end == "calibrated" else "nearest.toml")
+        try:
+            #: outcome.json: values, targets, predictions and caveats (share/doc/tables.md, calibrate)
+            self.outcome = json.loads((self.folder / "outcome.json").read_text(encoding="utf-8"))
+        except FileNotFoundError:
+            raise GraincrackError(f"{folder}: no outcome.json; graincrack.calibrate makes it") from None
+        self.rock, self.end = self.outcome["rock"], self.outcome["state"]
+        files = self.outcome["files"]
+        if self.end == "running":
+            raise GraincrackError(f"{folder}: has not ended; graincrack.calibrate resumes it")
+        self.report = (self.folder / files["report"]).read_text(encoding="utf-8")  #: Markdown, which a notebook shows
+        #: file of the material: with the values that were found, or the nearest to the targets; None: there are none
+        self.material = self.folder / files["material"] if "material" in files else None
         #: strength, moduli, identify, draws …
         self.tables = {path.stem: Table(path) for path in sorted(self.folder.glob("*.tsv")) if path.stat().st_size > 0}
 
     @property
-    def fitted(self) -> dict[str, str]:
-        """What each fitted property was fitted to, and what new specimens have."""
-        table = self.material.read_text(encoding="utf-8").partition("[fitted]")[2].partition("\n[")[0]
-        return dict(re.findall(r'^(\w+) = "(.*)"', table, re.MULTILINE))
+    def fitted(self) -> dict[str, dict]:
+        """What each fitted target is in the laboratory, and the mean of new specimens with its interval (SI)."""
+        return {name: row for name, row in self.outcome["targets"].items() if row["use"] == "fit"}
 
     def __fspath__(self) -> str:
         return str(self.material)
@@ -58,14 +63,14 @@ def calibrate(material, *, out=None, jobs: int | None = None, set: dict | None =
     if set:
         variables.append("SET=" + " ".join(f"{key}={functions.text_of(value)}" for key, value in set.items()))
     make = ["make", "-s", "--no-print-directory", f"-j{jobs or programs.processors()}", "-C", _studies(), "calibrate", *variables]
-    begin = time.time() - 1
+    outcome = folder / "outcome.json"
+    outcome.unlink(missing_ok=True)
     try:
         programs.run(["sh", "-c", 'exec "$@" >&2', "calibrate", *make], quiet=quiet,
                      resume=lambda: "; the same call resumes the calibration, and no test is repeated")
     except GraincrackError:
-        report = folder / "report.md"
-        if (folder / "wanted.tsv").exists() or not report.exists() or report.stat().st_mtime < begin:
-            raise  # other ends than "calibrated" are errors of the study too, which leave a report
+        if not outcome.exists() or json.loads(outcome.read_text(encoding="utf-8"))["state"] == "running":
+            raise  # other ends than "calibrated" are errors of the study too
     return Calibration(folder)
 
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 #include <sstream>
@@ -50,6 +51,7 @@ protected:
     [[nodiscard]] Material material() const { return read_material(folder_.file("material.toml")); }
     [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(folder_.file(name)); }
     [[nodiscard]] std::string text(const std::string& name) const { return test::read_text(folder_.file(name)); }
+    [[nodiscard]] nlohmann::json outcome() const { return nlohmann::json::parse(text("outcome.json")); }
     [[nodiscard]] std::string folder() const { return std::filesystem::path(folder_.file("x")).parent_path().string(); }
     [[nodiscard]] FolderDecision ask() const {
         std::ostringstream notes;
@@ -142,6 +144,9 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     const FolderDecision first = ask();
     EXPECT_EQ(first.decision.ending, Ending::requested);
     EXPECT_EQ(first.requested_time, 0);
+    EXPECT_EQ(outcome()["state"], "running");
+    EXPECT_EQ(outcome()["runs"], (nlohmann::json{{"finished", 0}, {"wanted", 2}}));
+    EXPECT_EQ(outcome()["files"]["wanted"], "wanted.tsv");
     run_wanted(rock(), 100);
     run_wanted(rock(), 0);
     EXPECT_EQ(ask().requested_time, 2 * 6);  // two uniaxial tests at 6 s each
@@ -160,6 +165,19 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     const std::string file = text("calibrated.toml");
     EXPECT_TRUE(file.ends_with(behind)) << file;
     EXPECT_NE(file.find("\n[fitted] # earlier\n# on discs\ntensile_strength = \"8.8 MPa; "), std::string::npos) << file;
+    const nlohmann::json found = outcome();
+    EXPECT_EQ(found["state"], "calibrated");
+    EXPECT_EQ(found["files"]["material"], "calibrated.toml");
+    EXPECT_EQ(found["runs"]["finished"], made_.size());
+    const nlohmann::json value = found["values"]["contact.cohesion"];
+    EXPECT_NEAR(value["value"], calibrated.contact.cohesion.value(), 100);  // Pa; the material has six digits
+    EXPECT_GT(value["value"], value["low"]);
+    EXPECT_EQ(found["values"]["rock.young_modulus"]["low"], nullptr);
+    EXPECT_EQ(found["targets"]["uniaxial"]["laboratory"], 122e6);
+    EXPECT_NEAR(found["targets"]["uniaxial"]["value"], 122e6, 6e6);
+    EXPECT_EQ(found["targets"]["uniaxial"]["verdict"], "within");
+    EXPECT_EQ(found["caveats"][0]["code"], "missing_values");
+    EXPECT_EQ(found["caveats"][0]["of"], "direct_tension");
     const std::string report = text("report.md");
     for (const char* part :
          {"# Augig granite: calibrated",
@@ -176,13 +194,13 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     const auto responses = identify.texts("response");
     const auto parameters = identify.texts("parameter");
     const auto exponents = identify.numbers("exponent");
-    int found = 0;
+    int n_found = 0;
     for (std::size_t i = 0; i < identify.n_rows(); ++i) {
         if (responses[i] != "UCS" || parameters[i] != "contact.cohesion") continue;
-        ++found;
+        ++n_found;
         EXPECT_NEAR(exponents[i], 0.6, 0.06);
     }
-    EXPECT_EQ(found, 1);
+    EXPECT_EQ(n_found, 1);
     // Asked again it answers the same.
     EXPECT_EQ(ask().decision.ending, Ending::calibrated);
     EXPECT_EQ(text("report.md"), report);
@@ -225,6 +243,8 @@ TEST_F(CalibrateFolder, WithoutAnEndInReachTheNearestPointIsAMaterial) {
     const Material nearest = read_material(folder_.file("nearest.toml"));
     EXPECT_EQ(nearest.name, "Augig granite, nearest point");
     EXPECT_FALSE(out.sensitivities.empty());
+    EXPECT_EQ(outcome()["state"], "not reached");
+    EXPECT_EQ(outcome()["files"]["material"], "nearest.toml");
 }
 
 TEST_F(CalibrateFolder, ToughnessIsComparedOnHalfDiscs) {
@@ -545,6 +565,7 @@ TEST_F(CalibrateFolder, WhatTheTablesLackIsOneLine) {
     run_wanted(rock(), 100);
     std::filesystem::remove(folder_.file("moduli.tsv"));
     expect_one_line<InputError>([&] { (void)ask(); }, {"uniaxial runs have no young_modulus", "moduli"});
+    EXPECT_FALSE(has("outcome.json"));  // that of the call before
     std::ofstream(folder_.file("strength.tsv")) << "test\nuniaxial\n";
     expect_one_line<InputError>([&] { (void)ask(); }, {"strength.tsv", "no column file"});
 }

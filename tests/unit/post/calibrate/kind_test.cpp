@@ -6,7 +6,7 @@
 #include <deque>
 #include <map>
 
-#include "post/calibrate/decide.hpp"
+#include "post/calibrate/report.hpp"
 #include "tests/support/normal.hpp"
 
 namespace graincrack::calibrate {
@@ -147,16 +147,10 @@ TEST(CalibrationOfAKind, IntervalsHoldTheTruth) {
             const double off = fit.optimum.point(k) - p.coordinate(planted[static_cast<std::size_t>(k)]);
             if (std::abs(off) <= fit.optimum.half_interval(k)) ++held[p.key];
         }
-        std::vector<const LocalSurface*> surfaces;
-        for (const Response& r : fit.responses) surfaces.push_back(r.surface ? &*r.surface : nullptr);
-        const Draws draws = draw(limits_of(rock.problem.parameters), fit.optimum, residuals_of(fit.responses), surfaces, 400);
-        for (std::size_t r = 0; r < fit.responses.size(); ++r) {
-            const Target& t = fit.responses[r].target;
-            if (t.use == Use::fit || !std::isfinite(t.value)) continue;
-            std::vector<double> logs;
-            for (const auto& draw : draws.logs) logs.push_back(draw[r]);
-            std::sort(logs.begin(), logs.end());
-            if (std::log(t.value) >= logs[10] && std::log(t.value) <= logs[389]) ++held[t.name()];
+        for (const Prediction& p : predictions_of(fit, draws_of(rock.problem, decision).value())) {
+            if (p.target.use == Use::fit || !std::isfinite(p.target.value)) continue;
+            if (p.target.value >= *p.rock.low && p.target.value <= *p.rock.high) ++held[p.target.name()];
+            EXPECT_LT(*p.specimen.low, *p.half_of_specimens.low);
         }
     }
     EXPECT_EQ(held.size(), 5U);

@@ -36,7 +36,6 @@ TEST(Logistic, IsFiniteWithoutAnyOfOneKind) {
     const Logistic fit = fit_logistic(factors, Eigen::VectorXd{{1, 1, 1, 1, 0, 0, 0, 1, 1, 1}});
     EXPECT_NEAR(fit.logit(Eigen::VectorXd{{0}}), std::log(4.5 / 0.5), 1e-8);
     EXPECT_NEAR(fit.logit(Eigen::VectorXd{{1}}), 0, 1e-8);
-    EXPECT_NEAR(fit.probability(Eigen::VectorXd{{0}}), 0.9, 1e-8);
 }
 
 // Each half of each coordinate has half of the first 2^k numbers, and a later design has other points.
