@@ -116,6 +116,31 @@ protected:
         }
         return out;
     }
+    void expect_outcome(const Material& calibrated) const {
+        const nlohmann::json found = outcome();
+        EXPECT_EQ(found["state"], "calibrated");
+        EXPECT_EQ(found["files"]["material"], "calibrated.toml");
+        EXPECT_EQ(found["runs"]["finished"], made_.size());
+        const nlohmann::json value = found["values"]["contact.cohesion"];
+        EXPECT_NEAR(value["value"], calibrated.contact.cohesion.value(), 100);  // Pa; the material has six digits
+        EXPECT_GT(value["value"], value["low"]);
+        EXPECT_EQ(found["values"]["rock.young_modulus"]["low"], nullptr);
+        EXPECT_EQ(found["targets"]["uniaxial"]["laboratory"], 122e6);
+        EXPECT_NEAR(found["targets"]["uniaxial"]["value"], 122e6, 6e6);
+        EXPECT_EQ(found["targets"]["uniaxial"]["verdict"], "within");
+        EXPECT_EQ(found["caveats"][0]["code"], "missing_values");
+        EXPECT_EQ(found["caveats"][0]["of"], "direct_tension");
+    }
+    /// Of the rows of identify.tsv.
+    [[nodiscard]] std::vector<double> exponents_of(const std::string& response, const std::string& parameter) const {
+        const TableFile identify(folder_.file("identify.tsv"));
+        std::vector<double> found;
+        for (std::size_t i = 0; i < identify.n_rows(); ++i) {
+            const bool is_it = identify.text(i, "response") == response && identify.text(i, "parameter") == parameter;
+            if (is_it) found.push_back(identify.number(i, "exponent"));
+        }
+        return found;
+    }
     static SyntheticRock rock() {
         SyntheticRock rock = SyntheticRock::usual();
         rock.scatter = 0.3;
@@ -165,19 +190,7 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
     const std::string file = text("calibrated.toml");
     EXPECT_TRUE(file.ends_with(behind)) << file;
     EXPECT_NE(file.find("\n[fitted] # earlier\n# on discs\ntensile_strength = \"8.8 MPa; "), std::string::npos) << file;
-    const nlohmann::json found = outcome();
-    EXPECT_EQ(found["state"], "calibrated");
-    EXPECT_EQ(found["files"]["material"], "calibrated.toml");
-    EXPECT_EQ(found["runs"]["finished"], made_.size());
-    const nlohmann::json value = found["values"]["contact.cohesion"];
-    EXPECT_NEAR(value["value"], calibrated.contact.cohesion.value(), 100);  // Pa; the material has six digits
-    EXPECT_GT(value["value"], value["low"]);
-    EXPECT_EQ(found["values"]["rock.young_modulus"]["low"], nullptr);
-    EXPECT_EQ(found["targets"]["uniaxial"]["laboratory"], 122e6);
-    EXPECT_NEAR(found["targets"]["uniaxial"]["value"], 122e6, 6e6);
-    EXPECT_EQ(found["targets"]["uniaxial"]["verdict"], "within");
-    EXPECT_EQ(found["caveats"][0]["code"], "missing_values");
-    EXPECT_EQ(found["caveats"][0]["of"], "direct_tension");
+    expect_outcome(calibrated);
     const std::string report = text("report.md");
     for (const char* part :
          {"# Augig granite: calibrated",
@@ -190,17 +203,7 @@ TEST_F(CalibrateFolder, FromMaterialToCalibratedMaterial) {
         EXPECT_NE(report.find(part), std::string::npos) << part;
     }
     // d ln UCS / d ln cc = 0.6 and twice the curvature times ln(cc/55 MPa), which is nearly 0.
-    const TableFile identify(folder_.file("identify.tsv"));
-    const auto responses = identify.texts("response");
-    const auto parameters = identify.texts("parameter");
-    const auto exponents = identify.numbers("exponent");
-    int n_found = 0;
-    for (std::size_t i = 0; i < identify.n_rows(); ++i) {
-        if (responses[i] != "UCS" || parameters[i] != "contact.cohesion") continue;
-        ++n_found;
-        EXPECT_NEAR(exponents[i], 0.6, 0.06);
-    }
-    EXPECT_EQ(n_found, 1);
+    EXPECT_NEAR(exponents_of("UCS", "contact.cohesion").at(0), 0.6, 0.06);
     // Asked again it answers the same.
     EXPECT_EQ(ask().decision.ending, Ending::calibrated);
     EXPECT_EQ(text("report.md"), report);
