@@ -98,47 +98,51 @@ std::string made_of(const Material& m, const Point& point) {
     return text + fabric_text(m.fabric);
 }
 
-/// " --phases quartz=0.3,mica=0.7 --strength-modulus 5", what a specimen has of the fabric of a material, and a name for it.
-std::pair<std::string, std::string> fabric_options(const MaterialFabric& fabric) {
-    std::string name;
-    std::string options;
-    for (const auto& [phase, values] : fabric.phases) {
-        options += fmt::format("{}{}={:.6g}", options.empty() ? " --phases " : ",", phase, values.fraction);
-        name += fmt::format("{}{:.3g}", phase.substr(0, 2), 100 * values.fraction);
-    }
-    if (fabric.strength_modulus) {
-        options += fmt::format(" --strength-modulus {:.6g}", *fabric.strength_modulus);
-        name += fmt::format("m{:.6g}", *fabric.strength_modulus);
-        if (fabric.strength_correlation > 0) {
-            options += fmt::format(" --strength-correlation {:.6g}mm", fabric.strength_correlation * 1e3);
-            name += fmt::format("c{:.6g}", fabric.strength_correlation * 1e3);
-        }
-    }
-    return {options, name};
-}
-
-/// " --tessellation trigon --spread 0.4", what [fabric] says of grains but for their size, and a name for it.
-std::pair<std::string, std::string> grain_options(const GrainFabric& said) {
-    std::string options = said.tessellation.empty() ? "" : " --tessellation " + said.tessellation;
-    std::string name = said.tessellation == "delaunay" ? "" : said.tessellation;
-    const auto add = [&](const char* option, const char* letter, const std::optional<double>& value, const char* unit) {
-        if (!value) return;
-        options += fmt::format(" {} {:.6g}{}", option, *value, unit);
-        name += fmt::format("{}{:.6g}", letter, *value);
-    };
-    constexpr double degrees = 180 / std::numbers::pi;
-    add("--spread", "v", said.size_variation, "");
-    add("--elements-per-crystal", "t", said.elements_per_crystal, "");
-    add("--elongation", "l", said.elongation, "");
-    add("--elongation-angle", "a", said.elongation_angle ? std::optional(*said.elongation_angle * degrees) : std::nullopt, "deg");
-    return {options, name};
-}
-
+constexpr double mm = 1e3;
 constexpr double beam_over_span = 1.1;
 
-/// The shape of the specimens of a test as the mesher has it, and a name for it.
-std::pair<std::string, std::string> shape_options(const Specimens& s, Loading loading) {
-    constexpr double mm = 1e3;
+/// The options by which the mesher makes a specimen, and a name for it.
+struct SpecimenOptions {
+    std::string options;
+    std::string name;
+
+    /// An option with a number, which the name has behind a letter.
+    void add(const char* option, const char* letter, const std::optional<double>& value, const char* unit = "", int digits = 6) {
+        if (!value) return;
+        options += fmt::format(" {} {:.{}g}{}", option, *value, digits, unit);
+        name += fmt::format("{}{:.{}g}", letter, *value, digits);
+    }
+    void add_size(const Specimens& s, Loading loading) {
+        if (s.grain_size) return add("--grain-size", "d", *s.grain_size * mm, "mm");
+        if (s.edge) return add("--edge", "e", *s.edge * mm, "mm");
+        const bool is_disc = loading == Loading::splitting;
+        add("--grains", "g", is_disc ? s.disc_grains : loading == Loading::bending ? s.bend_grains() : s.grains, "", 7);
+    }
+    /// What [fabric] says of grains but for their size.
+    void add_grains(const GrainFabric& said) {
+        if (!said.tessellation.empty()) options += " --tessellation " + said.tessellation;
+        if (said.tessellation != "delaunay") name += said.tessellation;
+        constexpr double degrees = 180 / std::numbers::pi;
+        const auto& angle = said.elongation_angle;
+        add("--spread", "v", said.size_variation);
+        add("--elements-per-crystal", "t", said.elements_per_crystal);
+        add("--elongation", "l", said.elongation);
+        add("--elongation-angle", "a", angle ? std::optional(*angle * degrees) : std::nullopt, "deg");
+    }
+    void add_fabric(const MaterialFabric& fabric) {
+        const char* before = " --phases ";
+        for (const auto& [phase, values] : fabric.phases) {
+            options += fmt::format("{}{}={:.6g}", std::exchange(before, ","), phase, values.fraction);
+            name += fmt::format("{}{:.3g}", phase.substr(0, 2), 100 * values.fraction);
+        }
+        add("--strength-modulus", "m", fabric.strength_modulus);
+        const bool is_correlated = fabric.strength_modulus && fabric.strength_correlation > 0;
+        if (is_correlated) add("--strength-correlation", "c", fabric.strength_correlation * mm, "mm");
+    }
+};
+
+/// The shape of the specimens of a test.
+SpecimenOptions shape_options(const Specimens& s, Loading loading) {
     if (loading == Loading::splitting) {
         return {fmt::format("disc --diameter {:.6g}mm", s.diameter * mm), fmt::format("disc{:.6g}", s.diameter * mm)};
     }
@@ -151,17 +155,6 @@ std::pair<std::string, std::string> shape_options(const Specimens& s, Loading lo
     }
     return {fmt::format("rectangle --width {:.6g}mm --height {:.6g}mm", s.width * mm, s.height * mm),
             fmt::format("rectangle{:.6g}x{:.6g}", s.width * mm, s.height * mm)};
-}
-
-/// The size of grains as an option of the mesher, and a name for it.
-std::pair<std::string, std::string> size_option(const Specimens& s, Loading loading) {
-    const auto length = [](const char* option, const char* letter, double value) {
-        return std::pair(fmt::format(" {} {:.6g}mm", option, value * 1e3), fmt::format("{}{:.6g}", letter, value * 1e3));
-    };
-    if (s.grain_size) return length("--grain-size", "d", *s.grain_size);
-    if (s.edge) return length("--edge", "e", *s.edge);
-    const double n = loading == Loading::splitting ? s.disc_grains : loading == Loading::bending ? s.bend_grains() : s.grains;
-    return {fmt::format(" --grains {:.7g}", n), fmt::format("g{:.7g}", n)};
 }
 
 /// Specimens of crystals that break have as many of them whatever their size: 300 in a rectangle, 270 in a disc, as in the study
@@ -259,13 +252,13 @@ Study read_study(const Material& rock, const TomlFile& file, const std::vector<s
 RunRow row_of(const Material& rock, const Study& study, const RequestedRun& run) {
     const Specimens& s = study.specimens;
     const TestDescription& test = test_named(run.test.name);
-    const auto [shape, shape_name] = shape_options(s, test.loading);
-    const auto [size, size_name] = size_option(s, test.loading);
-    const auto [grain, grain_name] = grain_options(rock.grains);
-    const auto [fabric, fabric_name] = fabric_options(rock.fabric);
+    SpecimenOptions specimen = shape_options(s, test.loading);
+    specimen.add_size(s, test.loading);
+    specimen.add_grains(rock.grains);
+    specimen.add_fabric(rock.fabric);
     RunRow row;
-    row.mesh = fmt::format("{}{}{}{} --seed {}", shape, size, grain, fabric, run.seed);
-    row.specimen = fmt::format("{}{}{}{}-s{}", shape_name, size_name, grain_name, fabric_name, run.seed);
+    row.mesh = fmt::format("{} --seed {}", specimen.options, run.seed);
+    row.specimen = fmt::format("{}-s{}", specimen.name, run.seed);
     for (const auto& [key, value] : settings_of(run.point)) {
         row.material += fmt::format("{}--set {}={}", row.material.empty() ? "" : " ", key, value);
     }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "post/kind/kind_table.hpp"
+#include "post/kind/kind_surface.hpp"
 #include "post/options/command.hpp"
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"

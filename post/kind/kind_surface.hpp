@@ -4,12 +4,14 @@
 #pragma once
 
 #include <optional>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "post/measure/property.hpp"
 #include "post/statistics/linear_model.hpp"
+#include "post/table/table.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack {
@@ -113,5 +115,14 @@ private:
     double least_pressure_ = 0;  ///< over tc
     double most_pressure_ = 0;
 };
+
+/// A row of each term of each property: property, term, coefficient, standard_error of ln, then of the property scatter,
+/// rock_deviation, prediction_error, specimens.
+void write_kind_terms(std::ostream& out, const KindSurface& surface, TableFormat format);
+
+/// A row of each value of a calibrated rock, which is not in the fit: rock, property, confining_pressure, measured, predicted
+/// (over tc), specimens, off_percent of the prediction from the value, and low_percent, high_percent, its 95 % interval by the
+/// scatter of specimens and the fit alone. Beyond the design nothing is predicted.
+void write_kind_rocks(std::ostream& out, const KindSurface& surface, const std::vector<KindRow>& rows, TableFormat format);
 
 }  // namespace graincrack

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "post/kind/kind_table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "tests/support/check.hpp"
