@@ -131,14 +131,13 @@ void Calibration::find_elasticity(const Point& contacts) {
                        : std::nullopt;
     constexpr int attempts = 6;
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        RequestedRun run;
-        run.test = Test{std::string(name_of(TestKind::uniaxial)), 0, 0.1};
-        run.seed = seeds::elastic;
-        run.point = with_grains(contacts, grain_modulus_, grain_ratio_);
-        run.max_strain = limit;
-        run.label = fmt::format("e{}", attempt + 1);
-        run.reason = "E and ν of assemblages of such grains";
-        const auto runs = get(run, study().elastic);
+        const auto runs = get({.test = {std::string(name_of(TestKind::uniaxial)), 0, 0.1},
+                               .seed = seeds::elastic,
+                               .point = with_grains(contacts, grain_modulus_, grain_ratio_),
+                               .max_strain = limit,
+                               .label = fmt::format("e{}", attempt + 1),
+                               .reason = "E and ν of assemblages of such grains"},
+                              study().elastic);
         require_all();
         const auto mean = [&](const Target* t, double otherwise) {
             if (t == nullptr) return otherwise;
@@ -378,14 +377,13 @@ void Calibration::correct_elasticity() {
 
 /// New specimens of a test at the optimum.
 RequestedRun Calibration::run_at_optimum(std::size_t t, std::string reason) const {
-    RequestedRun run;
-    run.test = confirmed_[t];
-    run.seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
-               static_cast<std::int64_t>(confirmations_) * seeds::again;
-    run.point = decision.point;
-    run.label = fmt::format("c{}", confirmations_);
-    run.reason = std::move(reason);
-    return run;
+    return {.test = confirmed_[t],
+            .seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
+                    static_cast<std::int64_t>(confirmations_) * seeds::again,
+            .point = decision.point,
+            .max_strain = {},
+            .label = fmt::format("c{}", confirmations_),
+            .reason = std::move(reason)};
 }
 
 /// The optimum on new specimens: as many as the scatter asks for, and more where these do not show every target within its bound;
@@ -475,14 +473,12 @@ void Calibration::run() {
     tests_ = tests_of(fitted);
     confirmed_ = tests_of(problem_.targets);
     const auto add_response = [&](const Target& t) {
-        for (const Response& known : fit_.responses) {
-            if (known.target.name() == t.name() ||
-                (known.target.test() == t.test() && known.target.property.column == t.property.column &&
-                 known.target.confining_pressure == t.confining_pressure)) {
-                return;
-            }
-        }
-        fit_.responses.push_back({t, {}, {}, {}});
+        const auto same = [&](const Response& known) {
+            return known.target.name() == t.name() ||
+                   (known.target.test() == t.test() && known.target.property.column == t.property.column &&
+                    known.target.confining_pressure == t.confining_pressure);
+        };
+        if (std::none_of(fit_.responses.begin(), fit_.responses.end(), same)) fit_.responses.push_back({t, {}, {}, {}});
     };
     for (const Target& t : fitted) add_response(t);
     if (kind_.lacks(problem_.targets).empty()) {

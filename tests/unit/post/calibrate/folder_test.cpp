@@ -129,7 +129,7 @@ protected:
         EXPECT_NEAR(found["targets"]["uniaxial"]["value"], 122e6, 6e6);
         EXPECT_EQ(found["targets"]["uniaxial"]["verdict"], "within");
         EXPECT_EQ(found["caveats"][0]["code"], "missing_values");
-        EXPECT_EQ(found["caveats"][0]["of"], "direct_tension");
+        EXPECT_EQ(found["caveats"][0]["of"], "crack_damage");
     }
     /// Of the rows of identify.tsv.
     [[nodiscard]] std::vector<double> exponents_of(const std::string& response, const std::string& parameter) const {
