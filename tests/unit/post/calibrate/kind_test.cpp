@@ -147,7 +147,10 @@ TEST(CalibrationOfAKind, IntervalsHoldTheTruth) {
             const double off = fit.optimum.point(k) - p.coordinate(planted[static_cast<std::size_t>(k)]);
             if (std::abs(off) <= fit.optimum.half_interval(k)) ++held[p.key];
         }
-        for (const Prediction& p : predictions_of(fit, draws_of(rock.problem, decision).value())) {
+        std::vector<const LocalSurface*> surfaces;
+        for (const Response& r : fit.responses) surfaces.push_back(r.surface ? &*r.surface : nullptr);
+        const Draws draws = draw(limits_of(rock.problem.parameters), fit.optimum, residuals_of(fit.responses), surfaces, 400);
+        for (const Prediction& p : predictions_of(fit, draws)) {
             if (p.target.use == Use::fit || !std::isfinite(p.target.value)) continue;
             if (p.target.value >= *p.rock.low && p.target.value <= *p.rock.high) ++held[p.target.name()];
             EXPECT_LT(*p.specimen.low, *p.half_of_specimens.low);
