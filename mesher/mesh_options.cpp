@@ -248,6 +248,24 @@ constexpr Quantity spread_of_grains = [] {
     return spread;
 }();
 
+/// Options of the size of grains, of which one holds.
+void add_sizes(OptionSet set, KindOptions& kind, Fabric& fabric) {
+    Option edge =
+        add_quantity(
+            set.usual(), "--edge", fabric.edge, quantity::mean_edge,
+            "requested mean edge over all grain edges, rim included; of crystals the edge of the equilateral triangle of their "
+            "mean area")
+            .of(SettingGroup::none);
+    Option grains = add_integer<std::int64_t>(set.usual(), "--grains", fabric.grains,
+                                              "exact number of triangles, or of crystals, instead of --edge", 1)
+                        .of(SettingGroup::none);
+    Option grain_size = add_quantity(set.usual(), "--grain-size", kind.grain_size, quantity::grain_size,
+                                     "mean equal-area diameter of triangles or crystals, instead of --edge; with --grade as many "
+                                     "as without it");
+    edge.excludes(grains).excludes(grain_size);
+    grains.excludes(grain_size);
+}
+
 /// Options of the grains that are made.
 void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
     add_choice<Tessellation>(
@@ -273,20 +291,7 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
             const bool is_normal = fabric.size_distribution.value_or(SizeDistribution::normal) == SizeDistribution::normal;
             return fabric.has_crystals() ? SettingValue(std::string(is_normal ? "normal" : "lognormal")) : SettingValue();
         });
-    Option edge =
-        add_quantity(
-            set.usual(), "--edge", fabric.edge, quantity::mean_edge,
-            "requested mean edge over all grain edges, rim included; of crystals the edge of the equilateral triangle of their "
-            "mean area")
-            .of(SettingGroup::none);
-    Option grains = add_integer<std::int64_t>(set.usual(), "--grains", fabric.grains,
-                                              "exact number of triangles, or of crystals, instead of --edge", 1)
-                        .of(SettingGroup::none);
-    Option grain_size = add_quantity(set.usual(), "--grain-size", kind.grain_size, quantity::grain_size,
-                                     "mean equal-area diameter of triangles or crystals, instead of --edge; with --grade as many "
-                                     "as without it");
-    edge.excludes(grains).excludes(grain_size);
-    grains.excludes(grain_size);
+    add_sizes(set, kind, fabric);
     add_quantity(set, "--spread", fabric.spread, spread_of_grains,
                  "coefficient of variation of the edges over their graded size, before elongation, at most 0.35; values below "
                  "about 0.1 are reached only as far as a mesh without a preferred direction allows; of crystals that of their "

@@ -7,6 +7,7 @@
 #include "post/fit/size_effect.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
+#include "post/measure/strength_table.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
 #include "post/options/command.hpp"

@@ -1,15 +1,12 @@
-// Strength of a test with the checks of its run: one row a run.
+// Strength of a test.
 #pragma once
 
 #include <array>
-#include <iosfwd>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "post/measure/first_peak.hpp"
 #include "post/run/load_curve.hpp"
-#include "post/table/table.hpp"
 
 namespace graincrack {
 
@@ -72,12 +69,5 @@ enum class StrainLimitRuns { refuse, accept };
 ///         always
 bool stopped_at_strain_limit(const RunData& run, const Strength& strength, StrainLimitRuns strain_limit_runs,
                              const std::string& what);
-
-/// Writes the table `strength`, whose columns are those of share/doc/tables.md; all runs are measured before the first row is
-/// written. \param kind of the strengths for the terminal: first peaks of compression tests, or the largest stress of all
-/// \param diagnostics gets, after the table, a line for each
-/// reason to doubt the strength of a run, and one if direct tension is stronger than the Brazilian test
-void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
-                          StrengthKind kind = StrengthKind::first_peak, ColumnChoice columns = ColumnChoice::all);
 
 }  // namespace graincrack

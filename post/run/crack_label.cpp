@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "post/run/run_state.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {
@@ -19,10 +18,6 @@ std::string words_of(CrackEvent event) {
 std::string definition_of(const CrackLabel& label) {
     return "cracks: " + words_of(label.event) +
            (label.mode == CrackModeRule::sign ? "; tensile: open then" : "; tensile: open, |τ| < σn at the peak");
-}
-
-std::vector<Crack> read_labelled_cracks(const RunReader& run, const Specimen& specimen, const CrackLabelChoice& label) {
-    return labelled(read_cracks(run, specimen), label.of(run.header()));
 }
 
 OtherCounts count_other_labels(const std::vector<Crack>& log, CrackEvent event, double time) {

@@ -30,9 +30,6 @@ constexpr std::array<CrackLabel, 4> table_labels(CrackEvent event) {
 /// The definition in words, for legends: "cracks: points past their peak; tensile: open, |τ| < σn at the peak".
 std::string definition_of(const CrackLabel& label);
 
-/// The crack log of a run by a label. \throws InputError as `read_cracks`
-std::vector<Crack> read_labelled_cracks(const RunReader& run, const Specimen& specimen, const CrackLabelChoice& label = {});
-
 /// Counts by the `table_labels` but the first, whose counts are columns of their own.
 using OtherCounts = std::array<ModeCounts, 3>;
 /// The counts of the cracks of a log up to a time (s).

@@ -41,6 +41,10 @@ std::vector<Crack> read_cracks(const RunReader& run, const Specimen& specimen) {
     return cracks;
 }
 
+std::vector<Crack> read_labelled_cracks(const RunReader& run, const Specimen& specimen, const CrackLabelChoice& label) {
+    return labelled(read_cracks(run, specimen), label.of(run.header()));
+}
+
 Frame read_whole_frame(const RunReader& run, const Specimen& specimen, std::size_t index) {
     Frame frame = run.frame(index);
     const std::size_t contacts = specimen.n_contacts();

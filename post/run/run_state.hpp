@@ -5,12 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "post/run/crack_label.hpp"
 #include "share/file/run_file.hpp"
 
 namespace graincrack {
 
 /// The crack log. \throws InputError if a row names a contact or point that the specimen does not have
 std::vector<Crack> read_cracks(const RunReader& run, const Specimen& specimen);
+/// The same by a label.
+std::vector<Crack> read_labelled_cracks(const RunReader& run, const Specimen& specimen, const CrackLabelChoice& label = {});
 /// A frame. \throws InputError if its arrays do not fit the specimen
 Frame read_whole_frame(const RunReader& run, const Specimen& specimen, std::size_t index);
 /// The same without opening, sliding and traction, which no map shows: a third of its size.

@@ -26,10 +26,11 @@ constexpr std::array<std::string_view, 15> group_names{"none",       "seed",    
 Json json_of(const SettingValue& value) {
     return std::visit(
         [](const auto& held) -> Json {
-            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>)
+            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
                 return nullptr;
-            else
+            } else {
                 return held;
+            }
         },
         value);
 }

@@ -67,12 +67,13 @@ T parse_integer(const std::string& text, const std::string& where, T lower, T up
 /// What a target holds, as a setting.
 template <class T>
 SettingValue value_of(const T& target) {
-    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool> || std::is_same_v<T, std::uint64_t>)
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool> || std::is_same_v<T, std::uint64_t>) {
         return target;
-    else if constexpr (std::is_integral_v<T>)
+    } else if constexpr (std::is_integral_v<T>) {
         return static_cast<double>(target);
-    else
+    } else {
         return target.empty() ? SettingValue() : SettingValue(target);
+    }
 }
 template <class T>
 SettingValue value_of(const std::optional<T>& target) {

@@ -11,6 +11,7 @@
 
 #include "post/cracks/crack_network.hpp"
 #include "post/measure/strength.hpp"
+#include "post/measure/strength_table.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/synthetic_run.hpp"

@@ -7,6 +7,7 @@
 #include "post/cracks/crack_counts.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
+#include "post/measure/strength_table.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/thresholds.hpp"
 #include "post/run/run_state.hpp"

@@ -1,4 +1,5 @@
 #include "post/measure/strength.hpp"
+#include "post/measure/strength_table.hpp"
 
 #include <gtest/gtest.h>
 
