@@ -8,6 +8,7 @@
 #include "post/cracks/fragments.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
+#include "post/run/run_state.hpp"
 #include "post/table/column.hpp"
 #include "share/base/units.hpp"
 #include "share/file/specimen_measures.hpp"

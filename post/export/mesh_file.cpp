@@ -70,9 +70,7 @@ MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFor
     }
     if (chosen) return *chosen;
     if (is_known) return known->format;
-    if (is_stream(output)) {
-        throw UsageError(fmt::format("--output {}: the format is missing; give --format gmsh or vtu", output));
-    }
+    if (is_stream(output)) throw UsageError(fmt::format("--output {}: the format is missing; give --format gmsh or vtu", output));
     throw UsageError(fmt::format("--output {}: its name must end in .msh or .vtu, or --format gmsh or vtu be given", output));
 }
 
@@ -87,9 +85,7 @@ std::string gmsh_text(const SharedMesh& mesh) {
     for (std::size_t p = 0; p < n_phases; ++p) name(2, p + 1, mesh.phase_names[p]);
     for (std::size_t i = 0; i < mesh.side_names.size(); ++i) name(1, n_phases + i + 1, mesh.side_names[i]);
     text += fmt::format("$EndPhysicalNames\n$Nodes\n{}\n", mesh.points.size());
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        append_line(text, i + 1, mesh.points[i][0], mesh.points[i][1], 0);
-    }
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) append_line(text, i + 1, mesh.points[i][0], mesh.points[i][1], 0);
     text += fmt::format("$EndNodes\n$Elements\n{}\n", mesh.triangles.size() + mesh.sides.size());
     constexpr int line_type = 1;
     constexpr int triangle_type = 2;

@@ -54,8 +54,9 @@ std::string StrengthGroup::name() const {
 
 std::vector<StrengthGroup> group_strengths(const std::vector<RunData>& runs, StrengthKind kind) {
     std::vector<StrengthGroup> groups;
-    for (const ComparableGroup& like : comparable_groups(list_of(runs), {}, {SettingGroup::heat}))
+    for (const ComparableGroup& like : comparable_groups(list_of(runs), {}, {SettingGroup::heat})) {
         groups.push_back(group_of(runs, like, kind));
+    }
     add_ratios(groups, runs);
     return groups;
 }

@@ -14,6 +14,7 @@
 #include "post/plot/plots.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/test_label.hpp"
+#include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
 #include "share/file/h5_file.hpp"
