@@ -349,10 +349,12 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
     add_integer<std::uint64_t>(set, "--open-seed", fabric.open.seed, "seed of the open boundaries; default: that of --seed", 0)
         .of(SettingGroup::seed);
     add_value(
-        set.usual(), "--material", [&options](const std::string& text) { options.material = read_material(text); },
+        set.usual(), "--material",
+        [&options](const std::string& text) { options.material = read_material(options.material_name = text); },
         "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose "
         "contact zones elements must resolve",
-        "NAME|FILE", "");
+        "NAME|FILE", "")
+        .of(SettingGroup::none, [&options] { return options.material ? SettingValue(options.material_name) : SettingValue(); });
     add_output_file(set.usual(), options.output, "specimen file to write; - for stdout", {".h5"}).type_name("FILE|-");
 }
 

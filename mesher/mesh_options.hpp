@@ -15,6 +15,7 @@ namespace graincrack::mesher {
 struct MeshOptions {
     Request request;
     std::optional<ImportRequest> imported;  ///< a mesh from elsewhere, of which the request has the fabric and the seed
+    std::string material_name;              ///< as it was given
     std::optional<Material> material;       ///< whose fabric the request has where no option says otherwise
     std::string output;                     ///< file or "-"
     Point moved;                            ///< translation of a polygon to the origin, m

@@ -75,6 +75,10 @@ def _long_text(dataset: h5py.Dataset):
     return rows.tobytes().decode() if rows.ndim == 1 else [row.tobytes().rstrip(b"\0").decode() for row in rows]
 
 
+def _request(file: h5py.File) -> dict:
+    return json.loads(_attributes(file[_text(file.attrs["kind"])]).get("request", "{}"))
+
+
 def _attributes(group: h5py.Group) -> dict:
     """All attributes of a group, also those that are datasets for their length."""
     long = {name: _long_text(item) for name, item in group.items() if isinstance(item, h5py.Dataset) and item.dtype == np.uint8}
@@ -158,6 +162,11 @@ class _Hdf5File(_File):
     @cached_property
     def _file(self) -> h5py.File:
         return _open(self.path)
+
+    @property
+    def request(self) -> dict:
+        """The effective values of the options by which it was made, SI; None for what was not given."""
+        return _request(self._file)
 
     @property
     def provenance(self) -> dict:
@@ -395,8 +404,7 @@ def _package():
 def material_of(path: str | Path) -> str | None:
     """The material with which a specimen or run was made, as its command line had it."""
     with _open(path) as file:
-        lines = re.findall(r'^material = (".*")$', _attributes(file["provenance"]).get("configuration", ""), re.MULTILINE)
-    return json.loads(lines[-1]) if lines else None
+        return _request(file).get("material")
 
 
 # Units that end the names of columns (share/doc/tables.md).
