@@ -136,7 +136,9 @@ void Chart::draw_grid() {
     if (crossed(y_.axis)) drawing_.line({x_.from, y_(0)}, {x_.to, y_(0)}, 1.6, palette::rim);
 }
 
-void Chart::line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, Side side) {
+void Chart::line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, const std::string& label,
+                 Side side) {
+    legend(stroke, label);
     const Scale& scale = side == Side::right && right_ ? *right_ : y_;
     LineInHand hand;
     const auto finish = [&] {
@@ -158,7 +160,8 @@ void Chart::line(std::span<const double> x, std::span<const double> y, const Str
     finish();
 }
 
-void Chart::points(std::span<const double> x, std::span<const double> y, const Marker& marker) {
+void Chart::points(std::span<const double> x, std::span<const double> y, const Marker& marker, const std::string& label) {
+    legend(marker, label);
     for (std::size_t i = 0; i < x.size(); ++i) {
         const Pixel at = place(x[i], y[i]);
         if (!inside(at)) continue;
@@ -183,19 +186,18 @@ void Chart::band(std::span<const double> x, std::span<const double> low, std::sp
     drawing_.polygon(outline, colour);
 }
 
-void Chart::keep_clear(double x, double y, double reach) {
-    const Pixel at = place(x, y);
-    taken_.push_back({at.x - reach, at.y - reach, at.x + reach, at.y + reach});
+void Chart::keep_clear(Place at, double reach) {
+    const Pixel centre = place(at[0], at[1]);
+    taken_.push_back({centre.x - reach, centre.y - reach, centre.x + reach, centre.y + reach});
 }
 
-bool Chart::label_line(std::span<const std::array<double, 2>> places, const std::string& label, Colour colour,
-                       std::span<const std::array<double, 2>> others) {
+bool Chart::label_line(std::span<const Place> places, const std::string& label, Colour colour, std::span<const Place> others) {
     constexpr double gap = 5;
     for (const auto& [x, y] : places) {
         const Text text{{x_(x), y_(y) + digit_rise * letters::text}, label, letters::text, colour, Anchor::middle};
         TextBox box = box_of(text);
         box = {box.left - gap, box.top - gap, box.right + gap, box.bottom + gap};
-        const auto is_hit = [&](const std::array<double, 2>& other) {
+        const auto is_hit = [&](const Place& other) {
             const Pixel at = place(other[0], other[1]);
             return at.x > box.left && at.x < box.right && at.y > box.top && at.y < box.bottom;
         };

@@ -29,27 +29,35 @@ public:
     Chart(const PictureStyle& style, const ChartText& text, const Axis& x, const Axis& y, const ChartForm& form = {});
 
     enum class Side { left, right };
-    /// A line through points; what lies outside the frame is cut off, a NaN interrupts it.
-    void line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, Side side = Side::left);
-    void points(std::span<const double> x, std::span<const double> y, const Marker& marker);
+    using Place = std::array<double, 2>;  ///< values along x and y
+    /// A line through points; what lies outside the frame is cut off, a NaN interrupts it. Its label stands in the legend.
+    void line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, const std::string& label = "",
+              Side side = Side::left);
+    void line(Place from, Place to, const Stroke& stroke, const std::string& label = "") {
+        line(std::array{from[0], to[0]}, std::array{from[1], to[1]}, stroke, label);
+    }
+    void points(std::span<const double> x, std::span<const double> y, const Marker& marker, const std::string& label = "");
+    void point(Place at, const Marker& marker, const std::string& label = "") {
+        points(std::span(&at[0], 1), std::span(&at[1], 1), marker, label);
+    }
     /// A filled box between two corners in values.
     void box(double x_low, double x_high, double y_low, double y_high, Colour colour);
     /// The area between two curves over the same places.
     void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
     /// No note comes within `reach` of a point, in pixels of the drawing: that of a marker that is drawn later.
-    void keep_clear(double x, double y, double reach);
+    void keep_clear(Place at, double reach);
     /// Text in a gap of a line, at the first of its places where it covers no other text, no point of `others`, and stays in the
     /// frame. \return whether there is such a place
-    bool label_line(std::span<const std::array<double, 2>> places, const std::string& label, Colour colour,
-                    std::span<const std::array<double, 2>> others);
+    bool label_line(std::span<const Place> places, const std::string& label, Colour colour, std::span<const Place> others);
     /// Ticks along x replaced by texts at points, a line each.
     void name_ticks(const std::vector<std::pair<double, std::string>>& ticks) { named_ticks_ = ticks; }
 
     /// A line of text below the legend.
     void add_note(const std::string& note) { notes_.push_back(note); }
+    /// An entry of the legend; none without a label.
     template <class Mark>
     void legend(const Mark& mark, const std::string& label) {
-        legend_.push_back({mark, label});
+        if (!label.empty()) legend_.push_back({mark, label});
     }
 
     /// Frame, ticks, labels and legend over what was drawn. \throws UsageError if limits of the style show nothing

@@ -292,10 +292,7 @@ bool has_pre_existing_cracks(const Specimen& specimen) {
     return std::any_of(specimen.contact_kind.begin(), specimen.contact_kind.end(), starts_broken);
 }
 
-void draw_crack_state(MapView& map, const Specimen& specimen, const std::optional<PlatensAtStrain>& platens,
-                      const std::vector<Crack>& present) {
-    map.draw_grains();
-    if (platens) map.draw_platens(platens->faces, -platens->axial_strain * specimen.height / 2);
+void draw_cracks(MapView& map, const Specimen& specimen, const std::vector<Crack>& present) {
     const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
     const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
     map.draw_pre_existing_cracks(width);

@@ -101,18 +101,12 @@ private:
     Drawing drawing_;
 };
 
-/// Platens, and the axial strain by which they have moved, elongation positive.
-struct PlatensAtStrain {
-    PlatenFaceSet faces;
-    double axial_strain = 0;
-};
 /// Direct tension pulls at the ends of the specimen: there are no platens.
 bool has_platens_to_draw(const RunData& run);
 bool has_pre_existing_cracks(const Specimen& specimen);
 
-/// Draws grains, platens, cracks from before the test, and those of the test: tensile above shear, thin within crystals.
-void draw_crack_state(MapView& map, const Specimen& specimen, const std::optional<PlatensAtStrain>& platens,
-                      const std::vector<Crack>& present);
+/// Draws cracks from before the test, and those of the test: tensile above shear, thin within crystals.
+void draw_cracks(MapView& map, const Specimen& specimen, const std::vector<Crack>& present);
 
 /// The number of contacts with cracks of a mode, as a legend has it.
 std::string cracked_contacts(const std::vector<Crack>& cracks, CrackMode mode);

@@ -39,21 +39,6 @@ std::string shortened(const std::string& word, double size, double room, bool bo
     return shorter;
 }
 
-/// Calls `draw` with each line of a heading: its text, its size, whether it is the title, and its baseline.
-template <class Draw>
-double each_line(const ChartText& text, const TextColumn& column, double top, const Draw& draw) {
-    double y = top;
-    const auto lines = [&](const std::string& label, double size, bool bold) {
-        for (const std::string& line : broken_lines(label, size, column.right - column.left, bold)) {
-            y += leading * size;
-            draw(line, size, bold, y - 0.3 * size);
-        }
-    };
-    if (!text.title.empty()) lines(text.title, letters::title, true);
-    for (const std::string& label : text.subtitle) lines(label, letters::text, false);
-    return y;
-}
-
 void draw_mark(Drawing& drawing, const std::variant<Stroke, Marker, Colour>& mark, Pixel at) {
     if (const auto* stroke = std::get_if<Stroke>(&mark)) {
         draw_stroke(drawing, {at, {at.x + mark_width, at.y}}, *stroke);
@@ -99,13 +84,21 @@ std::vector<std::string> broken_lines(const std::string& text, double size, doub
 }
 
 double draw_heading(Drawing& drawing, const ChartText& text, const TextColumn& column, double top) {
-    return each_line(text, column, top, [&](const std::string& line, double size, bool bold, double baseline) {
-        drawing.text({{column.left, baseline}, line, size, palette::ink, Anchor::start, bold});
-    });
+    double y = top;
+    const auto draw = [&](const std::string& label, double size, bool bold) {
+        for (const std::string& line : broken_lines(label, size, column.right - column.left, bold)) {
+            y += leading * size;
+            drawing.text({{column.left, y - 0.3 * size}, line, size, palette::ink, Anchor::start, bold});
+        }
+    };
+    if (!text.title.empty()) draw(text.title, letters::title, true);
+    for (const std::string& label : text.subtitle) draw(label, letters::text, false);
+    return y;
 }
 
 double heading_height(const ChartText& text, const TextColumn& column) {
-    return each_line(text, column, 0, [](const std::string& /*line*/, double /*size*/, bool /*bold*/, double /*baseline*/) {});
+    Drawing scratch(0, 0);
+    return draw_heading(scratch, text, column, 0);
 }
 
 LegendEnd draw_legend(Drawing& drawing, const std::vector<LegendEntry>& entries, const TextColumn& column, double top) {

@@ -112,11 +112,8 @@ Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::st
         {test_title(run.header), {fmt::format("seed {}, {} crystals", run.specimen.seed, run.specimen.crystals)}, {definition}},
         course.axis, Axis{"micro-cracks (contacts)", 0, 1.08 * most}, {Axis{"stress, MPa", 0, 1.08 * largest(stress)}});
     const Stroke load{palette::rim, 4.5, Dash::dotted};
-    chart.line(course.values, stress, load, Chart::Side::right);
-    for (const CountCurve& curve : curves) {
-        chart.line(course.values, from_first(curve.counts), curve.stroke);
-        chart.legend(curve.stroke, curve.label);
-    }
+    chart.line(course.values, stress, load, "", Chart::Side::right);
+    for (const CountCurve& curve : curves) chart.line(course.values, from_first(curve.counts), curve.stroke, curve.label);
     chart.legend(load, "stress, right");
     if (by_class) chart.add_note("pairs without cracks of a mode have no curve");
     return chart.finish();
@@ -165,9 +162,8 @@ Drawing draw_energy(const RunData& run, Abscissa abscissa, const PictureStyle& s
                       100 * run.header.energy_balance_error, 100 * run.header.damping_share)}},
         course.axis, Axis{"energy, J/m", low, high});
     if (const auto curve = load_curve_if_any(run)) {
-        const Stroke at_peak{palette::rim, 2, Dash::dashed};
-        chart.line(std::vector<double>(2, course.values[curve->peak]), std::vector<double>{low, high}, at_peak);
-        chart.legend(at_peak, curve->peak_name());
+        const double peak = course.values[curve->peak];
+        chart.line({peak, low}, {peak, high}, {palette::rim, 2, Dash::dashed}, curve->peak_name());
     }
     std::string left_out;
     for (const Term& term : terms()) {
@@ -176,8 +172,7 @@ Drawing draw_energy(const RunData& run, Abscissa abscissa, const PictureStyle& s
             left_out += (left_out.empty() ? "" : ", ") + std::string(term.label);
             continue;
         }
-        chart.line(course.values, values, term.stroke);
-        chart.legend(term.stroke, term.label);
+        chart.line(course.values, values, term.stroke, term.label);
     }
     if (!left_out.empty()) chart.add_note("below 0.1 % of the largest, and not shown: " + left_out);
     return chart.finish();
@@ -203,15 +198,10 @@ Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::strin
     const auto [low, high] = padded_range(magnitudes, 0.08);
     Chart chart(style, {title, subtitle}, Axis{"magnitude, per metre of thickness", low, high},
                 Axis{"events at or above", 0.8, 1.5 * number.front(), true});
-    const Marker marker{palette::series(0), MarkerShape::disc, 9};
-    chart.points(magnitudes, number, marker);
-    chart.legend(marker, "events");
+    chart.points(magnitudes, number, {palette::series(0), MarkerShape::disc, 9}, "events");
     if (is_line) {
-        const double at = std::log10(static_cast<double>(fit->events));
-        const double end = fit->completeness + at / fit->b;
-        const Stroke stroke{palette::ink, 3.5};
-        chart.line(std::vector<double>{fit->completeness, end}, std::vector<double>{static_cast<double>(fit->events), 1}, stroke);
-        chart.legend(stroke, "slope b (Aki)");
+        const auto n = static_cast<double>(fit->events);
+        chart.line({fit->completeness, n}, {fit->completeness + std::log10(n) / fit->b, 1}, {palette::ink, 3.5}, "slope b (Aki)");
     }
     return chart.finish();
 }

@@ -119,8 +119,8 @@ constexpr Stroke tensile_stroke{palette::tensile, 3, Dash::dashed};
 void draw_counts(Chart& chart, const Run& run) {
     const std::vector<double> strain = times(run.curve.axial_strain, 100);
     const History& history = run.data->history;
-    chart.line(strain, from_first(history[HistoryColumn::shear_cracks]), shear_stroke, Chart::Side::right);
-    chart.line(strain, from_first(history[HistoryColumn::tensile_cracks]), tensile_stroke, Chart::Side::right);
+    chart.line(strain, from_first(history[HistoryColumn::shear_cracks]), shear_stroke, "", Chart::Side::right);
+    chart.line(strain, from_first(history[HistoryColumn::tensile_cracks]), tensile_stroke, "", Chart::Side::right);
 }
 
 constexpr Marker largest_marker{palette::ink, MarkerShape::triangle, 13};
@@ -131,15 +131,16 @@ constexpr Stroke residual_stroke{palette::rim, 5};
 /// is a mean of.
 void draw_strength(Chart& chart, const Run& run, const Colour& colour) {
     const auto mark = [&](double strain, double stress, const Marker& marker) {
-        chart.points(std::vector<double>{100 * strain}, std::vector<double>{1e-6 * stress}, marker);
+        chart.point({100 * strain, 1e-6 * stress}, marker);
     };
     const LoadCurve& curve = run.curve;
     if (run.marks_largest()) mark(curve.axial_strain[curve.largest], curve.stress[curve.largest], largest_marker);
     if (curve.strength) mark(curve.axial_strain[curve.peak], curve.strength->stress, Marker{colour});
     if (run.has_residual()) {
-        const auto percent = [&](double beyond) { return 100 * (run.first_peak->strain + beyond); };
-        chart.line(std::vector<double>{percent(residual_strains[0]), percent(residual_strains[1])},
-                   std::vector<double>(2, 1e-6 * *run.first_peak->residual), residual_stroke);
+        const auto at = [&](double beyond) {
+            return std::array{100 * (run.first_peak->strain + beyond), 1e-6 * *run.first_peak->residual};
+        };
+        chart.line(at(residual_strains[0]), at(residual_strains[1]), residual_stroke);
     }
 }
 
@@ -154,9 +155,8 @@ void draw_run(Chart& chart, const Run& run, std::size_t index) {
 void draw_laboratory_curve(Chart& chart, const LaboratoryCurve& curve, std::size_t index) {
     const std::vector<double> stress = times(curve.stress, 1e-6);
     const Stroke stroke{palette::ink, 2.5 + 1.5 * static_cast<double>(index), Dash::long_dashed};
-    chart.line(times(curve.axial_strain, 100), stress, stroke);
+    chart.line(times(curve.axial_strain, 100), stress, stroke, "laboratory: " + curve.name);
     if (!curve.lateral_strain.empty()) chart.line(times(curve.lateral_strain, 100), stress, stroke);
-    chart.legend(stroke, "laboratory: " + curve.name);
 }
 
 /// Arrows where lateral branches leave the frame, and how far they go on.
@@ -167,7 +167,7 @@ void mark_cut_branches(Chart& chart, const std::vector<Run>& runs, const Extent&
         const auto out = std::find_if(strain.begin(), strain.end(), [left](double value) { return value < left; });
         if (out == strain.end() || out == strain.begin()) continue;
         const auto row = static_cast<std::size_t>(out - strain.begin());
-        chart.points(std::vector<double>{left}, std::vector<double>{1e-6 * run.curve.stress[row]}, leaves_marker);
+        chart.point({left, 1e-6 * run.curve.stress[row]}, leaves_marker);
     }
     chart.legend(leaves_marker, fmt::format("lateral strain goes on, to −{:.3g} %", -extent.lateral));
 }

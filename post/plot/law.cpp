@@ -232,9 +232,8 @@ Drawing draw_lennard_jones(const PictureStyle& style) {
             path.displacement.push_back(z);
             path.traction.push_back(fpz::lennard_jones_potential(z, m, n));
         }
-        const Stroke stroke = series_stroke(i, 3.5);
-        chart.line(path.displacement, path.traction, stroke);
-        chart.legend(stroke, fmt::format("m {}, n {}: b = {:.3f}", m, n, fpz::lennard_jones_b(m, n)));
+        chart.line(path.displacement, path.traction, series_stroke(i, 3.5),
+                   fmt::format("m {}, n {}: b = {:.3f}", m, n, fpz::lennard_jones_b(m, n)));
     }
     return chart.finish();
 }

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "post/chart/map_view.hpp"
@@ -96,15 +97,14 @@ std::vector<LegendEntry> crack_legend(const Specimen& specimen, const std::strin
 }
 
 /// Platens where they stand, if the test has some.
-std::optional<PlatensAtStrain> platens_at(const RunReader& run, const Specimen& specimen, const RunData& data,
-                                          const Standing& now, double magnification) {
-    if (!has_platens_to_draw(data)) return std::nullopt;
-    return PlatensAtStrain{read_platen_faces(run.file(), specimen), magnification * now.axial_strain};
+void draw_platens(MapView& map, const RunReader& run, const RunData& data, const Specimen& specimen, double axial_strain) {
+    if (has_platens_to_draw(data)) map.draw_platens(read_platen_faces(run.file(), specimen), -axial_strain * specimen.height / 2);
 }
 
-void draw_state(MapView& map, const Scene& scene, const Standing& now, const std::vector<Crack>& present) {
-    draw_crack_state(map, scene.specimen, platens_at(scene.run, scene.specimen, scene.data, now, scene.options.magnification),
-                     present);
+void draw_state(MapView& map, const Scene& scene, double time, const std::vector<Crack>& present) {
+    map.draw_grains();
+    draw_platens(map, scene.run, scene.data, scene.specimen, scene.options.magnification * scene.at(time).axial_strain);
+    draw_cracks(map, scene.specimen, present);
 }
 
 /// The part of a frame that a map shows; the frame itself is released.
@@ -132,29 +132,22 @@ ChartText heading_at(const Scene& scene, double time) {
 Drawing single_map(const Scene& scene, Snapshot shot, const MapPage& page) {
     const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
     MapView map(scene.specimen, std::move(shot.places), heading_at(scene, shot.time), page);
-    draw_state(map, scene, scene.at(shot.time), present);
+    draw_state(map, scene, shot.time, present);
     map.draw_legend(crack_legend(scene.specimen, ": " + cracked_contacts(present, CrackMode::tensile),
                                  ": " + cracked_contacts(present, CrackMode::shear)),
                     scene.notes);
     return std::move(map).drawing();
 }
 
-/// A map among others.
-struct Panel {
-    Snapshot shot;
-    ChartText text;
-};
-
-Panel panel(const Scene& scene, std::size_t frame, char letter) {
-    Snapshot shot = snapshot(scene, frame);
-    const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
-    const Standing now = scene.at(shot.time);
+/// Above a map among others.
+ChartText caption(const Scene& scene, double time, char letter) {
+    const std::vector<Crack> present = cracks_until(scene.cracks, time);
+    const Standing now = scene.at(time);
     const auto plus = [](double value) { return std::abs(value) < 0.0005 ? 0.0 : value; };  // no "−0.000"
     return {
-        std::move(shot),
-        {fmt::format("({}) {}", letter, now.share_label()),
-         {fmt::format("strain {:.3f} %", plus(100 * now.strain)), fmt::format("stress {:.1f} MPa", plus(now.stress * 1e-6)),
-          "tensile: " + cracked_contacts(present, CrackMode::tensile), "shear: " + cracked_contacts(present, CrackMode::shear)}}};
+        fmt::format("({}) {}", letter, now.share_label()),
+        {fmt::format("strain {:.3f} %", plus(100 * now.strain)), fmt::format("stress {:.1f} MPa", plus(now.stress * 1e-6)),
+         "tensile: " + cracked_contacts(present, CrackMode::tensile), "shear: " + cracked_contacts(present, CrackMode::shear)}};
 }
 
 /// How many maps stand side by side: as many as have room for their captions, in rows that are filled about evenly.
@@ -165,28 +158,23 @@ std::size_t maps_in_a_row(std::size_t maps, double page_width) {
     return (maps + rows - 1) / rows;
 }
 
-struct RowOfMaps {
-    Drawing drawing;
-    MapScale scale;
-};
-
-/// Maps of one row, their captions of one height.
-RowOfMaps row_of_maps(const Scene& scene, std::vector<Panel>& row, double width, const MapBox& view) {
-    constexpr double margin = 10;
-    MapPage page{scene.style.of_part(width), scene.style.page_width, margin, 0, view};
-    for (const Panel& each : row) {
-        page.heading_height = std::max(page.heading_height, heading_height(each.text, {margin, width - margin}));
+/// Maps of one row, their captions of one height. \param letter of the first \param scale of the maps
+Drawing row_of_maps(const Scene& scene, std::span<const std::size_t> frames, char letter, MapPage page, MapScale& scale) {
+    const std::vector<double> times = scene.run.frame_times();
+    const TextColumn column{page.margin, page.style.page_width - page.margin};
+    const auto text = [&](std::size_t i) { return caption(scene, times[frames[i]], static_cast<char>(letter + i)); };
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        page.heading_height = std::max(page.heading_height, heading_height(text(i), column));
     }
     std::vector<Drawing> maps;
-    MapScale scale;
-    for (Panel& each : row) {
-        const double time = each.shot.time;
-        MapView map(scene.specimen, std::move(each.shot.places), each.text, page);
-        draw_state(map, scene, scene.at(time), cracks_until(scene.cracks, time));
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        Snapshot shot = snapshot(scene, frames[i]);
+        MapView map(scene.specimen, std::move(shot.places), text(i), page);
+        draw_state(map, scene, shot.time, cracks_until(scene.cracks, shot.time));
         scale = map.scale();
         maps.push_back(std::move(map).drawing());
     }
-    return {side_by_side(maps), scale};
+    return side_by_side(maps);
 }
 
 /// The box that holds what is seen in any of some frames.
@@ -203,19 +191,14 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     const TextColumn column{page_margin, page_width - page_margin};
     ChartText text{scene.style.title.empty() ? test_title(scene.data.header) : scene.style.title,
                    {fmt::format("plane {}", name_of(scene.data.header.plane))}};
-    const MapBox view = common_view(scene, frames);
+    const double width = std::floor(page_width / static_cast<double>(in_a_row));
+    const MapPage part{scene.style.of_part(width), page_width, 10, 0, common_view(scene, frames)};
     MapScale scale;
     Drawing page(static_cast<int>(page_width), 0);
     page.set_height(draw_heading(page, text, column, 14));
     for (std::size_t first = 0; first < frames.size(); first += in_a_row) {
-        std::vector<Panel> row;
-        for (std::size_t i = first; i < std::min(first + in_a_row, frames.size()); ++i) {
-            row.push_back(panel(scene, frames[i], static_cast<char>('a' + i)));
-        }
-        const RowOfMaps maps = row_of_maps(scene, row, std::floor(page_width / static_cast<double>(in_a_row)), view);
-        page.add(maps.drawing, {0, static_cast<double>(page.height())});
-        page.set_height(page.height() + maps.drawing.height());
-        scale = maps.scale;
+        const auto row = std::span(frames).subspan(first, std::min(in_a_row, frames.size() - first));
+        page = stacked({page, row_of_maps(scene, row, static_cast<char>('a' + first), part, scale)});
     }
     const LegendEnd end =
         draw_legend(page, crack_legend(scene.specimen, "", " (counts are contacts)"), column, page.height() + 6);
@@ -288,15 +271,14 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, con
                    {counted(count.fragments, "fragment") +
                         (count.single_grains > 0 ? ", of which " + counted(count.single_grains, "single grain") : ""),
                     fragment_sizes(fragments, count)}};
-    std::optional<PlatensAtStrain> platens;
+    std::optional<Standing> now;
     if (const auto curve = load_curve_if_any(data)) {
-        const Standing now = standing(data, *curve, frame.time);
-        text.subtitle.push_back(standing_label(now, stress_name(data), options.magnification));
-        platens = platens_at(run, specimen, data, now, options.magnification);
+        now = standing(data, *curve, frame.time);
+        text.subtitle.push_back(standing_label(*now, stress_name(data), options.magnification));
     }
     MapView map(specimen, moved_nodes(specimen, frame, options.magnification), text, {style});
     map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
-    if (platens) map.draw_platens(platens->faces, -platens->axial_strain * specimen.height / 2);
+    if (now) draw_platens(map, run, data, specimen, options.magnification * now->axial_strain);
     constexpr double line = 5;
     const auto grains = grains_of_contacts(specimen);
     const auto parts = [&](std::size_t contact) {

@@ -19,11 +19,12 @@ namespace {
 
 using Bins = std::array<double, Rosette::n_bins>;
 
-Bins shares(const Bins& lengths) {
-    const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-    Bins out{};
-    if (total > 0) std::transform(lengths.begin(), lengths.end(), out.begin(), [total](double l) { return l / total; });
-    return out;
+double total(const Bins& lengths) { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
+
+Bins shares(Bins lengths) {
+    const double all = total(lengths);
+    for (double& length : lengths) length /= all > 0 ? all : 1;
+    return lengths;
 }
 
 /// Shares at which rings are drawn, two or three.
@@ -61,15 +62,13 @@ public:
     void petals(const Bins& share, Colour colour) {
         for (std::size_t i = 0; i < 2 * share.size(); ++i) {
             std::vector<Pixel> petal{centre_};
-            for (int k = 0; k <= 5; ++k) petal.push_back(at(angle(static_cast<double>(i) + k / 5.0), share[i % share.size()]));
+            add_rim(petal, share, i);
             drawing_.polygon(petal, colour);
         }
     }
     void outline(const Bins& share) {
         std::vector<Pixel> line;
-        for (std::size_t i = 0; i < 2 * share.size(); ++i) {
-            for (int k = 0; k <= 5; ++k) line.push_back(at(angle(static_cast<double>(i) + k / 5.0), share[i % share.size()]));
-        }
+        for (std::size_t i = 0; i < 2 * share.size(); ++i) add_rim(line, share, i);
         line.push_back(line.front());
         drawing_.polyline(line, 2.5, palette::pre_existing);
     }
@@ -78,7 +77,13 @@ public:
     }
 
 private:
-    [[nodiscard]] static double angle(double bin) { return std::numbers::pi * bin / Rosette::n_bins; }
+    /// The arc at the end of a bin.
+    void add_rim(std::vector<Pixel>& line, const Bins& share, std::size_t bin) const {
+        for (int k = 0; k <= 5; ++k) {
+            const double turn = std::numbers::pi * (static_cast<double>(bin) + k / 5.0) / Rosette::n_bins;
+            line.push_back(at(turn, share[bin % share.size()]));
+        }
+    }
     [[nodiscard]] Pixel at(double turn, double share) const {
         const double r = radius_ * share / scale_;
         return {centre_.x + r * std::cos(turn), centre_.y - r * std::sin(turn)};
@@ -88,8 +93,6 @@ private:
     double radius_;
     double scale_;
 };
-
-double total(const Bins& lengths) { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
 
 }  // namespace
 

@@ -70,7 +70,7 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const StrengthGrou
               const std::optional<Material>& material, double lowest) {
     const Estimate& mean = row.strength.mean;
     const auto level = [&](double value, double half, const Stroke& stroke) {
-        chart.line(std::vector<double>{x - half, x + half}, std::vector<double>(2, value), stroke);
+        chart.line({x - half, value}, {x + half, value}, stroke);
     };
     // The interval of few runs may reach below zero, which a logarithmic axis cannot show.
     if (mean.low) {
@@ -85,7 +85,7 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const StrengthGrou
         const Strength strength = measure_strength(runs[row.runs[i]]);
         const double at = x + 1.5 * half_width * ((static_cast<double>(i) + 0.5) / n - 0.5);
         const double stress = strength.strength.value_or(strength.largest.stress);
-        chart.points(std::vector<double>{at}, std::vector<double>{stress * in_megapascals}, strength.strength ? peak : no_peak);
+        chart.point({at, stress * in_megapascals}, strength.strength ? peak : no_peak);
     }
 }
 
@@ -152,8 +152,8 @@ struct Points {
     }
 };
 
-/// Half circle over two principal stresses, in MPa.
-Points circle(double low, double high) {
+/// Half circle over two principal stresses.
+void draw_circle(Chart& chart, double low, double high, const Stroke& stroke) {
     Points points;
     constexpr int steps = 120;
     for (int i = 0; i <= steps; ++i) {
@@ -161,7 +161,7 @@ Points circle(double low, double high) {
         points.add(in_megapascals * ((low + high) / 2 - (high - low) / 2 * std::cos(angle)),
                    in_megapascals * (high - low) / 2 * std::sin(angle));
     }
-    return points;
+    chart.line(points.x, points.y, stroke);
 }
 
 /// The part of the line above τ = 0, up to a normal stress.
@@ -252,14 +252,10 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
         chart.legend(series_stroke(colour, 3), fmt::format("σ3 = {:.4g} MPa", pressure * in_megapascals));
     }
     for (const auto& test : tests.compression) {
-        const Points points = circle(test.confining, test.strength);
-        chart.line(points.x, points.y, series_stroke(colours.at(test.confining), 2.5));
+        draw_circle(chart, test.confining, test.strength, series_stroke(colours.at(test.confining), 2.5));
     }
     const auto tensile = [&](const std::vector<double>& strengths, double high, const Stroke& stroke, const std::string& label) {
-        for (const double strength : strengths) {
-            const Points points = circle(-strength, high * strength);
-            chart.line(points.x, points.y, stroke);
-        }
+        for (const double strength : strengths) draw_circle(chart, -strength, high * strength, stroke);
         if (!strengths.empty()) chart.legend(stroke, label);
     };
     tensile(tests.brazilian, 3, Stroke{palette::rim, 2.5}, "Brazilian, centre of the disc");
@@ -267,12 +263,9 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
 }
 
 void draw_laboratory_strengths(Chart& chart, const std::vector<LaboratoryStrengths>& laboratory) {
+    const Stroke stroke{palette::rim, 3.5, Dash::dotted};
     for (const auto& set : laboratory) {
-        const Stroke stroke{palette::rim, 3.5, Dash::dotted};
-        for (std::size_t i = 0; i < set.strength.size(); ++i) {
-            const Points points = circle(set.confining[i], set.strength[i]);
-            chart.line(points.x, points.y, stroke);
-        }
+        for (std::size_t i = 0; i < set.strength.size(); ++i) draw_circle(chart, set.confining[i], set.strength[i], stroke);
         chart.legend(stroke, "laboratory: " + set.name);
     }
 }
@@ -295,18 +288,16 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
     for (const auto& test : tests.compression) right = std::max(right, test.strength * in_megapascals);
     if (std::isfinite(envelope.cohesion.value)) {
         const Points line = line_of(envelope, right);
-        chart.line(line.x, line.y, Stroke{palette::ink, 4});
-        chart.legend(Stroke{palette::ink, 4}, "Mohr–Coulomb");
+        chart.line(line.x, line.y, {palette::ink, 4}, "Mohr–Coulomb");
     }
     if (envelope.hoek_brown) {
         const Points hull = hull_of(*envelope.hoek_brown, std::max(largest_confining(tests), 0.1 * right / in_megapascals));
-        chart.line(hull.x, hull.y, Stroke{palette::ink, 3, Dash::dashed});
         const HoekBrown& fit = *envelope.hoek_brown;
         std::string values;
         if (determined(fit.mi)) {
             values = fmt::format(", σci {:.1f} MPa, mi {:.1f}", fit.sigma_ci.value * in_megapascals, fit.mi.value);
         }
-        chart.legend(Stroke{palette::ink, 3, Dash::dashed}, "Hoek–Brown" + values);
+        chart.line(hull.x, hull.y, {palette::ink, 3, Dash::dashed}, "Hoek–Brown" + values);
     }
     return chart.finish();
 }
@@ -319,9 +310,10 @@ Axis logarithmic(const std::string& label, const std::vector<double>& values) {
     return {label, low / 1.25, high * 1.25, true};
 }
 
-void draw_law(Chart& chart, double from, double to, double at_one, double exponent, const Stroke& stroke) {
+void draw_law(Chart& chart, double from, double to, double at_one, double exponent, const Stroke& stroke,
+              const std::string& label) {
     const auto strength = [&](double edge) { return at_one * std::pow(edge, exponent); };
-    chart.line(std::vector<double>{from, to}, std::vector<double>{strength(from), strength(to)}, stroke);
+    chart.line({from, strength(from)}, {to, strength(to)}, stroke, label);
 }
 
 /// Where the mean strength lies with 95 %. \return whether there is such an interval
@@ -342,22 +334,18 @@ bool draw_band(Chart& chart, const PowerLaw& law, double from, double to) {
 void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     const Colour colour = palette::series(index);
     const std::vector<double> edge = times(s.edge, 1e3);
-    const Marker marker{colour, marker_shape(index)};
     const std::string name = series_label(s.test, s.confining_pressure);
     const auto law = fit_power_law_log(s.edge, s.strength);
     const auto range = padded_range(edge, 0);
     const double low = range.first / 1.1;
     const double high = range.second * 1.1;
     const bool has_band = law && draw_band(chart, *law, low, high);
-    chart.points(edge, times(s.strength, 1e-6), marker);
-    chart.legend(marker, name);
+    chart.points(edge, times(s.strength, 1e-6), {colour, marker_shape(index)}, name);
     if (!law) return;
     if (has_band) chart.legend(interval, "95 % interval of the mean");
-    const Stroke stroke = series_stroke(index);
-    draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, stroke);
-    std::string label = fmt::format("n = {:.2f}", law->exponent.value);
+    std::string label = fmt::format("{}: n = {:.2f}", name, law->exponent.value);
     if (law->exponent.low) label += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
-    chart.legend(stroke, name + ": " + label);
+    draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, series_stroke(index), label);
     if (s.test != "brazilian" && s.test != "tension") return;
     // The slopes of theory and, for its rock, of the paper through the middle of the points.
     double x = 0;
@@ -367,8 +355,7 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
         y += std::log(s.strength[i] * 1e-6) / static_cast<double>(edge.size());
     }
     const auto compare = [&](const std::string& who, double exponent, const Stroke& thin) {
-        draw_law(chart, low, high, std::exp(y - exponent * x), exponent, thin);
-        chart.legend(thin, fmt::format("{}, n = {}", who, exponent));
+        draw_law(chart, low, high, std::exp(y - exponent * x), exponent, thin, fmt::format("{}, n = {}", who, exponent));
     };
     compare("theory", theory_exponent, Stroke{colour, 4, Dash::dotted});
     if (const auto exponent = s.exponent_of_paper()) {

@@ -25,7 +25,7 @@ struct GridValues {
     std::vector<double> value;
 };
 
-using Place = std::array<double, 2>;
+using Place = Chart::Place;
 
 struct Corner {
     Place place;
@@ -112,9 +112,7 @@ private:
 };
 
 void draw_contour(Chart& chart, const GridValues& grid, double level, const Stroke& stroke) {
-    for (const auto& [from, to] : contour_segments(grid, level)) {
-        chart.line(std::vector<double>{from[0], to[0]}, std::vector<double>{from[1], to[1]}, stroke);
-    }
+    for (const auto& [from, to] : contour_segments(grid, level)) chart.line(from, to, stroke);
 }
 
 void draw_region(Chart& chart, const Plane& plane, const ccd::Problem& problem) {
@@ -214,11 +212,13 @@ Drawing draw_surface(const ccd::Problem& problem, const PictureStyle& style) {
     }
     if (problem.runs.factors.size() > 2) subtitle.emplace_back("further factors are held at the optimum");
     Chart chart(style, {"Response surfaces", subtitle}, plane.axis(0), plane.axis(1));
-    const auto value = [&](const std::vector<double>& coded, std::size_t k) { return problem.runs.factors[k].value(coded[k]); };
+    const auto place = [&](const std::vector<double>& coded) {
+        return Place{problem.runs.factors[0].value(coded[0]), problem.runs.factors[1].value(coded[1])};
+    };
     const Marker run{palette::rim, MarkerShape::square, 12};
     const Marker best{palette::ink, MarkerShape::disc, 24};
-    for (const auto& coded : problem.runs.coded) chart.keep_clear(value(coded, 0), value(coded, 1), run.size / 2);
-    for (const auto& optimum : problem.optima) chart.keep_clear(value(optimum.coded, 0), value(optimum.coded, 1), best.size / 2);
+    for (const auto& coded : problem.runs.coded) chart.keep_clear(place(coded), run.size / 2);
+    for (const auto& optimum : problem.optima) chart.keep_clear(place(optimum.coded), best.size / 2);
     draw_region(chart, plane, problem);
     std::vector<LabelledContour> contours;
     for (std::size_t i = 0; i < problem.models.size(); ++i) {
@@ -226,11 +226,8 @@ Drawing draw_surface(const ccd::Problem& problem, const PictureStyle& style) {
         contours.insert(contours.end(), own.begin(), own.end());
     }
     label_contours(chart, contours);
-    const auto mark = [&](const std::vector<double>& coded, const Marker& marker) {
-        chart.points(std::vector<double>{value(coded, 0)}, std::vector<double>{value(coded, 1)}, marker);
-    };
-    for (const auto& coded : problem.runs.coded) mark(coded, run);
-    for (const auto& optimum : problem.optima) mark(optimum.coded, best);
+    for (const auto& coded : problem.runs.coded) chart.point(place(coded), run);
+    for (const auto& optimum : problem.optima) chart.point(place(optimum.coded), best);
     chart.legend(run, "runs");
     chart.legend(best, "optimum");
     return chart.finish();

@@ -66,15 +66,9 @@ Drawing draw_tables(const std::vector<std::string>& files, const TablePlotOption
     Chart chart(style, {}, axis_over(curves, column_label(options.x), &ColumnCurve::x),
                 axis_over(curves, y_label, &ColumnCurve::y));
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        const Marker marker{palette::series(i), marker_shape(i)};
-        const Stroke stroke = series_stroke(i);
-        if (options.points) {
-            chart.points(curves[i].x, curves[i].y, marker);
-            chart.legend(marker, curves[i].label);
-        } else {
-            chart.line(curves[i].x, curves[i].y, stroke);
-            chart.legend(stroke, curves[i].label);
-        }
+        const ColumnCurve& curve = curves[i];
+        if (options.points) chart.points(curve.x, curve.y, {palette::series(i), marker_shape(i)}, curve.label);
+        if (!options.points) chart.line(curve.x, curve.y, series_stroke(i), curve.label);
     }
     return chart.finish();
 }

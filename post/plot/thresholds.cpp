@@ -148,16 +148,15 @@ void draw_others(Chart& chart, const OtherMarks& others, const Strains& s) {
         const OtherMark& mark = others.marks[i];
         const Marker marker = mark.is_damage ? Marker{palette::series(i), cross, 20}
                                              : Marker{palette::series(i), shapes[i % shapes.size()], 26, true};
-        chart.points(std::vector<double>{at_stress(s, s.axial, mark.stress)}, std::vector<double>{mark.stress}, marker);
-        chart.legend(marker,
-                     fmt::format("{} by {}: {:.1f} MPa", mark.is_damage ? "CD" : "CI", fmt::join(mark.by, "; "), mark.stress));
+        chart.point({at_stress(s, s.axial, mark.stress), mark.stress}, marker,
+                    fmt::format("{} by {}: {:.1f} MPa", mark.is_damage ? "CD" : "CI", fmt::join(mark.by, "; "), mark.stress));
     }
     if (!others.not_reached.empty()) {
         chart.add_note(fmt::format("Not reached before the peak: {}.", fmt::join(others.not_reached, "; ")));
     }
 }
 
-using Places = std::vector<std::array<double, 2>>;
+using Places = std::vector<Chart::Place>;
 
 /// Symbols on the curves and lines of the upper chart, where they cover nothing.
 void label_curves(Chart& chart, const Strains& s, const std::array<Threshold, 2>& defaults, const Axis& x) {
@@ -219,13 +218,12 @@ Drawing stress_chart(const RunData& run, const Strains& s, const AllThresholds& 
     const auto defaults = default_thresholds(all);
     const OtherMarks others = marks == ThresholdMarks::all ? other_marks(all, defaults) : OtherMarks{};
     for (const Threshold& threshold : defaults) {
-        if (!threshold.stress) continue;
-        chart.line(std::vector<double>{x.low, x.high}, std::vector<double>(2, *threshold.stress), threshold.stroke);
+        if (threshold.stress) chart.line({x.low, *threshold.stress}, {x.high, *threshold.stress}, threshold.stroke);
     }
     chart.line(s.volume, s.stress, volume_stroke);
     chart.line(s.lateral, s.stress, lateral_stroke);
     chart.line(s.axial, s.stress, axial_stroke);
-    for (const OtherMark& mark : others.marks) chart.keep_clear(at_stress(s, s.axial, mark.stress), mark.stress, 15);
+    for (const OtherMark& mark : others.marks) chart.keep_clear({at_stress(s, s.axial, mark.stress), mark.stress}, 15);
     label_curves(chart, s, defaults, x);
     chart.legend(axial_stroke, "axial strain ε1");
     chart.legend(lateral_stroke, "lateral strain ε3");
@@ -253,22 +251,17 @@ Drawing volume_chart(const Strains& s, const AllThresholds& all, const PictureSt
     const auto defaults = default_thresholds(all);
     for (const Threshold& threshold : defaults) {
         if (!threshold.stress) continue;
-        chart.line(std::vector<double>(2, at_stress(s, s.axial, *threshold.stress)), std::vector<double>{low, high},
-                   threshold.stroke);
+        const double strain = at_stress(s, s.axial, *threshold.stress);
+        chart.line({strain, low}, {strain, high}, threshold.stroke);
     }
-    chart.line(s.axial, s.volume, volume_stroke);
-    chart.legend(volume_stroke, "volumetric strain");
-    if (!s.cracks.empty()) {
-        chart.line(s.axial, s.cracks, crack_stroke);
-        chart.legend(crack_stroke, "crack volumetric strain: less the elastic line");
-    }
+    chart.line(s.axial, s.volume, volume_stroke, "volumetric strain");
+    if (!s.cracks.empty()) chart.line(s.axial, s.cracks, crack_stroke, "crack volumetric strain: less the elastic line");
     const std::array read_from{&s.cracks, &s.volume};
     for (std::size_t i = 0; i < defaults.size(); ++i) {
         const Threshold& threshold = defaults[i];
         if (!threshold.stress) continue;
-        chart.points(std::vector<double>{at_stress(s, s.axial, *threshold.stress)},
-                     std::vector<double>{at_stress(s, *read_from[i], *threshold.stress)}, threshold.marker);
-        chart.legend(threshold.marker, fmt::format("{}: {}", threshold.symbol, threshold.by));
+        chart.point({at_stress(s, s.axial, *threshold.stress), at_stress(s, *read_from[i], *threshold.stress)}, threshold.marker,
+                    fmt::format("{}: {}", threshold.symbol, threshold.by));
     }
     return chart.finish();
 }

@@ -128,7 +128,7 @@ TEST(Chart, ALabelStandsOnItsLineWhereNothingElseIs) {
     const Places line{{0.5, 0.5}, {0.999, 0.5}, {0.2, 0.5}, {0.8, 0.5}};
     EXPECT_TRUE(chart.label_line(line, "one", pen, Places{}));
     EXPECT_TRUE(chart.label_line(line, "two", pen, Places{}));  // not over the first, not over the frame
-    chart.keep_clear(0.8, 0.5, 6);
+    chart.keep_clear({0.8, 0.5}, 6);
     EXPECT_FALSE(chart.label_line(line, "on a marker", pen, Places{}));
     EXPECT_FALSE(chart.label_line(Places{{0.5, 0.8}}, "on a line", pen, Places{{0.5, 0.8}}));
     EXPECT_TRUE(chart.label_line(Places{{0.5, 0.8}}, "beside it", pen, Places{{0.5, 0.2}}));
@@ -167,7 +167,7 @@ TEST(Labels, NamesOfColumnsAndMineralsAreThoseOfPrint) {
 
 TEST(Chart, TheRightScaleIsItsOwn) {
     Chart chart = unit_chart(Axis{"n", 0, 100});
-    chart.line(std::vector<double>{0, 1}, std::vector<double>{50, 50}, Stroke{pen, 2}, Chart::Side::right);
+    chart.line(std::vector<double>{0, 1}, std::vector<double>{50, 50}, Stroke{pen, 2}, "", Chart::Side::right);
     chart.line(std::vector<double>{0, 1}, std::vector<double>{0.5, 0.5}, Stroke{pen, 2});
     const auto lines = lines_of(chart.finish(), pen);
     ASSERT_EQ(lines.size(), 2U);
