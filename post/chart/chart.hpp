@@ -34,7 +34,8 @@ public:
     void line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, const std::string& label = "",
               Side side = Side::left);
     void line(Place from, Place to, const Stroke& stroke, const std::string& label = "") {
-        line(std::array{from[0], to[0]}, std::array{from[1], to[1]}, stroke, label);
+        const Place x{from[0], to[0]}, y{from[1], to[1]};
+        line(std::span<const double>(x), std::span<const double>(y), stroke, label);
     }
     void points(std::span<const double> x, std::span<const double> y, const Marker& marker, const std::string& label = "");
     void point(Place at, const Marker& marker, const std::string& label = "") {

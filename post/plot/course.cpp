@@ -10,7 +10,6 @@
 
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
-#include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
 

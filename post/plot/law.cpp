@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
@@ -25,11 +24,14 @@ struct Path {
     std::vector<double> traction;
 };
 
+constexpr double micro = 1e6;
+
 /// Leads a contact in straight legs of equal steps.
 class Walk {
 public:
     explicit Walk(const ContactLaw& law) : law_(law) {}
-    void go(const ContactMotion& end, const std::function<void(const ContactMotion&, const ContactTraction&)>& visit) {
+    /// \param path gets each step, if it is given: of sliding, or of opening
+    void go(const ContactMotion& end, Path* path = nullptr, bool sliding = false) {
         constexpr int steps = 600;
         const ContactMotion from = history_.motion;
         for (int i = 1; i <= steps; ++i) {
@@ -38,7 +40,9 @@ public:
                                    from.sliding + share * (end.sliding - from.sliding)};
             const ContactResponse response = update_contact(law_, to, history_);
             history_ = response.history;
-            visit(to, response.traction);
+            if (path == nullptr) continue;
+            path->displacement.push_back((sliding ? to.sliding : to.opening) * micro);
+            path->traction.push_back((sliding ? response.traction.shear : response.traction.normal) * in_megapascals);
         }
     }
 
@@ -47,36 +51,26 @@ private:
     ContactHistory history_;
 };
 
-constexpr double micro = 1e6;
-
 /// Opens a contact to `reach`, with an unloading from half the softening down if that lies before.
 Path open_path(const ContactLaw& law, const ContactParameters& contact, double reach) {
     Path path{{0}, {0}};
-    const auto keep = [&](const ContactMotion& motion, const ContactTraction& traction) {
-        path.displacement.push_back(motion.opening * micro);
-        path.traction.push_back(traction.normal * in_megapascals);
-    };
     const double half = (contact.critical_opening + contact.ultimate_opening) / 2;
     Walk walk(law);
-    walk.go({std::min(2 * contact.critical_opening, reach), 0}, keep);
+    walk.go({std::min(2 * contact.critical_opening, reach), 0}, &path);
     if (half < reach) {
-        walk.go({half, 0}, keep);
-        walk.go({0.2 * half, 0}, keep);
+        walk.go({half, 0}, &path);
+        walk.go({0.2 * half, 0}, &path);
     }
-    walk.go({reach, 0}, keep);
+    walk.go({reach, 0}, &path);
     return path;
 }
 
 Path shear_path(const ContactLaw& law, const ContactParameters& contact, double compression, double reach) {
     Path path;
-    const auto keep = [&](const ContactMotion& motion, const ContactTraction& traction) {
-        path.displacement.push_back(motion.sliding * micro);
-        path.traction.push_back(traction.shear * in_megapascals);
-    };
     const double opening = -compression / contact.normal_stiffness;
     Walk walk(law);
-    walk.go({opening, 0}, [](const ContactMotion&, const ContactTraction&) {});
-    walk.go({opening, reach}, keep);
+    walk.go({opening, 0});
+    walk.go({opening, reach}, &path, true);
     return path;
 }
 

@@ -16,7 +16,6 @@
 
 #include "post/chart/map_view.hpp"
 #include "post/chart/picture_folder.hpp"
-#include "post/cracks/export.hpp"
 #include "post/cracks/fragments.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/run/contact_classes.hpp"

@@ -9,8 +9,6 @@
 
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
-#include "post/run/run_state.hpp"
-#include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
 
 namespace graincrack {
