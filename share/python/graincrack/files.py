@@ -49,6 +49,10 @@ class GraincrackError(Exception):
 class GraincrackWarning(UserWarning):
     """A warning of a program."""
 
+    def __init__(self, text: str, *, code: str = ""):
+        super().__init__(text)
+        self.code = code  #: the program's short word for it, "few_crystals"
+
 
 class MissingError(GraincrackError, KeyError):
     """A name, a frame or an attribute that a file does not have."""

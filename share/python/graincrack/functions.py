@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import functools
 import inspect
 import itertools
 import keyword
 import os
-import re
 import types
 from collections.abc import Mapping
 from pathlib import Path
@@ -17,7 +17,7 @@ from . import programs
 from .files import GraincrackError, Output, Run, Specimen, Table, material_of
 
 # Options that are answered before a command runs, and that of each function.
-_NONE_OF_A_FUNCTION = {"help", "help-all", "version", "completion", "describe", "quiet"}
+_NONE_OF_A_FUNCTION = {"help", "help-all", "version", "completion", "describe", "events", "quiet"}
 _MADE_BY = {"graincrack-mesh": Specimen.made, "graincrack-solve": Run.made, "graincrack-post": Output}
 
 
@@ -59,13 +59,12 @@ def _new_file(stem: str, ending: str) -> Path:
                 pass
 
 
-def _state(path: str | os.PathLike) -> tuple | None:
-    """What changes of a file or folder when a program makes it anew."""
-    try:
-        status = os.stat(path)
-        return status.st_ino, status.st_mtime_ns, status.st_size
-    except FileNotFoundError:
-        return None
+def _remove_if_empty(path: Path) -> None:
+    with contextlib.suppress(OSError):  # of a folder with files
+        if path.is_dir():
+            path.rmdir()
+        elif path.stat().st_size == 0:
+            path.unlink()
 
 
 class _Command:
@@ -119,17 +118,16 @@ class _Command:
         words = self._words(given)
         is_new = self.output is not None and output is None
         if is_new:
-            output = _new_file("-".join(self.names), self._ending())
+            output = _new_file("-".join(self.names), self.output.get("endings", [""])[0])
             words.append(f"--output={output}")
-        before = output and _state(output)
         try:
-            printed = programs.run([programs.bin_folder() / self.program, *self.names, *words], quiet=quiet, stacklevel=3,
-                                   resume=lambda: self._how_to_resume(Path(f"{output}.checkpoint")))
-            if output and _state(output) != before:
-                return _MADE_BY[self.program](Path(output))
+            printed, outcome = programs.run([programs.bin_folder() / self.program, *self.names, *words], quiet=quiet, stacklevel=3,
+                                            resume=self._how_to_resume)
         finally:
-            if is_new and _state(output) == before:
-                output.unlink() if output.is_file() else output.rmdir()
+            if is_new:
+                _remove_if_empty(output)
+        if output and os.fspath(output) in outcome["outputs"]:
+            return _MADE_BY[self.program](Path(output))
         is_table = self._makes_table and given.get("format") in (None, "tsv")
         return Table(self.name, printed) if is_table else printed.rstrip("\n")
 
@@ -153,17 +151,10 @@ class _Command:
             words.append("--threads=1")
         return places + words
 
-    def _ending(self) -> str:
-        """Of the files it makes: the first that its option of the output names; "" for folders."""
-        if self.program != "graincrack-post":
-            return ".h5"
-        endings = re.findall(r"(?<!\w)\.[a-z]\w+", self.output["meaning"])
-        return endings[0] if endings else ""
-
-    def _how_to_resume(self, checkpoint: Path) -> str:
-        if not checkpoint.exists():
+    def _how_to_resume(self, outcome: dict) -> str:
+        if "checkpoint" not in outcome:
             return ""
-        return f"; the test so far is in {checkpoint}, and {self.name}(…, restart={str(checkpoint)!r}) resumes it"
+        return f"; the test so far is in {outcome['checkpoint']}, and {self.name}(…, restart={outcome['checkpoint']!r}) resumes it"
 
 
 def _default_of(option: dict):
@@ -172,7 +163,7 @@ def _default_of(option: dict):
         return False
     text = option.get("default")
     try:
-        return {"integer": int, "number": float, "quantity": float}[option["type"]](text)
+        return {"integer": int, "quantity": float}[option["type"]](text)
     except (KeyError, TypeError, ValueError):
         return text
 

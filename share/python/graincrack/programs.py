@@ -6,7 +6,6 @@ import contextlib
 import functools
 import json
 import os
-import re
 import shutil
 import signal
 import subprocess
@@ -14,10 +13,11 @@ import sys
 import sysconfig
 import tempfile
 import threading
+import time
 import warnings
 from concurrent import futures
 from pathlib import Path
-from typing import Callable, Iterable, Iterator
+from typing import Callable, Iterable
 
 from .files import GraincrackError, GraincrackWarning
 
@@ -72,6 +72,7 @@ class Screen:
         self._notebook = hasattr(shell, "kernel")
         self._place = None
         self._lines: list[str] = []
+        self._next_line = time.monotonic() + 30  # s
         self.has_bar = not self._quiet and (self._notebook or sys.stderr.isatty())
 
     def show(self, text: str, *, stays: bool) -> None:
@@ -90,6 +91,16 @@ class Screen:
             self._place.update(shown, raw=True)
         elif shown["text/plain"]:
             self._place = display(shown, raw=True, display_id=True)
+
+
+    def show_progress(self, event: dict) -> None:
+        """A bar, which the next text replaces; where there is none, a line every half minute."""
+        if not self.has_bar and time.monotonic() < self._next_line:
+            return
+        self._next_line = time.monotonic() + 30
+        done = int(24 * event["fraction"])
+        bar = f" [{'#' * done}{'.' * (24 - done)}]" if self.has_bar else ":"
+        self.show(f"{event['label']}{bar} {100 * event['fraction']:.0f} %, {event['text']}", stays=not self.has_bar)
 
 
 class Together:
@@ -118,9 +129,11 @@ class Together:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()
 
-    def stop(self) -> None:
-        """Interrupts what runs, as Ctrl-C does; a second time it ends at once."""
+    def stop(self, *, again: bool = False) -> None:
+        """Interrupts what runs, once, as Ctrl-C does; `again`, and it ends at once."""
         with self._lock:
+            if self.is_stopped and not again:
+                return
             self.is_stopped = True
             for process in self._processes:
                 with contextlib.suppress(ProcessLookupError):
@@ -132,62 +145,60 @@ def is_side_by_side() -> bool:
     return getattr(Together.of_thread, "calls", None) is not None
 
 
-def _told(reader: int) -> Iterator[tuple[str, bool]]:
-    """What comes through a pipe or terminal, as it comes: lines, and bars (False), which the next text replaces."""
-    rest = b""
-    with contextlib.suppress(OSError):  # of a terminal whose other end is closed
-        while data := os.read(reader, 65536):
-            *texts, rest = re.split(rb"(?<=\n)|(?<=\r)(?=[^\n])", rest + data)
-            for text in texts:
-                yield text.decode(errors="replace").replace("\033[K", "").strip("\r\n"), text.endswith(b"\n")
-    yield rest.decode(errors="replace").replace("\033[K", "").strip("\r\n"), True
+def _event(line: bytes) -> dict:
+    """What a program tells by a line; one of another program is a note."""
+    return json.loads(line) if line.startswith(b'{"event":') else {"event": "note", "text": line.decode(errors="replace").rstrip("\n")}
 
 
-def run(command: list, *, quiet: bool | None = None, resume: Callable[[], str] = str, stacklevel: int = 2) -> str:
-    """What a command prints on stdout. Its warnings become Python's.
+def run(command: list, *, has_events: bool = True, quiet: bool | None = None, resume: Callable[[dict], str] = lambda outcome: "",
+        stacklevel: int = 2) -> tuple[str, dict]:
+    """What a command prints on stdout, and its outcome (share/doc/file-format.md). Its warnings become Python's.
 
     Raises GraincrackError with the line by which it fails and its exit code, and KeyboardInterrupt with what `resume` says.
     """
     calls = getattr(Together.of_thread, "calls", None) or Together()
     screen = Screen(True if is_side_by_side() else quiet)
-    program, last, cautions, interrupted = command[0], "", [], False
-    with tempfile.TemporaryFile() as out, contextlib.ExitStack() as ends:
-        reader, writer = os.openpty() if screen.has_bar else os.pipe()
-        ends.callback(os.close, reader)
-        if screen.has_bar:  # the terminal of the program's session: where Python dies it is hung up, and the program ends
-            command = ["sh", "-c", 'exec "$@" 2<>"$0"', os.ttyname(writer), *command]
+    notes, cautions, outcome, interrupted = [], [], {}, False
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as others, contextlib.ExitStack() as ends:
+        reader, writer = os.pipe()
+        told = ends.enter_context(open(reader, "rb"))
+        options = {"stderr": others, "pass_fds": [writer]} if has_events else {"stderr": writer}
         try:
-            process = calls.start(command, stdout=out, stderr=writer)
+            process = calls.start([command[0], *[f"--events={writer}"] * has_events, *command[1:]], stdout=out, **options)
         finally:
             os.close(writer)
         ends.callback(calls.end, process)
         while process.returncode is None:
             try:
-                for text, is_line in _told(reader):
-                    if ": warning: " in text:
-                        cautions.append(text.replace(": warning: ", ": ", 1))
-                    elif not is_line or screen.has_bar and text.startswith("["):  # a bar, or "[3/20] …" of a study
-                        screen.show(text, stays=False)
-                    elif text and not re.match(r"make|/\S*$", text):  # neither make's own word nor a file that it made
-                        if last:
-                            screen.show(last, stays=True)
-                        last = re.sub(r".*\*\*\* (.*)\.  Stop\.$", r"\1", text)  # may be its error, which is raised and not shown
+                for event in (_event(line) for line in told):
+                    if event["event"] == "progress":
+                        screen.show_progress(event)
+                    elif event["event"] == "note":
+                        notes.append(event["text"])
+                        screen.show(event["text"], stays=True)
+                    elif event["event"] == "warning":
+                        cautions.append(event)
+                    else:
+                        outcome = event
                 process.wait()
             except KeyboardInterrupt:
+                calls.stop(again=interrupted)
                 interrupted = True
-                calls.stop()
         out.seek(0)
+        others.seek(0)
         printed = out.read().decode(errors="replace")
-    code = process.returncode
-    screen.show("" if code else last, stays=not code and last != "")
-    for text in cautions:
-        warnings.warn(text, GraincrackWarning, stacklevel=stacklevel + 1)
+        unforeseen = [*notes, *others.read().decode(errors="replace").splitlines()][-3:]
+    screen.show("", stays=False)
+    for each in cautions:
+        caution = GraincrackWarning(f"{each['subject']}: {each['text']}", code=each["code"])
+        warnings.warn(caution, stacklevel=stacklevel + 1)
     if interrupted:
-        raise KeyboardInterrupt("stopped" + resume())
-    if code:
+        raise KeyboardInterrupt("stopped" + resume(outcome))
+    if code := process.returncode:
         code = code if code > 0 else 128 - code
-        raise GraincrackError(last or f"{program}: ended with exit code {code}", exit_code=code)
-    return printed
+        error = outcome.get("error") or "\n".join(unforeseen) or f"{command[0]}: ended with exit code {code}"
+        raise GraincrackError(error, exit_code=code)
+    return printed, outcome
 
 
 def processors() -> int:
@@ -221,8 +232,8 @@ def map(f: Callable, items: Iterable, jobs: int | None = None, *, quiet: bool | 
                 screen.show(f"{len(items) - len(waiting)} of {len(items)} are done", stays=False)
                 _, waiting = futures.wait(waiting, return_when=futures.FIRST_COMPLETED)
             except KeyboardInterrupt:
+                calls.stop(again=interrupted)
                 interrupted = True
-                calls.stop()
     screen.show(f"{len(items)} of {len(items)} are done" if not errors else "", stays=screen.has_bar and not errors)
     if interrupted:
         raise KeyboardInterrupt("stopped; tests that were running have left RUN.checkpoint beside their files")

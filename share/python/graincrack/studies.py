@@ -66,8 +66,8 @@ def calibrate(material, *, out=None, jobs: int | None = None, set: dict | None =
     outcome = folder / "outcome.json"
     outcome.unlink(missing_ok=True)
     try:
-        programs.run(["sh", "-c", 'exec "$@" >&2', "calibrate", *make], quiet=quiet,
-                     resume=lambda: "; the same call resumes the calibration, and no test is repeated")
+        programs.run(["sh", "-c", 'exec "$@" >&2', "calibrate", *make], has_events=False, quiet=quiet,
+                     resume=lambda _: "; the same call resumes the calibration, and no test is repeated")
     except GraincrackError:
         if not outcome.exists() or json.loads(outcome.read_text(encoding="utf-8"))["state"] == "running":
             raise  # other ends than "calibrated" are errors of the study too
