@@ -95,7 +95,14 @@ std::string made_of(const Material& m, const Point& point) {
         if (const auto& ratio = m.ratios.*row.given) text += fmt::format(" {}:{}", row.key(), *ratio);
     }
     if (m.ratios.fracture_energy || has_process_zone) text += fmt::format(" grain_size={}", m.grains.grain_size.value_or(0));
-    return text + fabric_text(m.fabric);
+    std::string table;
+    for (const FabricValue& value : fabric_values(m.fabric)) {
+        if (value.table != table) text += fmt::format("\n[{}]\n", value.table);
+        table = value.table;
+        text +=
+            value.key + " = " + (value.number ? fmt::format("{:.17g}\n", *value.number) : fmt::format("\"{}\"\n", value.word));
+    }
+    return text;
 }
 
 constexpr double mm = 1e3;

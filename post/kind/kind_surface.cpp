@@ -99,47 +99,52 @@ KindModel fit_model(const std::string& property, const std::vector<std::vector<d
                     property, logarithms.size(), n_linear, n_linear + 2));
 }
 
-/// What a surface does not vary, by the key of a material file.
-std::map<std::string, std::string> fixed_traits(const Material& material) {
-    const auto number = [](const std::optional<double>& value) { return value ? format_number(*value, 4) : "not given"; };
+/// What a surface does not vary: a number, a word, or neither where it is not given.
+struct FixedTrait {
+    std::optional<double> number;
+    std::string word = {};
+    static constexpr int digits = 4;  ///< by which numbers are compared
+    [[nodiscard]] bool is_like(const FixedTrait& other) const {
+        const auto near = [](double a, double b) { return rounded(a, digits) == rounded(b, digits); };
+        return word == other.word && number.has_value() == other.number.has_value() && (!number || near(*number, *other.number));
+    }
+    [[nodiscard]] std::string text() const { return number ? format_number(*number, digits) : word.empty() ? "not given" : word; }
+};
+
+/// By the key of a material file.
+std::map<std::string, FixedTrait> fixed_traits(const Material& material) {
     const GivenContact& contact = material.contact;
     const auto open_shear = contact.open_shear_strength
                                 ? std::optional(*contact.open_shear_strength / kind_coordinates(material).tensile_strength)
                                 : material.ratios.open_shear_strength;
     const GrainFabric& grains = material.grains;
-    std::map<std::string, std::string> traits{
-        {"contact.law", material.law.empty() ? "not given" : material.law},
-        {"contact.normal_stiffness", number(contact.normal_stiffness)},
-        {"contact.shear_stiffness", number(contact.shear_stiffness)},
-        {"contact.residual_tensile_strength", number(contact.residual_tensile_strength.value_or(0))},
-        {"contact.residual_cohesion", number(contact.residual_cohesion.value_or(0))},
-        {"ratios.open_shear_strength", number(open_shear)},
-        {"fabric.tessellation", grains.tessellation.empty() ? "not given" : grains.tessellation},
-        {"fabric.size_variation", number(grains.size_variation)},
-        {"fabric.elements_per_crystal", number(grains.elements_per_crystal)},
-        {"fabric.elongation", number(grains.elongation.value_or(1))},
-        {"platen.friction_angle", number(material.platen_friction_angle)}};
-    std::string table;
-    const std::string fabric = fabric_text(material.fabric);
-    for (const std::string_view line : split(fabric, '\n')) {
-        const std::size_t equals = line.find(" = ");
-        if (line.starts_with('[')) table = line.substr(1, line.size() - 2);
-        if (equals != std::string_view::npos) {
-            traits[fmt::format("{}.{}", table, line.substr(0, equals))] = line.substr(equals + 3);
-        }
+    std::map<std::string, FixedTrait> traits{
+        {"contact.law", {{}, material.law}},
+        {"contact.normal_stiffness", {contact.normal_stiffness}},
+        {"contact.shear_stiffness", {contact.shear_stiffness}},
+        {"contact.residual_tensile_strength", {contact.residual_tensile_strength.value_or(0)}},
+        {"contact.residual_cohesion", {contact.residual_cohesion.value_or(0)}},
+        {"ratios.open_shear_strength", {open_shear}},
+        {"fabric.tessellation", {{}, grains.tessellation}},
+        {"fabric.size_variation", {grains.size_variation}},
+        {"fabric.elements_per_crystal", {grains.elements_per_crystal}},
+        {"fabric.elongation", {grains.elongation.value_or(1)}},
+        {"platen.friction_angle", {material.platen_friction_angle}}};
+    for (const FabricValue& value : fabric_values(material.fabric)) {
+        traits[value.table + "." + value.key] = {value.number, value.word};
     }
     return traits;
 }
 
 /// In what a material differs from a kind, in words.
-std::vector<std::string> differences_from(const RockKind& kind, std::map<std::string, std::string> own) {
+std::vector<std::string> differences_from(const RockKind& kind, std::map<std::string, FixedTrait> own) {
     const std::string file = materials().below("kinds/" + kind.name + ".toml").string();
-    std::map<std::string, std::string> its = fixed_traits(read_incomplete_material(file).material);
-    for (const auto& [key, value] : own) its.emplace(key, "not given");
+    std::map<std::string, FixedTrait> its = fixed_traits(read_incomplete_material(file).material);
+    for (const auto& [key, value] : own) its.try_emplace(key);
     std::vector<std::string> found;
     for (const auto& [key, value] : its) {
-        const std::string mine = own.emplace(key, "not given").first->second;
-        if (mine != value) found.push_back(fmt::format("its {} is {}, that of {} {}", key, mine, kind.name, value));
+        if (own[key].is_like(value)) continue;
+        found.push_back(fmt::format("its {} is {}, that of {} {}", key, own[key].text(), kind.name, value.text()));
     }
     return found;
 }

@@ -36,6 +36,15 @@ std::string shown(const std::string& value) {
     return is_text ? value.substr(1, value.size() - 2) : value;
 }
 
+/// End of a line, before its line break; begin of the line behind.
+std::size_t line_end(const std::string& text, std::size_t at) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    return end > at && text[end - 1] == '\r' ? end - 1 : end;
+}
+std::size_t next_line(const std::string& text, std::size_t at) { return std::min(text.find('\n', at), text.size() - 1) + 1; }
+
+std::string line_break(const std::string& text) { return text.find("\r\n") == std::string::npos ? "\n" : "\r\n"; }
+
 }  // namespace
 
 TomlDocument::TomlDocument(std::string text, const std::string& name) : text_(std::move(text)), toml_(parse_toml(text_, name)) {}
@@ -92,16 +101,6 @@ std::size_t TomlDocument::byte(TomlPlace place) const {
     return at;
 }
 
-std::size_t TomlDocument::line_begin(std::size_t at) const {
-    return at == 0 ? 0 : text_.rfind('\n', at - 1) + 1;  // npos + 1 is 0
-}
-std::size_t TomlDocument::line_end(std::size_t at) const {
-    const std::size_t end = std::min(text_.find('\n', at), text_.size());
-    return end > at && text_[end - 1] == '\r' ? end - 1 : end;
-}
-std::size_t TomlDocument::next_line(std::size_t at) const { return std::min(text_.find('\n', at), text_.size() - 1) + 1; }
-std::string TomlDocument::line_break() const { return text_.find("\r\n") == std::string::npos ? "\n" : "\r\n"; }
-
 void TomlDocument::replace(std::size_t begin, std::size_t end, const std::string& by) {
     std::string changed = text_;
     changed.replace(begin, end - begin, by);
@@ -110,15 +109,15 @@ void TomlDocument::replace(std::size_t begin, std::size_t end, const std::string
 }
 
 void TomlDocument::insert_line(std::size_t behind, const std::string& line) {
-    const std::size_t at = next_line(behind);
+    const std::size_t at = next_line(text_, behind);
     const bool ends_line = at > 0 && text_[at - 1] == '\n';
-    replace(at, at, ends_line ? line + line_break() : line_break() + line);
+    replace(at, at, ends_line ? line + line_break(text_) : line_break(text_) + line);
 }
 
 void TomlDocument::add_table(const Path& table, const std::string& comment) {
-    const std::string end = text_.empty() || text_.ends_with('\n') ? "" : line_break();
+    const std::string end = text_.empty() || text_.ends_with('\n') ? "" : line_break(text_);
     const std::string header = fmt::format("[{}]{}{}", dotted(table), comment.empty() ? "" : "  # ", comment);
-    replace(text_.size(), text_.size(), end + line_break() + header + line_break());
+    replace(text_.size(), text_.size(), end + line_break(text_) + header + line_break(text_));
 }
 
 std::optional<std::size_t> TomlDocument::example(const Path& key) const {
@@ -131,7 +130,7 @@ std::optional<std::size_t> TomlDocument::example(const Path& key) const {
         if (begin > from && text_[begin] == '[') to = std::min(to, begin);
     }
     const std::string words = "# " + toml_key(key.back()) + " = ";
-    for (std::size_t at = next_line(from); at < to; at = next_line(at)) {
+    for (std::size_t at = next_line(text_, from); at < to; at = next_line(text_, at)) {
         if (text_.compare(at, words.size(), words) != 0) continue;
         const bool is_in_value = std::any_of(toml_.entries.begin(), toml_.entries.end(),
                                              [&](const TomlEntry& each) { return byte(each.begin) < at && at < byte(each.end); });
@@ -156,7 +155,7 @@ void TomlDocument::put(const Path& key, const std::string& line) {
         const std::size_t begin = byte({last->key_begin.line, 1});
         return insert_line(byte(last->end), text_.substr(begin, byte(last->key_begin) - begin) + line);
     }
-    if (table.empty()) return replace(byte({1, 1}), byte({1, 1}), line + line_break());
+    if (table.empty()) return replace(byte({1, 1}), byte({1, 1}), line + line_break(text_));
     if (header(table) == nullptr) add_table(table);
     insert_line(byte(header(table)->begin), line);
 }
@@ -171,9 +170,9 @@ void TomlDocument::set(const Path& key, const std::string& value, bool is_remark
             changed.replace(byte(old->begin), byte(old->end), value);
             if (is_remarked) changed.remark(key, "was " + shown(*this->value(key)));
         } else if (const auto at = example(key)) {
-            const std::string words = text_.substr(*at, line_end(*at) - *at);
+            const std::string words = text_.substr(*at, line_end(text_, *at) - *at);
             const std::size_t comment = words.find("  # ");
-            changed.replace(*at, line_end(*at),
+            changed.replace(*at, line_end(text_, *at),
                             with_comment(line, comment == std::string::npos ? "" : words.substr(comment + 4)));
         } else {
             changed.put(key, line);
@@ -188,9 +187,9 @@ void TomlDocument::set(const Path& key, const std::string& value, bool is_remark
 
 void TomlDocument::remark(const Path& key, const std::string& words) {
     if (row(table_of(key)) != nullptr) return;
-    const std::size_t begin = line_begin(byte(entry(key)->end) - 1);
+    const std::size_t begin = byte({entry(key)->end.line, 1});
     const std::size_t behind = byte(entry(key)->end);
-    const std::size_t end = line_end(behind);
+    const std::size_t end = line_end(text_, behind);
     const std::size_t comment = std::min(text_.find('#', behind), end);
     const std::string_view old = trimmed(std::string_view(text_).substr(comment, end - comment)).substr(comment < end ? 1 : 0);
     replace(begin, end,
@@ -204,7 +203,7 @@ void TomlDocument::remove(const Path& key) {
         throw InputError(fmt::format("{}: line {}: {} shares its line with other keys; each needs a line of its own", toml_.file,
                                      there->line, dotted(key)));
     }
-    replace(line_begin(byte(there->key_begin)), next_line(byte(there->end)), "");
+    replace(byte({there->key_begin.line, 1}), next_line(text_, byte(there->end)), "");
 }
 
 }  // namespace graincrack

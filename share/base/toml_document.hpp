@@ -40,10 +40,7 @@ private:
     [[nodiscard]] const TomlSection* row(const Path& table) const;
     [[nodiscard]] const TomlSection* header(const Path& table) const;  ///< its [NAME]; null if it has none
     [[nodiscard]] std::size_t byte(TomlPlace place) const;
-    [[nodiscard]] std::size_t line_begin(std::size_t at) const;
-    [[nodiscard]] std::size_t line_end(std::size_t at) const;   ///< before its line break
-    [[nodiscard]] std::size_t next_line(std::size_t at) const;  ///< begin of the line behind
-    [[nodiscard]] std::string line_break() const;
+    /// Where the example of a key stands.
     [[nodiscard]] std::optional<std::size_t> example(const Path& key) const;
     void put(const Path& key, const std::string& line);
     void insert_line(std::size_t behind, const std::string& line);

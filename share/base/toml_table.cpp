@@ -73,34 +73,33 @@ void TomlTable::refuse(const std::string& key, const std::string& wrong_and_righ
     throw InputError(fmt::format("{}: {}", where(key), wrong_and_right));
 }
 
-std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key) {
-    asked_.push_back(key);
-    if (has_table(key)) refuse(key, "is a table; a text, or an array of texts, fits");
-    const TomlEntry* found = entry(key);
-    if (found == nullptr) return std::nullopt;
-    std::vector<std::string> words;
-    for (const TomlValue& value : found->values) {
-        if (value.kind != TomlValue::Kind::text) refuse(key, fmt::format("{} is no text; a text in quotes fits", value.text));
-        words.push_back(value.text);
-    }
-    return words;
+const TomlEntry* TomlTable::asked(const std::string& key, bool (*fits)(const TomlEntry&), const std::string& otherwise) {
+    asked_.insert(key);
+    const TomlEntry* const found = entry(key);
+    if (has(key) && (found == nullptr || !fits(*found))) refuse(key, otherwise);
+    return found;
 }
 
-std::optional<std::string> TomlTable::text(const std::string& key) {
-    const auto words = texts(key);
-    if (!words) return std::nullopt;
-    if (entry(key)->is_array) refuse(key, "is an array; one text in quotes fits");
-    return words->front();
+void TomlTable::given(const std::string& key, std::vector<std::string>& value) {
+    const auto are_texts = [](const TomlEntry& e) {
+        return std::all_of(e.values.begin(), e.values.end(), [](auto& each) { return each.kind == TomlValue::Kind::text; });
+    };
+    const TomlEntry* const found = asked(key, are_texts, "is no text; a text in quotes, or an array of such texts, fits");
+    if (found == nullptr) return;
+    value.clear();
+    for (const TomlValue& each : found->values) value.push_back(each.text);
+}
+
+void TomlTable::given(const std::string& key, std::string& value) {
+    const auto is_text = [](const TomlEntry& e) { return !e.is_array && e.values.front().kind == TomlValue::Kind::text; };
+    if (const TomlEntry* const found = asked(key, is_text, "is no text; one text in quotes fits"))
+        value = found->values.front().text;
 }
 
 void TomlTable::given(const std::string& key, bool& value) {
-    asked_.push_back(key);
-    if (!has(key)) return;
-    const TomlEntry* found = entry(key);
-    if (found == nullptr || found->is_array || found->values.front().kind != TomlValue::Kind::boolean) {
-        refuse(key, "is neither true nor false");
-    }
-    value = found->values.front().text == "true";
+    const auto is_flag = [](const TomlEntry& e) { return !e.is_array && e.values.front().kind == TomlValue::Kind::boolean; };
+    if (const TomlEntry* const found = asked(key, is_flag, "is neither true nor false"))
+        value = found->values.front().text == "true";
 }
 
 double TomlTable::number(const std::string& key, const TomlValue& value, const Quantity& quantity) const {
@@ -112,28 +111,25 @@ double TomlTable::number(const std::string& key, const TomlValue& value, const Q
 }
 
 void TomlTable::given(const std::string& key, const Quantity& quantity, std::vector<double>& values) {
-    asked_.push_back(key);
-    if (!has(key)) return;
-    const std::string fits = fmt::format("an array of texts with units of a {} or of bare numbers in {} fits",
-                                         name_of(quantity.dimension), quantity.unit());
-    const TomlEntry* found = entry(key);
-    if (found == nullptr || !found->is_array) refuse(key, "is no array; " + fits);
+    const auto are_quantities = [](const TomlEntry& e) {
+        const auto is_flag = [](const TomlValue& value) { return value.kind == TomlValue::Kind::boolean; };
+        return e.is_array && std::none_of(e.values.begin(), e.values.end(), is_flag);
+    };
+    const TomlEntry* const found =
+        asked(key, are_quantities,
+              fmt::format("is no array of quantities; texts with units of a {} or bare numbers in {} fit",
+                          name_of(quantity.dimension), quantity.unit()));
+    if (found == nullptr) return;
     values.clear();
-    for (const TomlValue& value : found->values) {
-        if (value.kind == TomlValue::Kind::boolean) refuse(key, value.text + " is no quantity; " + fits);
-        values.push_back(number(key, value, quantity));
-    }
+    for (const TomlValue& value : found->values) values.push_back(number(key, value, quantity));
 }
 
 void TomlTable::given(const std::string& key, const Quantity& quantity, double& value) {
-    asked_.push_back(key);
-    if (!has(key)) return;
-    const TomlEntry* found = entry(key);
-    if (found == nullptr || found->is_array || found->values.front().kind == TomlValue::Kind::boolean) {
-        refuse(key, fmt::format("is no quantity; a text with a unit of a {} or a bare number in {} fits",
-                                name_of(quantity.dimension), quantity.unit()));
-    }
-    value = number(key, found->values.front(), quantity);
+    const auto is_quantity = [](const TomlEntry& e) { return !e.is_array && e.values.front().kind != TomlValue::Kind::boolean; };
+    const TomlEntry* const found = asked(key, is_quantity,
+                                         fmt::format("is no quantity; a text with a unit of a {} or a bare number in {} fits",
+                                                     name_of(quantity.dimension), quantity.unit()));
+    if (found != nullptr) value = number(key, found->values.front(), quantity);
 }
 
 void TomlTable::given(const std::string& key, const Quantity& quantity, std::int64_t& value) {
@@ -154,7 +150,7 @@ void TomlTable::given(const std::string& key, const Quantity& quantity, std::opt
 }
 
 bool TomlTable::is_word(const std::string& key, const std::string& word) {
-    asked_.push_back(key);
+    asked_.insert(key);
     const TomlEntry* found = entry(key);
     return found != nullptr && !found->is_array && found->values.front().text == word;
 }
@@ -169,13 +165,13 @@ void TomlTable::choice(const std::string& key, bool& value, const std::string& w
 void TomlTable::require(const std::string& key, const std::string& what) {
     const TomlEntry* found = entry(key);
     if (!has(key) || (found != nullptr && found->values.empty())) {
-        asked_.push_back(key);
+        asked_.insert(key);
         refuse(key, "missing; " + what);
     }
 }
 
 std::optional<TomlTable> TomlTable::table(const std::string& key) {
-    asked_.push_back(key);
+    asked_.insert(key);
     if (has_value(key)) refuse(key, "is a value; a table fits");
     if (!has_table(key)) return std::nullopt;
     std::vector<std::string> section = section_;
@@ -199,12 +195,9 @@ TomlTable TomlTable::needed_table(const std::string& key, const std::string& wha
 
 void TomlTable::refuse_others() const {
     for (const auto& [line, key] : keys()) {
-        if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
-            std::vector<std::string> known = asked_;
-            std::sort(known.begin(), known.end());
-            known.erase(std::unique(known.begin(), known.end()), known.end());
-            refuse(key, fmt::format("unknown key{}; known are {}", did_you_mean(key, known), fmt::join(known, ", ")));
-        }
+        if (asked_.contains(key)) continue;
+        refuse(key, fmt::format("unknown key{}; known are {}", did_you_mean(key, {asked_.begin(), asked_.end()}),
+                                fmt::join(asked_, ", ")));
     }
 }
 

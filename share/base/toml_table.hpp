@@ -9,7 +9,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "share/base/quantities.hpp"
@@ -39,6 +41,11 @@ std::function<void(double)> to(Target& target) {
     return [&target](double value) { target = value; };
 }
 
+/// A key that has a word. \param words of which it is one; none: any
+inline TomlKey word_key(const char* name, std::vector<std::string> words, std::function<void(const std::string&)> set) {
+    return {name, {}, {}, false, std::move(words), std::move(set)};
+}
+
 /// A table, called by its path: "contact", "pairs.quartz-mica".
 struct TomlKeys {
     std::string path;
@@ -62,8 +69,8 @@ public:
     // Rows of `program/keys.hpp`: what is missing leaves the value as it is, or is refused, saying `what`, where it is needed.
     // Each throws InputError where the key holds something else.
     static constexpr bool reads = true;
-    void given(const std::string& key, std::string& value) { value = text(key).value_or(value); }
-    void given(const std::string& key, std::vector<std::string>& value) { value = texts(key).value_or(value); }  ///< or one text
+    void given(const std::string& key, std::string& value);
+    void given(const std::string& key, std::vector<std::string>& value);  ///< or one text
     void given(const std::string& key, bool& value);
     void given(const std::string& key, const Quantity& quantity, double& value);
     void given(const std::string& key, const Quantity& quantity, std::int64_t& value);
@@ -104,8 +111,8 @@ public:
     [[noreturn]] void refuse(const std::string& key, const std::string& wrong_and_right) const;
 
 private:
-    std::optional<std::string> text(const std::string& key);
-    std::optional<std::vector<std::string>> texts(const std::string& key);
+    /// The entry of a key, or null. \throws InputError, saying `otherwise`, if it is a table or does not fit
+    const TomlEntry* asked(const std::string& key, bool (*fits)(const TomlEntry&), const std::string& otherwise);
     void require(const std::string& key, const std::string& what);
     [[nodiscard]] double number(const std::string& key, const TomlValue& value, const Quantity& quantity) const;
     TomlTable(std::shared_ptr<const TomlFile> file, std::vector<std::string> section);
@@ -117,7 +124,7 @@ private:
     std::shared_ptr<const TomlFile> file_;
     std::vector<std::string> section_;
     std::string path_;
-    std::vector<std::string> asked_;
+    std::set<std::string> asked_;
 };
 
 }  // namespace graincrack

@@ -67,12 +67,7 @@ std::string what_fits(Dimension dimension) {
     return fmt::format("units that fit: {} (a bare number is in {})", list, si_unit(dimension));
 }
 
-/// Text for a message: in quotes, on one line, at most 60 characters.
-std::string quoted(std::string_view text) {
-    std::string clean;
-    for (const char c : text.substr(0, 60)) clean += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-    return '"' + clean + (text.size() > 60 ? "…\"" : "\"");
-}
+std::string quoted(std::string_view text) { return '"' + shortened(printable(text), 60) + '"'; }
 
 [[noreturn]] void refuse(std::string_view where, const std::string& wrong, const std::string& right) {
     throw UsageError(fmt::format("{}: {}; {}", where, wrong, right));
@@ -155,16 +150,12 @@ double parse_quantity(std::string_view text, const Quantity& quantity, std::stri
 
 double parse_quantity_or(std::string_view text, std::string_view word, double word_value, const Quantity& quantity,
                          std::string_view where) {
-    const std::string_view whole = trimmed(text);
-    if (whole == word) return word_value;
-    double value = 0;
-    const auto result = std::from_chars(whole.data(), whole.data() + whole.size(), value);
-    if (result.ec == std::errc::invalid_argument && (whole.empty() || whole.front() != '+')) {
-        refuse(where,
-               whole.empty() ? "no value given" : fmt::format("{} is neither a number nor the word {}", quoted(whole), word),
-               what_fits(quantity.dimension));
+    if (trimmed(text) == word) return word_value;
+    try {
+        return parse_quantity(text, quantity, where);
+    } catch (const UsageError& error) {
+        throw UsageError(fmt::format("{}; the word {} fits too", error.what(), word));
     }
-    return parse_quantity(text, quantity, where);
 }
 
 std::string bare_number_note(std::string_view text, const Quantity& quantity, std::string_view where) {

@@ -22,43 +22,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double zhang = 6.88;                     // 1/√m: σt = 6.88 K_IC over many rocks (Zhang 2002)
 constexpr double mode_ii_over_mode_i = 3.0 / 1.5;  // of Augig granite
 
 bool has(const std::vector<std::string>& keys, const std::string& key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-/// Sets a value of [rock] that is missing. \return whether it was
-bool set_missing(IncompleteMaterial& read, const char* key, double& to, double value) {
-    if (std::erase(read.missing, std::string("rock.") + key) == 0) return false;
-    to = read.values[std::string("rock.") + key] = value;
-    return true;
+std::vector<TomlKey> rock_keys(Rock& rock) {
+    return {{"young_modulus", quantity::young_modulus, to(rock.young_modulus), true},
+            {"poisson_ratio", quantity::poisson_ratio, to(rock.poisson_ratio), true},
+            {"density", quantity::density, to(rock.density), true},
+            {"mode_i_toughness", quantity::mode_i_toughness, to(rock.mode_i_toughness), true},
+            {"mode_ii_toughness", quantity::mode_ii_toughness, to(rock.mode_ii_toughness), true},
+            {"tensile_strength", quantity::tensile_strength, to(rock.tensile_strength), true}};
 }
 
 /// What [laboratory] has of [rock]. \param notes gets a sentence for each value
 void take_measured_rock(IncompleteMaterial& read, std::vector<std::string>& notes) {
-    Rock& rock = read.material.rock;
-    const std::pair<const char*, double*> values[] = {{"young_modulus", &rock.young_modulus},
-                                                      {"poisson_ratio", &rock.poisson_ratio},
-                                                      {"density", &rock.density},
-                                                      {"tensile_strength", &rock.tensile_strength},
-                                                      {"mode_i_toughness", &rock.mode_i_toughness}};
-    for (const auto& [key, to] : values) {
-        const auto found = read.material.laboratory.find(key);
-        if (found == read.material.laboratory.end() || !set_missing(read, key, *to, found->second)) continue;
-        notes.push_back(fmt::format("{} of the rock is that of [laboratory]", key));
+    for (const TomlKey& key : rock_keys(read.material.rock)) {
+        const auto found = read.material.laboratory.find(key.name);
+        if (found == read.material.laboratory.end() || std::erase(read.missing, "rock." + key.name) == 0) continue;
+        key.set(read.values["rock." + key.name] = found->second);
+        notes.push_back(fmt::format("{} of the rock is that of [laboratory]", key.name));
     }
 }
 
 /// \param notes gets a sentence for each value
 void assume_toughness(IncompleteMaterial& read, std::vector<std::string>& notes) {
     Rock& rock = read.material.rock;
-    const auto assume = [&](const char* key, double& to, double value, const char* source) {
-        if (!set_missing(read, key, to, value)) return;
+    const auto assume = [&](const std::string& key, double& to, double value, const char* source) {
+        if (std::erase(read.missing, "rock." + key) == 0) return;
+        to = read.values["rock." + key] = value;
         notes.push_back(fmt::format("{} was not measured: {} {}", key, format_quantity(value, Dimension::toughness), source));
     };
-    assume("mode_i_toughness", rock.mode_i_toughness, rock.tensile_strength / zhang,
+    assume("mode_i_toughness", rock.mode_i_toughness, rock.tensile_strength / fpz::tensile_strength_from_toughness(1),
            "is tensile_strength/6.88, an empirical mean over many rocks (Zhang 2002)");
     assume("mode_ii_toughness", rock.mode_ii_toughness, mode_ii_over_mode_i * rock.mode_i_toughness,
            "is 2 K_IC, the ratio of Augig granite");
@@ -148,15 +145,8 @@ constexpr std::array laboratory_quantities{quantity::young_modulus,
 
 /// The keys of a material file, bound to a material.
 std::vector<TomlKeys> tables_of(Material& material) {
-    Rock& rock = material.rock;
     std::vector<TomlKeys> tables{
-        {"rock",
-         {{"young_modulus", quantity::young_modulus, to(rock.young_modulus), true},
-          {"poisson_ratio", quantity::poisson_ratio, to(rock.poisson_ratio), true},
-          {"density", quantity::density, to(rock.density), true},
-          {"mode_i_toughness", quantity::mode_i_toughness, to(rock.mode_i_toughness), true},
-          {"mode_ii_toughness", quantity::mode_ii_toughness, to(rock.mode_ii_toughness), true},
-          {"tensile_strength", quantity::tensile_strength, to(rock.tensile_strength), true}}},
+        {"rock", rock_keys(material.rock)},
         {"contact", contact_keys(material.contact)},
         {"ratios", ratio_keys(material.ratios)},
         {"platen", {{"friction_angle", quantity::platen_friction, to(material.platen_friction_angle), false}}},
@@ -167,9 +157,7 @@ std::vector<TomlKeys> tables_of(Material& material) {
         const std::string name(quantity.name);
         tables.back().keys.push_back({name, quantity, [&material, name](double v) { material.laboratory[name] = v; }, false});
     }
-    TomlKey law{"law", {}, {}};
-    law.set_word = [&material](const std::string& word) { material.law = word; };
-    tables[1].keys.push_back(law);
+    tables[1].keys.push_back(word_key("law", {}, [&material](const std::string& word) { material.law = word; }));
     return tables;
 }
 
@@ -190,14 +178,6 @@ std::optional<TomlKeys> table_at(Material& material, const std::vector<std::stri
 /// Tables that a calibration reads or writes: how it is done, and what was fitted. No property of the rock.
 bool is_of_calibration(const std::string& table) {
     return table == "targets" || table == "parameters" || table == "study" || table == "fitted";
-}
-
-/// Is a key of [contact] given by [ratios]?
-bool is_by_ratio(const Material& material, const std::string& contact_key) {
-    const auto rows = all_contact_parameters();
-    return std::any_of(rows.begin(), rows.end(), [&](const ContactParameter& row) {
-        return row.key() == contact_key && (material.ratios.*row.given).has_value();
-    });
 }
 
 /// The key that a ratio needs.
@@ -285,26 +265,42 @@ void add_phases_of(const std::string& name, IncompleteMaterial& to) {
     }
 }
 
-/// The needed keys that are not there, in the order of tables_of, before those of phases.
+/// The needed keys that are not there and that no ratio gives, in the order of tables_of, before those of phases.
 void find_missing(IncompleteMaterial& read) {
-    const Material& material = read.material;
+    ContactRatios& ratios = read.material.ratios;
     std::vector<std::string> missing;
     for (const auto& [table, keys] : tables_of(read.material)) {
         for (const TomlKey& key : keys) {
             const std::string name = table + "." + key.name;
-            if (!key.needed || read.values.contains(name) || (table == "contact" && is_by_ratio(material, key.name))) continue;
-            missing.push_back(name);
+            if (key.needed && !read.values.contains(name)) missing.push_back(name);
         }
     }
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (ratios.*row.given) std::erase(missing, "contact." + row.key());
+    }
     read.missing.insert(read.missing.begin(), missing.begin(), missing.end());
-    if (material.ratios.fracture_energy && !material.grains.grain_size) read.missing.emplace_back(grain_size_of_ratio);
+    if (ratios.fracture_energy && !read.material.grains.grain_size) read.missing.emplace_back(grain_size_of_ratio);
 }
 
-IncompleteMaterial read_material_file(const fs::path& path) {
-    const TomlFile toml = read_toml(path.string());
+/// All at once, so that a file is completed in one go.
+void refuse_missing(const fs::path& file, const std::vector<std::string>& missing) {
+    if (missing.empty()) return;
+    std::string list;
+    for (const std::string& key : missing) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", key, meaning_of(key));
+    throw InputError(
+        fmt::format("{}: {} missing: {}; what [laboratory] has counts for [rock]; graincrack-post material init --kind every-key "
+                    "writes a template with every key",
+                    file.string(), missing.size() == 1 ? "a key is" : fmt::format("{} keys are", missing.size()), list));
+}
+
+}  // namespace
+
+IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {
+    if (name_or_file.empty()) throw InputError("no material given; name one, such as augig-granite, or a TOML file");
     IncompleteMaterial read;
     Material& material = read.material;
-    material.file = path;
+    material.file = materials().find(name_or_file);
+    const TomlFile toml = read_toml(material.file.string());
     TomlTable file(toml);
     file.given("name", material.name);
     for (const TomlTable& table : file.tables()) {
@@ -322,27 +318,6 @@ IncompleteMaterial read_material_file(const fs::path& path) {
     require_sound_fabric(material.fabric, material.rock, toml.file);
     return read;
 }
-
-/// All at once, so that a file is completed in one go.
-void refuse_missing(const fs::path& file, const std::vector<std::string>& missing) {
-    if (missing.empty()) return;
-    if (missing.size() == 1) {
-        throw InputError(fmt::format("{}: {} is missing; it is the {}", file.string(), missing[0], meaning_of(missing[0])));
-    }
-    std::string list;
-    for (const std::string& key : missing) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", key, meaning_of(key));
-    throw InputError(
-        fmt::format("{}: {} keys are missing: {}; what [laboratory] has counts for [rock]; graincrack-post material init "
-                    "--kind every-key writes a template with every key",
-                    file.string(), missing.size(), list));
-}
-
-fs::path find_material(const std::string& name_or_file) {
-    if (name_or_file.empty()) throw InputError("no material given; name one, such as augig-granite, or a TOML file");
-    return materials().find(name_or_file);
-}
-
-}  // namespace
 
 void take_laboratory(IncompleteMaterial& read) {
     Material& material = read.material;
@@ -385,10 +360,6 @@ void write_notes(std::ostream& out, std::string_view program, const Material& ma
     }
 }
 
-IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {
-    return read_material_file(find_material(name_or_file));
-}
-
 std::vector<std::string> material_keys() {
     Material material;
     std::vector<std::string> names;
@@ -422,12 +393,11 @@ FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_vi
     using Kind = FractureEnergyChoice::Kind;
     if (text == "mixed") return {Kind::mixed, 0};
     if (text == "mode-i") return {Kind::mode_i, 0};
-    const char first = text.empty() ? ' ' : text.front();
-    const bool word = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
-    if (word && text != "nan" && text != "inf") {
-        throw UsageError(fmt::format("{}: unknown choice \"{}\"; mixed, mode-i or a value such as 90J/m2 fits", where, text));
+    try {
+        return {Kind::value, parse_quantity(text, contact_parameter(&ContactParameters::fracture_energy).quantity, where)};
+    } catch (const UsageError& error) {
+        throw UsageError(fmt::format("{}; the words mixed and mode-i fit too", error.what()));
     }
-    return {Kind::value, parse_quantity(text, contact_parameter(&ContactParameters::fracture_energy).quantity, where)};
 }
 
 std::string_view name_of(FractureEnergyChoice::Kind kind) { return name_in({"mixed", "mode-i", "value"}, kind); }

@@ -14,12 +14,10 @@ namespace graincrack {
 namespace {
 
 constexpr double whole = 1e-6;  // by how much fractions may miss 1
-constexpr Quantity fraction{"fraction", Dimension::one, 0, 1, "share of the area of a phase", true};
 constexpr Quantity relative_modulus{
     "relative_young_modulus", Dimension::one, 0, 100, "Young's modulus of a phase over the rock's", true};
 constexpr Quantity contrast{"contrast", Dimension::one, 0, 10, "share of the contrast of stiffness that grains have"};
 constexpr Quantity factor{"factor", Dimension::one, 0, 1000, "factor on a contact parameter", true};
-constexpr Quantity modulus{"modulus", Dimension::one, 0, 1000, "Weibull modulus of the strengths of grain boundaries", true};
 constexpr Quantity correlation{"correlation", Dimension::length, 0, 1e3, "distance over which strengths are alike"};
 
 /// Contact parameters of which none is needed.
@@ -46,7 +44,7 @@ constexpr PhaseValue phase_values[] = {{"young_modulus", quantity::young_modulus
                                        {"density", quantity::density, &PhaseMaterial::density}};
 
 std::vector<TomlKey> phase_keys(PhaseMaterial& phase) {
-    std::vector<TomlKey> keys{{"fraction", fraction, to(phase.fraction), true}};
+    std::vector<TomlKey> keys{{"fraction", quantity::phase_fraction, to(phase.fraction), true}};
     for (const PhaseValue& row : phase_values) keys.push_back({row.key, row.quantity, to(phase.*row.value)});
     keys.push_back({"thermal_expansion", quantity::thermal_expansion, to(phase.thermal_expansion)});
     return keys;
@@ -76,25 +74,18 @@ std::optional<std::vector<TomlKey>> expansion_keys(const std::string& table, Pha
 }
 
 std::vector<TomlKey> rule_keys(MaterialFabric& fabric) {
-    TomlKey rule{"rule", {}, {}};
-    rule.words = {"mean", "minimum"};
-    rule.set_word = [&fabric](const std::string& word) { fabric.rule = word == "mean" ? SideRule::mean : SideRule::minimum; };
-    TomlKey stiffness{"stiffness", {}, {}};
-    stiffness.words = {"rock", "sides"};
-    stiffness.set_word = [&fabric](const std::string& word) {
+    const auto set_rule = [&fabric](const std::string& word) {
+        fabric.rule = word == "mean" ? SideRule::mean : SideRule::minimum;
+    };
+    const auto set_stiffness = [&fabric](const std::string& word) {
         fabric.stiffness = word == "rock" ? StiffnessRule::rock : StiffnessRule::sides;
     };
-    return {rule, stiffness};
-}
-
-std::vector<std::string> names_of(const std::map<std::string, PhaseMaterial>& phases) {
-    std::vector<std::string> names;
-    for (const auto& [name, phase] : phases) names.push_back(name);
-    return names;
+    return {word_key("rule", {"mean", "minimum"}, set_rule), word_key("stiffness", {"rock", "sides"}, set_stiffness)};
 }
 
 void require_pairs(const MaterialFabric& fabric, const std::string& where) {
-    const std::vector<std::string> phases = names_of(fabric.phases);
+    std::vector<std::string> phases;
+    for (const auto& [name, phase] : fabric.phases) phases.push_back(name);
     for (const auto& [pair, given] : fabric.pairs) {
         const std::size_t dash = pair.find('-');
         if (dash == std::string::npos) {
@@ -105,13 +96,13 @@ void require_pairs(const MaterialFabric& fabric, const std::string& where) {
         const std::string first = pair.substr(0, dash);
         const std::string second = pair.substr(dash + 1);
         for (const std::string& side : {first, second}) {
-            if (fabric.phases.find(side) == fabric.phases.end()) {
+            if (!fabric.phases.contains(side)) {
                 throw InputError(fmt::format("{}: [pairs.\"{}\"]: {} is no phase{}; two of {} joined by - fit", where, pair,
                                              side.empty() ? "nothing" : side, did_you_mean(side, phases),
                                              fmt::join(phases, ", ")));
             }
         }
-        if (first != second && fabric.pairs.find(second + "-" + first) != fabric.pairs.end()) {
+        if (first != second && fabric.pairs.contains(second + "-" + first)) {
             throw InputError(
                 fmt::format("{}: the pair of {} and {} is given twice; leave one of the tables out", where, first, second));
         }
@@ -169,14 +160,13 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
     const std::string name = fmt::format("{}", fmt::join(path, "."));
     const std::string& first = path.front();
     if (first == "strength" && path.size() == 1) {
-        return TomlKeys{
-            name,
-            {{"modulus", modulus, to(fabric.strength_modulus)}, {"correlation", correlation, to(fabric.strength_correlation)}}};
+        return TomlKeys{name,
+                        {{"modulus", quantity::strength_modulus, to(fabric.strength_modulus)},
+                         {"correlation", correlation, to(fabric.strength_correlation)}}};
     }
     if (first == "phases" && path.size() == 1) {
-        TomlKey from{"from", {}, {}};
-        from.set_word = [&fabric](const std::string& word) { fabric.from = word; };
-        return TomlKeys{name, {{"contrast", contrast, to(fabric.contrast)}, from}};
+        const auto set_from = [&fabric](const std::string& word) { fabric.from = word; };
+        return TomlKeys{name, {{"contrast", contrast, to(fabric.contrast)}, word_key("from", {}, set_from)}};
     }
     if (first == "phases" && path.size() == 2) return TomlKeys{name, phase_keys(fabric.phases[path[1]])};
     if (first == "phases" && path.size() == 3 && path[2] == "contact") {
@@ -204,10 +194,8 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
 }
 
 std::vector<TomlKey> grain_keys(GrainFabric& grains) {
-    TomlKey tessellation{"tessellation", {}, {}};
-    tessellation.words = {"delaunay", "voronoi", "trigon"};
-    tessellation.set_word = [&grains](const std::string& word) { grains.tessellation = word; };
-    return {tessellation,
+    const auto set_tessellation = [&grains](const std::string& word) { grains.tessellation = word; };
+    return {word_key("tessellation", {"delaunay", "voronoi", "trigon"}, set_tessellation),
             {"grain_size", quantity::grain_size, to(grains.grain_size)},
             {"size_variation", quantity::size_variation, to(grains.size_variation)},
             {"elements_per_crystal", quantity::elements_per_crystal, to(grains.elements_per_crystal)},
@@ -238,42 +226,35 @@ double young_modulus_of_grains(const PhaseMaterial& phase, const MaterialFabric&
     return rock.young_modulus * (1 + fabric.contrast * (relative_young_modulus(phase, rock) - 1));
 }
 
-namespace {
-
-std::string fabric_line(const std::string& key, double value) { return fmt::format("{} = {:.17g}\n", key, value); }
-std::string contact_table(const std::string& name, const GivenContact& given) {
-    std::string lines;
-    for (const ContactParameter& row : all_contact_parameters()) {
-        if (given.*row.given) lines += fabric_line(row.key(), *(given.*row.given));
-    }
-    return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);
-}
-
-}  // namespace
-
-std::string fabric_text(const MaterialFabric& fabric) {
-    std::string text;
-    if (!fabric.phases.empty()) text += "\n[phases]\n" + fabric_line("contrast", fabric.contrast);
-    for (const auto& [name, phase] : fabric.phases) {
-        text += fmt::format("\n[phases.{}]\n{}", name, fabric_line("fraction", phase.fraction));
-        for (const PhaseValue& row : phase_values) {
-            if (phase.*row.value) text += fabric_line(row.key, *(phase.*row.value));
+std::vector<FabricValue> fabric_values(const MaterialFabric& fabric) {
+    std::vector<FabricValue> all;
+    const auto add_contact = [&all](const std::string& table, const GivenContact& given) {
+        for (const ContactParameter& row : all_contact_parameters()) {
+            if (given.*row.given) all.push_back({table, row.key(), *(given.*row.given)});
         }
-        text += contact_table(fmt::format("phases.{}.contact", name), phase.contact);
+    };
+    if (!fabric.phases.empty()) all.push_back({"phases", "contrast", fabric.contrast});
+    for (const auto& [name, phase] : fabric.phases) {
+        all.push_back({"phases." + name, "fraction", phase.fraction});
+        for (const PhaseValue& row : phase_values) {
+            if (phase.*row.value) all.push_back({"phases." + name, row.key, *(phase.*row.value)});
+        }
+        add_contact(fmt::format("phases.{}.contact", name), phase.contact);
     }
     if (!fabric.phases.empty()) {
-        text += fmt::format("\n[pairs]\nrule = \"{}\"\nstiffness = \"{}\"\n", fabric.rule == SideRule::mean ? "mean" : "minimum",
-                            fabric.stiffness == StiffnessRule::rock ? "rock" : "sides");
+        all.push_back({"pairs", "rule", {}, fabric.rule == SideRule::mean ? "mean" : "minimum"});
+        all.push_back({"pairs", "stiffness", {}, fabric.stiffness == StiffnessRule::rock ? "rock" : "sides"});
     }
-    text += contact_table("pairs.homophase", fabric.homophase) + contact_table("pairs.heterophase", fabric.heterophase) +
-            contact_table("pairs.within", fabric.within);
-    for (const auto& [pair, given] : fabric.pairs) text += contact_table(fmt::format("pairs.\"{}\"", pair), given);
-    for (const auto& [name, given] : fabric.flaws) text += contact_table("flaws." + name, given);
+    add_contact("pairs.homophase", fabric.homophase);
+    add_contact("pairs.heterophase", fabric.heterophase);
+    add_contact("pairs.within", fabric.within);
+    for (const auto& [pair, given] : fabric.pairs) add_contact(fmt::format("pairs.\"{}\"", pair), given);
+    for (const auto& [name, given] : fabric.flaws) add_contact("flaws." + name, given);
     if (fabric.strength_modulus) {
-        text += "\n[strength]\n" + fabric_line("modulus", *fabric.strength_modulus);
-        if (fabric.strength_correlation > 0) text += fabric_line("correlation", fabric.strength_correlation);
+        all.push_back({"strength", "modulus", *fabric.strength_modulus});
+        if (fabric.strength_correlation > 0) all.push_back({"strength", "correlation", fabric.strength_correlation});
     }
-    return text;
+    return all;
 }
 
 void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where) {

@@ -80,9 +80,16 @@ std::optional<TomlKeys> fabric_table(MaterialFabric& fabric, const std::vector<s
 /// Checks what the keys of a fabric mean together. \param where names the file \throws InputError
 void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where);
 
-/// The tables of a fabric, as a material file has them, values in SI; "" if there are none. What matters with a temperature alone
-/// is left out: the tests of a calibration and of a kind have none, and are the same whatever expands.
-std::string fabric_text(const MaterialFabric& fabric);
+/// A value of a fabric: a number in SI or a word.
+struct FabricValue {
+    std::string table;  ///< "phases.quartz"
+    std::string key;
+    std::optional<double> number;
+    std::string word = {};
+};
+/// What a fabric has, each table in one piece. What matters with a temperature alone is left out: the tests of a calibration and
+/// of a kind have none, and are the same whatever expands.
+std::vector<FabricValue> fabric_values(const MaterialFabric& fabric);
 
 /// r of a phase: its modulus over the rock's; 1 where it has none of its own.
 double relative_young_modulus(const PhaseMaterial& phase, const Rock& rock);

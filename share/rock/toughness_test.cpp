@@ -51,20 +51,19 @@ std::vector<TomlKey> toughness_test_keys(ToughnessTest& test) {
         return TomlKey{name, {name, Dimension::length, 1e-3, 10, meaning}, to(target)};
     };
     // In the words of the methods suggested by ISRM and of the literature.
-    std::vector<std::string> methods{half_disc,
-                                     beam,
-                                     "chevron-bend",
-                                     "short-rod",
-                                     "cracked-chevron-disc",
-                                     "cracked-straight-disc",
-                                     "ring",
-                                     "compact-tension",
-                                     "double-torsion"};
-    return {{"method", {}, {}, false, std::move(methods), [&test](const std::string& word) { test.method = word; }},
+    const std::vector<std::string> methods{half_disc,
+                                           beam,
+                                           "chevron-bend",
+                                           "short-rod",
+                                           "cracked-chevron-disc",
+                                           "cracked-straight-disc",
+                                           "ring",
+                                           "compact-tension",
+                                           "double-torsion"};
+    return {word_key("method", methods, [&test](const std::string& word) { test.method = word; }),
             length("diameter", "diameter of the specimen that K_IC was measured on", test.size),
             length("height", "height of the beam that K_IC was measured on", test.size),
-            length("notch", "length of its notch", test.notch),
-            length("span", "distance of its lower rollers", test.span)};
+            length("notch", "length of its notch", test.notch), length("span", "distance of its lower rollers", test.span)};
 }
 
 }  // namespace graincrack

@@ -219,7 +219,8 @@ TEST_F(CommandLines, ComplaintsNameOptionFaultAndRemedy) {
     EXPECT_EQ(complaint("uniaxial a.h5 -o b --contact-law new"),
               "--contact-law: unknown choice \"new\"; one of literal|scaled|continuous fits");
     EXPECT_EQ(complaint("uniaxial a.h5 -o b --fracture-energy lots"),
-              "--fracture-energy: unknown choice \"lots\"; mixed, mode-i or a value such as 90J/m2 fits");
+              "--fracture-energy: \"lots\" is not a number; units that fit: J/m2, kJ/m2 or N/m (a bare number is in J/m2); the "
+              "words mixed and mode-i fit too");
     EXPECT_EQ(complaint("uniaxial a.h5 -o b --quiet --verbose"),
               "--quiet and --verbose: only one of them can be given; leave one out");
     EXPECT_EQ(complaint("uniaxial a.h5 -o b --config /nowhere.toml"),

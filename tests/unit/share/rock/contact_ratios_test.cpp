@@ -104,12 +104,12 @@ TEST_F(Ratios, AreKeysOfAMaterialFile) {
         expect_one_line<InputError>([&] { std::ignore = material(text); }, parts);
     };
     refused(stone_rock + stone_contact + stone_ratios,
-            {"stone.toml: fabric.grain_size is missing", "over which ratios.process_zone is"});
+            {"stone.toml: a key is missing: fabric.grain_size (", "over which ratios.process_zone is"});
     refused(stone_rock + stone_contact + "[ratios]\ncohesoin = 3\n",
             {"line 13: ratios.cohesoin: unknown key (did you mean cohesion?)"});
     refused(stone_rock + stone_contact + "[ratios]\ncohesion = 0\n", {"ratios.cohesion", "out of bounds"});
     refused(stone_rock + stone_contact + "[ratios]\ncohesion = \"3 MPa\"\n", {"ratios.cohesion", "pure number"});
-    refused(stone_rock + stone_contact, {"contact.cohesion is missing"});
+    refused(stone_rock + stone_contact, {"missing: contact.cohesion ("});
     std::ofstream(file_) << stone_rock + stone_contact + stone_ratios + stone_fabric;
     std::ofstream changed(folder_.file("changed.toml"));
     changed << material_with(file_, {{"ratios.process_zone", "0.5"}, {"contact.tensile_strength", "4 MPa"}});

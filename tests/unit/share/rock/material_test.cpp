@@ -199,7 +199,9 @@ TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
         "rock.tensile_strength (tensile strength of the rock, in Pa); what [laboratory] has counts for [rock]; graincrack-post "
         "material init --kind every-key writes a template with every key");
     EXPECT_EQ(complaint("name = 'x'\n" + rock + "[contact]\ntensile_strength = 1\ncohesion = 1\n"),
-              "contact.friction_angle is missing; it is the friction angle phi_c of a contact, in rad");
+              "a key is missing: contact.friction_angle (friction angle phi_c of a contact, in rad); what [laboratory] has "
+              "counts for [rock]; graincrack-post "
+              "material init --kind every-key writes a template with every key");
     EXPECT_EQ(complaint(rock + contact), "name is missing; give the material a name");
     EXPECT_NE(complaint(stone + "[platen]\nfriction_angle = '5 MPa'\n")
                   .find("line 14: platen.friction_angle: \"5 MPa\" has the unit of a stress"),
