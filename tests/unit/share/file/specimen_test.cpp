@@ -79,21 +79,6 @@ TEST(Specimen, RoundTrip) {
     EXPECT_EQ(in.read<std::int32_t>("/VTKHDF/CellData/grain"), s.element_grain);
 }
 
-TEST(Specimen, DatasetsOfTheFileHaveUnits) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("s.h5"), "specimen");
-    write_specimen(out, two_squares());
-    out.commit();
-    const H5Input in(folder.file("s.h5"));
-    for (const schema::Dataset& d : {schema::node_position, schema::element_nodes, schema::element_grain, schema::grain_phase,
-                                     schema::grain_area, schema::contact_nodes, schema::contact_grain_boundary,
-                                     schema::contact_kind, schema::boundary_edges, schema::boundary_part}) {
-        EXPECT_EQ(in.attribute<std::string>(d.path, "unit"), d.unit) << d.path;
-        EXPECT_EQ(in.attribute<std::string>(d.path, "description"), d.description) << d.path;
-    }
-    EXPECT_EQ(in.attribute<std::string>("/specimen", "width_unit"), "m");
-}
-
 TEST(Specimen, GrainsOfNodes) {
     Specimen s = two_squares();
     s.node_position.push_back({0.02, 0.02});  // a node of no element

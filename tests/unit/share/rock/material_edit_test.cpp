@@ -65,12 +65,6 @@ TEST_F(MaterialWith, AddsTables) {
                                                           {"rock.poisson_ratio", 0.2}}));
 }
 
-TEST_F(MaterialWith, AddsATableThatOnlyTablesBelowItHave) {
-    const std::string stone = "name = \"stone\"\n[phases.quartz]\nfraction = 1\n";
-    EXPECT_EQ(material_with(file(stone), {{"phases.contrast", "0.75"}}),
-              stone + "\n[phases]\ncontrast = 0.75                         # added\n");
-}
-
 // What a material gives of a phase of a file of phases stands beside what it does not give.
 TEST_F(MaterialWith, ChangesPhasesOfAFile) {
     const std::string granite = file("name = \"stone\"\n[phases]\nfrom = \"granite\"\n");
@@ -89,16 +83,6 @@ TEST_F(MaterialWith, ChangesPhasesOfAFile) {
     EXPECT_EQ(phases.at("mica").contact.cohesion, 9e6);
     EXPECT_EQ(phases.at("mica").relative_young_modulus, before.at("mica").relative_young_modulus);
     EXPECT_EQ(phases.at("plagioclase").fraction, before.at("plagioclase").fraction);
-}
-
-TEST_F(MaterialWith, TakesThePlaceOfAnExample) {
-    const std::string stone = file(
-        "name = \"stone\"\n[rock]\n# young_modulus = \"25.8 GPa\"              # E\n[laboratory]\n# young_modulus = \"25.8 "
-        "GPa\"\n# cohesion = 1 # "
-        "C\n");
-    EXPECT_EQ(material_with(stone, {{"laboratory.young_modulus", "49 GPa"}, {"rock.young_modulus", "50 GPa"}}),
-              "name = \"stone\"\n[rock]\nyoung_modulus = \"50 GPa\"                # E\n[laboratory]\nyoung_modulus = \"49 "
-              "GPa\"\n# cohesion = 1 # C\n");
 }
 
 TEST_F(MaterialWith, EntersValuesIntoATemplate) {
