@@ -26,6 +26,15 @@ namespace fs = std::filesystem;
 using test::expect_one_line;
 using test::TemporaryFolder;
 
+/// A file in a folder of its own.
+struct TestFile : TemporaryFolder, H5Output {
+    explicit TestFile(const std::string& kind) : H5Output(file("a.h5"), kind) {}
+    H5Input read() {
+        commit();
+        return H5Input(file("a.h5"));
+    }
+};
+
 template <class T>
 void write_column(H5Output& file, const std::string& path, const std::vector<T>& values) {
     file.write<T>(path, std::span<const T>(values), {values.size()}, "1", "a test");
@@ -39,11 +48,9 @@ void write_bytes(const std::string& path, const std::string& bytes) { std::ofstr
 
 template <class T>
 void expect_round_trip(const std::vector<T>& values) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "specimen");
+    TestFile out("specimen");
     write_column(out, "/group/deeper/values", values);
-    out.commit();
-    const H5Input in(folder.file("a.h5"));
+    const H5Input in = out.read();
     EXPECT_EQ(in.read<T>("/group/deeper/values"), values);
     EXPECT_EQ(in.extents("/group/deeper/values"), Extents{values.size()});
 }
@@ -67,20 +74,17 @@ TEST(H5File, LargeArraysAreCompressedAndComeBack) {
 }
 
 TEST(H5File, EmptyArraysKeepTheirShape) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "specimen");
+    TestFile out("specimen");
     out.write<double>("/none", {}, {0}, "m", "nothing");
     out.write<std::int32_t>("/rows", {}, {0, 4}, "1", "no rows");
-    out.commit();
-    const H5Input in(folder.file("a.h5"));
+    const H5Input in = out.read();
     EXPECT_TRUE(in.read<double>("/none").empty());
     EXPECT_EQ(in.extents("/rows"), (Extents{0, 4}));
 }
 
 TEST(H5File, AttributesOfEveryType) {
-    const TemporaryFolder folder;
     const std::vector<std::string> names{"quartz", "", "Glimmer µ φ"};
-    H5Output out(folder.file("a.h5"), "specimen");
+    TestFile out("specimen");
     out.create_group("/g");
     out.attribute("/g", "real", 1.0 / 3);
     out.attribute("/g", "whole", std::int64_t{-7000000000});
@@ -92,8 +96,7 @@ TEST(H5File, AttributesOfEveryType) {
     out.attribute("/g", "no_texts", std::vector<std::string>{});
     out.quantity("/g", "edge", 0.004, "m");
     out.attribute("/g", "real", 0.25);  // written again: replaced
-    out.commit();
-    const H5Input in(folder.file("a.h5"));
+    const H5Input in = out.read();
     EXPECT_EQ(in.attribute<double>("/g", "real"), 0.25);
     EXPECT_EQ(in.attribute<std::int64_t>("/g", "whole"), -7000000000);
     EXPECT_EQ(in.attribute<std::string>("/g", "text"), "tan φ = µ");
@@ -110,11 +113,10 @@ TEST(H5File, AttributesOfEveryType) {
 }
 
 TEST(H5File, AttributesAboveTheLimitOfTheLibraryAreDatasets) {
-    const TemporaryFolder folder;
     const std::string text(100'000, 'a');
     const std::vector<std::string> texts{"b", "", std::string(70'000, 'c')};
     const std::vector<double> numbers(10'000, 0.5);
-    H5Output out(folder.file("a.h5"), "run");
+    TestFile out("run");
     out.create_group("/g");
     write_column<std::int32_t>(out, "/g/codes", {1, 2});
     for (const char* object : {"/", "/g", "/g/codes"}) {
@@ -123,8 +125,7 @@ TEST(H5File, AttributesAboveTheLimitOfTheLibraryAreDatasets) {
         out.attribute(object, "texts", texts);
         out.attribute(object, "numbers", numbers);
     }
-    out.commit();
-    const H5Input in(folder.file("a.h5"));
+    const H5Input in = out.read();
     for (const char* object : {"/", "/g", "/g/codes"}) {
         EXPECT_EQ(in.attribute<std::string>(object, "text"), text);
         EXPECT_EQ(in.attribute_or<std::vector<std::string>>(object, "texts", {}), texts);
@@ -135,11 +136,9 @@ TEST(H5File, AttributesAboveTheLimitOfTheLibraryAreDatasets) {
 }
 
 TEST(H5File, DatasetsHaveUnitAndDescription) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "specimen");
+    TestFile out("specimen");
     out.write<double>("/nodes/position", std::vector<double>{1, 2, 3, 4}, {2, 2}, "m", "reference position");
-    out.commit();
-    const H5Input in(folder.file("a.h5"));
+    const H5Input in = out.read();
     EXPECT_EQ(in.attribute<std::string>("/nodes/position", "unit"), "m");
     EXPECT_EQ(in.attribute<std::string>("/nodes/position", "description"), "reference position");
     EXPECT_EQ(in.describe(), (std::vector<std::string>{"/nodes/position float64 [2,2] m reference position"}));
@@ -150,8 +149,7 @@ TEST(H5File, DatasetsHaveUnitAndDescription) {
 }
 
 TEST(H5File, AppendsInPieces) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "run");
+    TestFile out("run");
     std::vector<double> all;
     for (const std::size_t rows : {0U, 3U, 1U, 5000U, 0U, 2U}) {
         std::vector<double> piece(2 * rows);
@@ -159,15 +157,13 @@ TEST(H5File, AppendsInPieces) {
         out.append<double>("/history/pairs", piece, {rows, 2}, "1", "grows");
         all.insert(all.end(), piece.begin(), piece.end());
     }
-    out.commit();
-    const H5Input in(folder.file("a.h5"));
+    const H5Input in = out.read();
     EXPECT_EQ(in.extents("/history/pairs"), (Extents{5006, 2}));
     EXPECT_EQ(in.read<double>("/history/pairs"), all);
 }
 
 TEST(H5File, HardLinksMovesAndRemovals) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "run");
+    TestFile out("run");
     write_column<double>(out, "/frames/part3/velocity", {1, 2});
     write_column<double>(out, "/frames/part4/velocity", {3, 4});
     out.remove("/frames/part4");
@@ -175,18 +171,15 @@ TEST(H5File, HardLinksMovesAndRemovals) {
     out.hard_link("/frames/0000/velocity", "/VTKHDF/PointData/velocity");
     EXPECT_THROW(out.hard_link("/frames/none", "/VTKHDF/x"), OutputError);
     EXPECT_THROW(out.move("/frames/none", "/frames/1"), OutputError);
-    out.commit();
-    const H5Input in(folder.file("a.h5"));
+    const H5Input in = out.read();
     EXPECT_EQ(in.children("/frames"), (std::vector<std::string>{"0000"}));
     EXPECT_EQ(in.read<double>("/VTKHDF/PointData/velocity"), (std::vector<double>{1, 2}));
 }
 
 TEST(H5File, ReadingConvertsNumbersAndRefusesWhatIsMissing) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "run");
+    TestFile out("run");
     write_column<std::int32_t>(out, "/step", {1, 2});
-    out.commit();
-    const H5Input in(folder.file("a.h5"));
+    const H5Input in = out.read();
     EXPECT_EQ(in.read<double>("/step"), (std::vector<double>{1, 2}));
     expect_one_line<InputError>([&] { static_cast<void>(in.read<double>("/nothing")); }, {"a.h5", "/nothing", "missing"});
     expect_one_line<InputError>([&] { static_cast<void>(in.extents("/a/b")); }, {"/a/b", "missing"});
