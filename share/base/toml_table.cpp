@@ -92,14 +92,14 @@ void TomlTable::given(const std::string& key, std::vector<std::string>& value) {
 
 void TomlTable::given(const std::string& key, std::string& value) {
     const auto is_text = [](const TomlEntry& e) { return !e.is_array && e.values.front().kind == TomlValue::Kind::text; };
-    if (const TomlEntry* const found = asked(key, is_text, "is no text; one text in quotes fits"))
-        value = found->values.front().text;
+    const TomlEntry* const found = asked(key, is_text, "is no text; one text in quotes fits");
+    if (found != nullptr) value = found->values.front().text;
 }
 
 void TomlTable::given(const std::string& key, bool& value) {
     const auto is_flag = [](const TomlEntry& e) { return !e.is_array && e.values.front().kind == TomlValue::Kind::boolean; };
-    if (const TomlEntry* const found = asked(key, is_flag, "is neither true nor false"))
-        value = found->values.front().text == "true";
+    const TomlEntry* const found = asked(key, is_flag, "is neither true nor false");
+    if (found != nullptr) value = found->values.front().text == "true";
 }
 
 double TomlTable::number(const std::string& key, const TomlValue& value, const Quantity& quantity) const {
