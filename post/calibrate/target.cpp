@@ -66,6 +66,17 @@ std::string Target::text(double value_in_si) const {
     return fmt::format("{:.4g}{}{}", value_in_si / property.si, property.unit.empty() ? "" : " ", property.unit);
 }
 
+std::string name_of(Agreement agreement) { return name_in({"", "within", "outside", "undecided"}, agreement); }
+
+Agreement agreement_of(const Target& target, const Estimate& computed) {
+    const double off = std::abs(computed.value - target.value);
+    if (!std::isfinite(off) || !std::isfinite(target.deviation)) return Agreement::unknown;
+    if (!computed.high) return Agreement::undecided;
+    const double half = *computed.high - computed.value;
+    if (off + half <= target.deviation) return Agreement::within;
+    return off - half > target.deviation ? Agreement::outside : Agreement::undecided;
+}
+
 Target target_of(const std::string& name, const std::string& where) {
     std::vector<std::string> known;
     for (const Property& property : all_properties()) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "post/measure/property.hpp"
+#include "post/statistics/statistics.hpp"
 #include "share/base/toml_file.hpp"
 #include "share/rock/material.hpp"
 
@@ -49,6 +50,17 @@ private:
     [[nodiscard]] bool is_fall() const { return property.name == "drop"; }
     [[nodiscard]] double base(double value_in_si) const { return is_fall() ? 1 - value_in_si : value_in_si; }
 };
+
+/// The agreement of a computed mean with the measured value of a target.
+enum class Agreement {
+    unknown,    ///< nothing to compare, or no deviation of the measured value
+    within,     ///< the whole 95 % interval of the mean is within the deviation
+    outside,    ///< it is beyond the deviation
+    undecided,  ///< neither, or there is no interval
+};
+/// "", "within", "outside", "undecided"
+std::string name_of(Agreement agreement);
+Agreement agreement_of(const Target& target, const Estimate& computed);
 
 /// A target of the name, without a value. \throws InputError naming `where` if there is none
 Target target_of(const std::string& name, const std::string& where);

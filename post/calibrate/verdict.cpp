@@ -73,12 +73,9 @@ namespace {
 
 std::string verdict_on(const Target& target, const Sample& ours) {
     const double off = std::abs(ours.mean.value - target.value);
-    const double half = ours.mean.high ? *ours.mean.high - ours.mean.value : std::numeric_limits<double>::infinity();
     const double error = ours.deviation ? *ours.deviation / std::sqrt(static_cast<double>(ours.n)) : 0;
-    const bool within =
-        target.use == Use::fit ? off <= target.deviation && error <= target.deviation : off + half <= target.deviation;
-    if (within) return "within";
-    return off - half > target.deviation ? "outside" : "undecided";
+    if (target.use == Use::fit && off <= target.deviation && error <= target.deviation) return "within";
+    return name_of(agreement_of(target, ours.mean));
 }
 
 }  // namespace

@@ -5,13 +5,13 @@
 #include "post/cracks/export.hpp"
 #include "post/fit/envelope.hpp"
 #include "post/fit/size_effect.hpp"
+#include "post/laboratory/properties.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_table.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/measure/toughness.hpp"
 #include "post/options/command.hpp"
-#include "post/report/properties.hpp"
 #include "post/run/comparability.hpp"
 #include "post/summary/summarize.hpp"
 #include "share/base/error.hpp"
@@ -120,8 +120,8 @@ Command properties_command() {
                 if (options.envelope.strength == StrengthKind::largest || measure_strength(run).strength) continue;
                 left_out.push_back(run.name + ": " + did_not_fail);
             }
-            std::vector<PropertyRow> properties = measure_properties(runs, material.material, options.envelope);
-            const std::string why = add_predictions(properties, material);
+            std::string why;
+            const std::vector<ComparisonRow> properties = property_rows(runs, material, options.envelope, why);
             if (runs.empty() && properties.empty()) {
                 throw UsageError("runs: missing, and the kind of rock predicts nothing of " + material.material.file.string() +
                                  ": " + why);

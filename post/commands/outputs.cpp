@@ -7,7 +7,7 @@
 #include "post/options/command.hpp"
 #include "post/plot/plot_commands.hpp"
 #include "post/report/report.hpp"
-#include "post/view/view_page.hpp"
+#include "post/report/view_page.hpp"
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"
 #include "share/base/text.hpp"

@@ -10,10 +10,10 @@
 #include <numbers>
 #include <set>
 
-#include "post/calibrate/target.hpp"
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
 #include "post/fit/envelope.hpp"
+#include "post/laboratory/comparison.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"
@@ -32,42 +32,38 @@ const Stroke mean_stroke{palette::ink, 4};
 const Stroke laboratory_stroke{palette::tensile, 3.5, Dash::dashed};
 constexpr double half_width = 0.32;  ///< of what is drawn for a test, in distances between tests
 
-/// MPa; of a confined test a measured strength at its pressure, a target or the laboratory's line.
-std::optional<double> laboratory_of(const StrengthGroup& group, const std::optional<Material>& material) {
-    const Loading loading = test_named(group.test).loading;
-    const char* name = loading == Loading::splitting     ? "brazilian"
-                       : loading == Loading::tension     ? "direct_tension"
-                       : loading != Loading::compression ? ""
-                       : group.confining_pressure > 0    ? "first_peak"
-                                                         : "uniaxial";
-    if (!material || !group.shape.empty() || *name == '\0') return std::nullopt;
-    calibrate::Target target{property_named(name), group.confining_pressure};
-    target.value = NAN;
-    if (std::filesystem::exists(material->file)) {
-        for (const calibrate::Target& given : calibrate::given_targets(read_toml(material->file.string()))) {
-            if (given.name() == target.name()) target.value = given.value;
+/// The laboratory's strength of the tests of each group, MPa.
+std::vector<std::optional<double>> laboratory_of(const std::vector<RunData>& runs, const std::vector<StrengthGroup>& groups,
+                                                 const std::optional<Material>& material) {
+    std::vector<std::optional<double>> values(groups.size());
+    for (std::size_t i = 0; i < groups.size() && material; ++i) {
+        const RunSettings& settings = runs[groups[i].runs.front()].header;
+        std::vector<double> pressures;
+        if (groups[i].confining_pressure > 0) pressures.push_back(groups[i].confining_pressure);
+        for (const LaboratoryProperty& each : laboratory_properties(material, pressures)) {
+            const bool is_its_strength = each.target.property.value == &strength_of && settings.heat == 0 &&
+                                         is_measured_by(each.target, settings, groups[i].shape);
+            if (is_its_strength && each.is_measured()) values[i] = each.target.value * in_megapascals;
         }
     }
-    if (!std::isfinite(target.value)) target.value = calibrate::laboratory_entry(*material, target).value_or(NAN);
-    return std::isfinite(target.value) ? std::optional(target.value * in_megapascals) : std::nullopt;
+    return values;
 }
 
-std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<StrengthGroup>& rows,
-                               const std::optional<Material>& material) {
+std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<std::optional<double>>& laboratory) {
     std::vector<double> values;
     for (const RunData& run : runs) {
         const Strength strength = measure_strength(run);
         values.push_back(strength.strength.value_or(strength.largest.stress) * in_megapascals);
     }
-    for (const StrengthGroup& row : rows) {
-        if (const auto value = laboratory_of(row, material)) values.push_back(*value);
+    for (const auto& value : laboratory) {
+        if (value) values.push_back(*value);
     }
     return values;
 }
 
 /// Mean, interval, runs and laboratory of a test about its tick. \param lowest what the axis shows, MPa
 void draw_row(Chart& chart, const std::vector<RunData>& runs, const StrengthGroup& row, double x,
-              const std::optional<Material>& material, double lowest) {
+              const std::optional<double>& laboratory, double lowest) {
     const Estimate& mean = row.strength.mean;
     const auto level = [&](double value, double half, const Stroke& stroke) {
         chart.line({x - half, value}, {x + half, value}, stroke);
@@ -78,7 +74,7 @@ void draw_row(Chart& chart, const std::vector<RunData>& runs, const StrengthGrou
         chart.box(x - half_width, x + half_width, low, *mean.high * in_megapascals, interval);
     }
     if (row.strength.n > 1) level(mean.value * in_megapascals, half_width, mean_stroke);
-    if (const auto value = laboratory_of(row, material)) level(*value, 1.3 * half_width, laboratory_stroke);
+    if (laboratory) level(*laboratory, 1.3 * half_width, laboratory_stroke);
     // Runs side by side in their order, symmetric about the tick.
     const double n = static_cast<double>(row.runs.size());
     for (std::size_t i = 0; i < row.runs.size(); ++i) {
@@ -110,7 +106,8 @@ std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
 Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
                        const std::vector<std::string>& caveats, const PictureStyle& style) {
     const std::vector<StrengthGroup> rows = group_strengths(runs);
-    const auto [low, high] = padded_range(all_values(runs, rows, material), 0);
+    const auto laboratory = laboratory_of(runs, rows, material);
+    const auto [low, high] = padded_range(all_values(runs, laboratory), 0);
     const Axis strength{"strength, MPa (logarithmic)", low / 1.6, high * 1.6, true};
     Chart chart(style, {common_material(runs, "Strengths"), plane_lines(rows), caveats},
                 Axis{"", 0.5, static_cast<double>(rows.size()) + 0.5}, strength);
@@ -126,7 +123,7 @@ Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Mat
         std::string name = group.name();
         for (std::size_t at = name.find(", "); at != std::string::npos; at = name.find(", ", at + 2)) name[at + 1] = '\n';
         names.emplace_back(x, name);
-        draw_row(chart, runs, group, x, material, strength.low);
+        draw_row(chart, runs, group, x, laboratory[i], strength.low);
         without_peak += group.without_peak;
         mean = mean || group.strength.n > 1;
     }

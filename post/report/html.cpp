@@ -17,76 +17,13 @@ namespace graincrack::html {
 
 namespace {
 
-const char* const style_sheet = R"css(
-:root { color-scheme: light; }
-body { font: 15px/1.45 "Liberation Sans", Arial, Helvetica, sans-serif; color: #1e1e1e; background: #fff; margin: 0 auto;
-       max-width: 1160px; padding: 24px; }
-h1 { font-size: 26px; margin: 0 0 4px; }
-h2 { font-size: 20px; margin: 32px 0 8px; padding-top: 10px; border-top: 2px solid #1e1e1e; }
-h3 { font-size: 16px; margin: 14px 0 4px; }
-p { margin: 6px 0; }
-p.lead { color: #555; }
-table { border-collapse: collapse; margin: 8px 0 16px; font-size: 14px; font-variant-numeric: tabular-nums; }
-th { text-align: left; border-bottom: 1.5px solid #1e1e1e; padding: 3px 12px 3px 0; vertical-align: bottom; cursor: pointer; }
-th[aria-sort=ascending]::after { content: "\a0▲"; font-size: 9px; }
-th[aria-sort=descending]::after { content: "\a0▼"; font-size: 9px; }
-td { border-bottom: 1px solid #ddd; padding: 3px 12px 3px 0; vertical-align: top; }
-th, td:not(:first-child) { white-space: pre-line; }
-.long td:last-child { overflow-wrap: anywhere; }
-.wide { overflow-x: auto; }
-.checks { background: #f4f6f8; border-left: 6px solid #0072b2; padding: 4px 16px 8px; }
-.columns { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 32px; align-items: start; }
-.figures { column-count: 2; column-gap: 32px; }
-.figures .across, .figures .middle { column-span: all; }
-.columns > div:only-child { grid-column: 1 / -1; }
-figure { margin: 6px 0 14px; min-width: 0; max-width: 564px; break-inside: avoid; }
-figure.across { max-width: none; }
-figure.middle { margin-left: auto; margin-right: auto; }
-figure img { width: 100%; height: auto; display: block; border: 1px solid #ddd; box-sizing: border-box; }
-figcaption { font-size: 14px; color: #555; margin-top: 4px; }
-img { max-width: 100%; }
-.first { display: grid; gap: 0 24px; align-items: start; margin: 14px 0 0; }
-.first.of2 { grid-template-columns: repeat(2, minmax(0, 1fr)); }
-.first.of3 { grid-template-columns: repeat(3, minmax(0, 1fr)); }
-.first a { color: inherit; }
-tr.within td:nth-child(5) { color: #00694b; font-weight: bold; }
-tr.outside td:nth-child(5) { color: #a83c00; font-weight: bold; }
-tr.untested td { color: #666; }
-details { margin: 8px 0; }
-summary { cursor: pointer; font-weight: bold; }
-@media (max-width: 860px) { .columns, .first.of2, .first.of3 { grid-template-columns: minmax(0, 1fr); } .figures { column-count: 1; } }
-@media (max-width: 500px) { body { padding: 12px; } table { font-size: 12px; } th, td { padding-right: 5px; } }
-@page { size: A4; margin: 14mm; }
-@media print { body { max-width: none; padding: 0; font-size: 10pt; } table, figcaption { font-size: 9pt; }
-       .columns { grid-template-columns: minmax(0, 1fr); } .columns table { font-size: 8pt; } .figures { column-count: 2; }
-       h2, h3, summary { break-after: avoid; }
-       .first.of2 { grid-template-columns: repeat(2, minmax(0, 1fr)); } .first.of3 { grid-template-columns: repeat(3, minmax(0, 1fr)); }
-       details::details-content { content-visibility: visible; } .wide { overflow: visible; }
-       figure, tr, .kind { break-inside: avoid; } figure img { max-height: 220mm; object-fit: contain; } }
-)css";
-
-// A click on the head of a column, or Enter, sorts the rows by it: by numbers, which stand before words, or by words; another one
-// turns the order round. Empty entries stay last. Rows that do not repeat their first entry get it.
-const char* const script = R"js(
-const sort = event => {
-  const head = event.target.closest("th");
-  if (!head || (event.key ?? "Enter") != "Enter") return;
-  const column = head.cellIndex, up = head.ariaSort != "ascending", rows = [...head.closest("table").rows].slice(1);
-  for (const other of head.parentNode.cells) other.ariaSort = null;
-  head.ariaSort = up ? "ascending" : "descending";
-  rows.forEach((row, i) => { if (i && !row.cells[0].textContent.trim()) row.cells[0].textContent = rows[i - 1].cells[0].textContent; });
-  const text = row => (row.cells[column] ?? row.lastElementChild).textContent.trim().replace(/^[–-]$/, "").replace("−", "-");
-  const order = (a, b) => {
-    const [m, n] = [parseFloat(a), parseFloat(b)];
-    if (!a || !b) return (up ? 1 : -1) * (!a - !b);
-    return isNaN(m) - isNaN(n) || m - n || a.localeCompare(b, "en", {numeric: true});
-  };
-  rows.sort((a, b) => (up ? 1 : -1) * order(text(a), text(b)));
-  for (const row of rows) row.parentNode.append(row);
-};
-for (const head of document.querySelectorAll("th")) head.tabIndex = 0;
-for (const kind of ["click", "keydown"]) document.addEventListener(kind, sort);
-)js";
+// The files beside this one, as they stand there.
+const char* const style_sheet =
+#include "report.css.inc"
+    ;
+const char* const script =
+#include "report.js.inc"
+    ;
 
 }  // namespace
 
@@ -152,13 +89,21 @@ std::string figure(const Drawing& drawing, const std::string& caption, FigurePla
     return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", style, image(drawing, caption), escaped(caption));
 }
 
+std::string map_figure(std::size_t run, std::size_t frame, int height) {
+    return fmt::format(
+        "<figure class=\"map\" data-run=\"{}\" data-frame=\"{}\" data-height=\"{}\"><noscript>This map is drawn by JavaScript, "
+        "which "
+        "is off here.</noscript></figure>\n",
+        run, frame, height);
+}
+
 std::string Figures::str() const {
     std::string content;
     bool odd = figures_.size() % 2 == 1;
     for (const Figure& each : figures_) {
-        const FigurePlace place = !odd ? FigurePlace::column : each.map ? FigurePlace::middle : FigurePlace::across;
-        odd = false;
-        content += figure(each.map ? *each.map : each.draw(figure_style(place == FigurePlace::across)), each.caption, place);
+        const FigurePlace place = !odd ? FigurePlace::column : each.is_narrow ? FigurePlace::middle : FigurePlace::across;
+        content += each.draw ? figure(each.draw(figure_style(place == FigurePlace::across)), each.caption, place) : each.map;
+        odd = odd && !each.draw;
     }
     return "<div class=\"figures\">\n" + content + "</div>\n";
 }
@@ -167,10 +112,13 @@ std::string Figures::under(const std::string& heading) const {
     return "<div class=\"kind\"><h3>" + escaped(heading) + "</h3>\n" + str() + "</div>\n";
 }
 
-std::string FirstFigures::str() const {
-    if (figures_.empty()) return "";
+std::string Figures::first() const {
     std::string content;
     for (const Figure& each : figures_) {
+        if (!each.draw) {
+            content += each.map;
+            continue;
+        }
         const Drawing drawing = each.draw(figure_style_of(figures_.size() < 3 ? 480 : 350));
         content += fmt::format("<figure>{}<figcaption><a href=\"#{}\">{}</a></figcaption></figure>\n",
                                image(drawing, each.caption), each.place, escaped(each.caption));
@@ -199,12 +147,12 @@ std::string details(const std::string& summary, const std::string& content) {
     return "<details><summary>" + escaped(summary) + "</summary>\n" + content + "</details>\n";
 }
 
-std::string page(const std::string& title, const std::string& body) {
+std::string page(const std::string& title, const std::string& body, const std::string& maps) {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, "
-        "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
-        escaped(title), style_sheet, body, script);
+        "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}{}<script>{}</script>\n</body>\n</html>\n",
+        escaped(title), style_sheet, body, maps, script);
 }
 
 std::string number(double value, int digits) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,44 +44,35 @@ PictureStyle figure_style_of(double pixels);
 enum class FigurePlace { column, across, middle };
 /// A picture with a caption: as SVG, or, where many shapes would make that long, as PNG.
 std::string figure(const Drawing& drawing, const std::string& caption, FigurePlace place = FigurePlace::column);
+/// A map of a run that `map.js` draws. \param run of those that the page holds \param frame of those of the run \param height
+/// pixels
+std::string map_figure(std::size_t run, std::size_t frame, int height);
 
 /// Figures in two columns, in one where the window is narrow. Of an odd number the first stands across both, so that no column
-/// is left empty; a map of a specimen, which is not wide, in their middle.
+/// is left empty; a specimen, which is not wide, in their middle.
 class Figures {
 public:
-    /// \param draw is called once, by `str`
-    void add(const std::string& caption, std::function<Drawing(const PictureStyle&)> draw) {
-        figures_.push_back({caption, std::move(draw), std::nullopt});
+    using Draw = std::function<Drawing(const PictureStyle&)>;
+    /// \param draw is called once, by `str` or `first` \param place of the section with more of it, to which its caption leads
+    void add(const std::string& caption, Draw draw, const std::string& place = "") {
+        figures_.push_back({caption, std::move(draw), place, "", false});
     }
-    void add_map(const std::string& caption, Drawing map) { figures_.push_back({caption, {}, std::move(map)}); }
+    void add_specimen(const std::string& caption, Draw draw) { figures_.push_back({caption, std::move(draw), "", "", true}); }
+    void add_map(const std::string& figure) { figures_.push_back({"", {}, "", figure, true}); }
     [[nodiscard]] bool empty() const { return figures_.empty(); }
     [[nodiscard]] std::string str() const;
     /// The same under a heading of their own, on one page of a print.
     [[nodiscard]] std::string under(const std::string& heading) const;
+    /// Up to three side by side, with which a report begins.
+    [[nodiscard]] std::string first() const;
 
 private:
     struct Figure {
         std::string caption;
-        std::function<Drawing(const PictureStyle&)> draw;
-        std::optional<Drawing> map;
-    };
-    std::vector<Figure> figures_;
-};
-
-/// The figures that a report begins with, up to three side by side, one below the other where the window is narrow.
-class FirstFigures {
-public:
-    /// \param place of the section with more of it
-    void add(const std::string& caption, const std::string& place, std::function<Drawing(const PictureStyle&)> draw) {
-        figures_.push_back({caption, place, std::move(draw)});
-    }
-    [[nodiscard]] std::string str() const;
-
-private:
-    struct Figure {
-        std::string caption;
+        Draw draw;
         std::string place;
-        std::function<Drawing(const PictureStyle&)> draw;
+        std::string map;  ///< as `map_figure`, in place of what `draw` draws
+        bool is_narrow = false;
     };
     std::vector<Figure> figures_;
 };
@@ -96,8 +86,8 @@ std::string link(const std::string& path, const std::string& text);
 /// Content that is shown when its summary is clicked, and in a print.
 std::string details(const std::string& summary, const std::string& content);
 
-/// The whole page.
-std::string page(const std::string& title, const std::string& body);
+/// The whole page. \param maps scripts that its maps need, as `map_scripts`
+std::string page(const std::string& title, const std::string& body, const std::string& maps);
 
 /// Four significant digits, "" for what is not finite.
 std::string number(double value, int digits = 4);

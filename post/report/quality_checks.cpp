@@ -44,8 +44,6 @@ std::string ending_label(const TestReport& t) {
     return t.strength.peak_kind.empty() ? "stopped (" + t.data.header.stop_reason + ")" : t.strength.peak_kind;
 }
 
-std::vector<double> modes(const ModeCounts& counts) { return {counts.tensile, counts.shear}; }
-
 std::string rate_label(const RunSettings& h) {
     if (h.rate == "auto") return "automatic, tolerance " + number(h.rate_tolerance);
     return h.rate == "blocks" ? "blocks" : "constant";
@@ -67,15 +65,10 @@ std::string sensitivity_label(const TestReport& t) {
 
 using Runs = std::vector<const TestReport*>;
 
-/// A row of the checks: of each run a text, a number with its unit (NaN: does not apply), or numbers of contacts (none: not
-/// recorded); or a text for runs of one kind.
+/// A row of the checks: its cell for comparable runs; "" where it does not apply.
 struct Check {
     const char* name;
-    std::function<std::string(const TestReport&)> label = nullptr;
-    std::function<double(const TestReport&)> value = nullptr;
-    const char* unit = "";
-    std::function<std::vector<double>(const TestReport&)> contacts = nullptr;
-    std::function<std::string(const Runs&)> of_all = nullptr;
+    std::function<std::string(const Runs&)> cell;
 };
 
 std::string range_label(double low, double high, const std::string& unit) {
@@ -85,26 +78,45 @@ std::string range_label(double low, double high, const std::string& unit) {
     return (least == most ? most : least + " to " + most) + unit;
 }
 
-/// "2 to 5 : 10 to 12": ranges of numbers of contacts over runs.
-std::string contacts_label(const Check& check, const Runs& runs) {
-    std::vector<double> low;
-    std::vector<double> high;
-    for (const TestReport* run : runs) {
-        const std::vector<double> own = check.contacts(*run);
-        if (own.empty()) return "not recorded";
-        if (low.empty()) low = high = own;
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            low[i] = std::min(low[i], own[i]);
-            high[i] = std::max(high[i], own[i]);
+/// The different texts of runs, a line each.
+std::function<std::string(const Runs&)> texts(std::string (*label)(const TestReport&)) {
+    return [label](const Runs& runs) {
+        std::vector<std::string> lines;
+        for (const TestReport* run : runs) {
+            const std::string own = label(*run);
+            if (!own.empty() && std::find(lines.begin(), lines.end(), own) == lines.end()) lines.push_back(own);
         }
-    }
-    std::string label;
-    for (std::size_t i = 0; i < low.size(); ++i) {
-        const std::string least = whole_contacts(low[i]);
-        const std::string most = whole_contacts(high[i]);
-        label += (i == 0 ? "" : " : ") + (least == most ? most : least + " to " + most);
-    }
-    return label;
+        return fmt::format("{}", fmt::join(lines, "\n"));
+    };
+}
+
+/// The range of a number of runs with its unit; NaN: it does not apply.
+std::function<std::string(const Runs&)> range(const std::function<double(const TestReport&)>& value, const char* unit = "") {
+    return [value, unit](const Runs& runs) {
+        double low = std::nan("");
+        double high = std::nan("");
+        for (const TestReport* run : runs) {  // fmin and fmax pass over NaN
+            low = std::fmin(low, value(*run));
+            high = std::fmax(high, value(*run));
+        }
+        return range_label(low, high, unit);
+    };
+}
+
+/// "2 to 5 : 10 to 12": ranges of numbers of tensile and shear contacts over runs.
+std::function<std::string(const Runs&)> contacts(CrackBalance TestReport::*balance) {
+    return [balance](const Runs& runs) {
+        std::string label;
+        for (double ModeCounts::*mode : {&ModeCounts::tensile, &ModeCounts::shear}) {
+            const auto of = [&](const TestReport* run) { return (run->*balance).*mode; };
+            const auto [low, high] =
+                std::minmax_element(runs.begin(), runs.end(), [&](const auto* a, const auto* b) { return of(a) < of(b); });
+            const std::string least = whole_contacts(of(*low));
+            const std::string most = whole_contacts(of(*high));
+            label += (label.empty() ? "" : " : ") + (least == most ? most : least + " to " + most);
+        }
+        return label;
+    };
 }
 
 /// Length of the zone in which a contact softens over the mean edge, and whether grains resolve it.
@@ -132,58 +144,36 @@ std::string caveats_label(const Runs& runs) {
     return label;
 }
 
-/// The result of a check over some runs: the range of numbers, or the different texts, a line each.
-std::string cell_of(const Check& check, const Runs& runs) {
-    if (check.of_all) return check.of_all(runs);
-    if (check.contacts) return contacts_label(check, runs);
-    if (check.value) {
-        double low = std::nan("");
-        double high = std::nan("");
-        for (const TestReport* run : runs) {  // fmin and fmax pass over NaN
-            low = std::fmin(low, check.value(*run));
-            high = std::fmax(high, check.value(*run));
-        }
-        return range_label(low, high, check.unit);
-    }
-    std::vector<std::string> lines;
-    for (const TestReport* run : runs) {
-        const std::string label = check.label(*run);
-        if (!label.empty() && std::find(lines.begin(), lines.end(), label) == lines.end()) lines.push_back(label);
-    }
-    return fmt::format("{}", fmt::join(lines, "\n"));
-}
-
 const std::vector<Check>& checks() {
-    const auto percent_of = [](double RunSummary::*share) {
-        return [share](const TestReport& t) { return 100 * t.data.header.*share; };
+    const auto percent_of = [](auto share) {
+        return range([share](const TestReport& t) { return 100 * t.data.header.*share; }, "\u00a0%");
     };
+    using T = const TestReport&;
+    using H = RunHeader;
     static const std::vector<Check> all{
-        {"the curve ended by", ending_label},
-        {"contact law", [](const TestReport& t) { return law_label(t.data.header); }},
-        {"plane", [](const TestReport& t) { return std::string(name_of(t.data.header.plane)); }},
-        {"error of the energy balance, of the largest stored energy", nullptr, percent_of(&RunSummary::energy_balance_error),
-         "\u00a0%"},
-        {"non-conservative work of the law, of the largest stored energy", nullptr, non_conservative_percent, "\u00a0%"},
-        {"share of the work that damping absorbed", nullptr, percent_of(&RunSummary::damping_share), "\u00a0%"},
-        {"load that damping carries before the peak", nullptr, percent_of(&RunSummary::damping_load), "\u00a0%"},
-        {"platen forces differ by, ½ peak to peak", nullptr, percent_of(&RunSummary::platen_force_difference), "\u00a0%"},
-        {"confinement achieved, mean ± s.d.", confinement_label},
-        {.name = "contact zone over mean edge", .of_all = contact_zone_label},
-        {.name = "tensile : shear cracks at the strength", .contacts = [](const TestReport& t) { return modes(t.at_peak); }},
-        {.name = "tensile : shear cracks by the end", .contacts = [](const TestReport& t) { return modes(t.at_end); }},
-        {"what counts as a crack", [](const TestReport& t) { return t.crack_definition; }},
-        {"separated by the end", nullptr, [](const TestReport& t) { return std::ceil(t.at_end.separated); }},
-        {"rate of loading", [](const TestReport& t) { return rate_label(t.data.header); }},
-        {"platen speed, mean", nullptr, [](const TestReport& t) { return 1e3 * t.data.header.platen_speed; }, "\u00a0mm/s"},
-        {"damping", [](const TestReport& t) { return damping_label(t.data.header); }},
-        {"mass scaling", [](const TestReport& t) { return t.data.header.mass_scaling; }},
-        {"factor of mass scaling", nullptr,
-         [](const TestReport& t) {
-             return t.data.header.mass_scaling == "none" ? std::nan("") : t.data.header.mass_scaling_factor;
-         }},
-        {"mass added", nullptr, percent_of(&RunSummary::added_mass), "\u00a0%"},
-        {"sensitivity of the peak", [](const TestReport& t) { return sensitivity_label(t); }},
-        {.name = "caveats of the strength", .of_all = caveats_label}};
+        {"the curve ended by", texts(ending_label)},
+        {"contact law", texts([](T t) { return law_label(t.data.header); })},
+        {"plane", texts([](T t) { return std::string(name_of(t.data.header.plane)); })},
+        {"error of the energy balance, of the largest stored energy", percent_of(&H::energy_balance_error)},
+        {"non-conservative work of the law, of the largest stored energy", range(non_conservative_percent, "\u00a0%")},
+        {"share of the work that damping absorbed", percent_of(&H::damping_share)},
+        {"load that damping carries before the peak", percent_of(&H::damping_load)},
+        {"platen forces differ by, ½ peak to peak", percent_of(&H::platen_force_difference)},
+        {"confinement achieved, mean ± s.d.", texts(confinement_label)},
+        {"contact zone over mean edge", contact_zone_label},
+        {"tensile : shear cracks at the strength", contacts(&TestReport::at_peak)},
+        {"tensile : shear cracks by the end", contacts(&TestReport::at_end)},
+        {"what counts as a crack", texts([](T t) { return t.crack_definition; })},
+        {"separated by the end", range([](T t) { return std::ceil(t.at_end.separated); })},
+        {"rate of loading", texts([](T t) { return rate_label(t.data.header); })},
+        {"platen speed, mean", range([](T t) { return 1e3 * t.data.header.platen_speed; }, "\u00a0mm/s")},
+        {"damping", texts([](T t) { return damping_label(t.data.header); })},
+        {"mass scaling", texts([](T t) { return t.data.header.mass_scaling; })},
+        {"factor of mass scaling",
+         range([](T t) { return t.data.header.mass_scaling == "none" ? std::nan("") : t.data.header.mass_scaling_factor; })},
+        {"mass added", percent_of(&H::added_mass)},
+        {"sensitivity of the peak", texts(sensitivity_label)},
+        {"caveats of the strength", caveats_label}};
     return all;
 }
 
@@ -191,8 +181,9 @@ const std::vector<Check>& checks() {
 std::vector<std::pair<std::string, Runs>> columns_of(const std::vector<TestReport>& tests) {
     std::vector<std::pair<std::string, Runs>> columns;
     for (const SeedGroup& group : seed_groups(tests)) {
-        columns.emplace_back(group.name(), group.runs);
-        if (group.runs.size() > 1) columns.back().first += fmt::format(" ({} runs)", group.runs.size());
+        auto& [name, runs] = columns.emplace_back(group.name(), Runs{});
+        for (const std::size_t i : group.indices) runs.push_back(&tests[i]);
+        if (runs.size() > 1) name += fmt::format(" ({} runs)", runs.size());
     }
     return columns;
 }
@@ -222,7 +213,7 @@ std::string quality_checks(const std::vector<TestReport>& tests) {
     html::Table table(head);
     for (const Check& check : checks()) {
         std::vector<std::string> cells;
-        for (const auto& [name, runs] : columns) cells.push_back(cell_of(check, runs));
+        for (const auto& [name, runs] : columns) cells.push_back(check.cell(runs));
         const bool same = std::all_of(cells.begin(), cells.end(), [&](const std::string& cell) { return cell == cells.front(); });
         if (same && cells.front().empty()) continue;
         if (same) {

@@ -20,6 +20,7 @@
 #include "post/report/html.hpp"
 #include "post/report/quality_checks.hpp"
 #include "post/report/test_report.hpp"
+#include "post/report/view_page.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/comparability.hpp"
 #include "post/run/run_state.hpp"
@@ -95,24 +96,33 @@ struct Content {
     std::vector<std::string> files;  ///< each test of a specimen once
     std::string other_material;      ///< that the runs are not of the material that was given; "" if they are
     std::vector<TestReport> tests;
-    std::vector<SeedGroup> groups;  ///< of the tests
-    std::vector<RunData> curves;    ///< the same runs, whose histories count the cracks of the label
-    html::Figures mesh;             ///< of specimens
-    std::string grains;             ///< that were asked for and made
-    std::string maps;               ///< figures of the first run of each series
-    Minerals minerals;              ///< of these specimens and runs
-    std::vector<SizedEnvelope> envelopes;
+    std::vector<SeedGroup> groups;                 ///< of the tests
+    html::Figures mesh;                            ///< of specimens
+    std::vector<ViewedRun> viewed;                 ///< the first run of each series, as far as it has frames
+    std::map<std::size_t, std::size_t> viewed_of;  ///< the place there of a file
+    std::string grains;                            ///< that were asked for and made
+    std::string maps;                              ///< figures of the first run of each series
+    Minerals minerals;                             ///< of these specimens and runs
+    std::vector<FabricEnvelope> envelopes;
     std::string envelope_note;
 };
 
+/// A map of a file at its last frame or at its peak; "" of one without frames.
+std::string crack_map(const Content& content, std::size_t file, bool is_last, int height) {
+    const auto found = content.viewed_of.find(file);
+    if (found == content.viewed_of.end()) return "";
+    const std::size_t last = content.viewed[found->second].frames - 1;
+    return is_last || last > 0 ? html::map_figure(found->second, is_last ? last : 0, height) : "";
+}
+
 /// Pictures of one run of a kind, two by two.
-std::string map_figures(const RunReader& run, const TestReport& t, const std::string& name, const CrackLabelChoice& label) {
+std::string map_figures(const Content& content, std::size_t file, const RunReader& run, const std::string& name,
+                        const CrackLabelChoice& label) {
+    const TestReport& t = content.tests[file];
     const Specimen specimen = run.specimen();
     html::Figures figures;
-    if (run.n_frames() > 0) {
-        figures.add("cracks before, at and after the peak", [&](const PictureStyle& style) {
-            return draw_cracks(run, {"before,peak,after", std::nullopt, 1, label}, style);
-        });
+    for (const bool is_last : {false, true}) {
+        if (const std::string map = crack_map(content, file, is_last, 560); !map.empty()) figures.add_map(map);
     }
     figures.add("energy balance", [&](const PictureStyle& style) { return draw_energy(t.data, Abscissa::time, style); });
     const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, label);
@@ -147,7 +157,7 @@ void add_envelopes(Content& content) {
         try {
             EnvelopeTests tests = collect_envelope_tests(own, {});
             const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
-            content.envelopes.push_back({name, std::move(tests), envelope});
+            content.envelopes.push_back({name, own.front().header.heat != 0, std::move(tests), envelope});
         } catch (const InputError& error) {
             content.envelope_note +=
                 html::paragraph(fmt::format("No envelope{}: {}.", name.empty() ? "" : " of " + name, error.what()));
@@ -172,18 +182,23 @@ std::string grains_paragraph(const H5Input& file, const Specimen& specimen, cons
 void add_maps(Content& content, const ReportOptions& options) {
     std::set<std::string> seen;
     for (const SeedGroup& row : content.groups) {
-        const auto first = static_cast<std::size_t>(&row.first() - content.tests.data());
+        const std::size_t first = row.indices.front();
         const RunReader run(content.files[first]);
         const TestReport& t = content.tests[first];
         const Specimen specimen = run.specimen();
         const std::string kind = row.with_specimen(specimen.shape);
         if (seen.insert(kind).second) {
-            content.mesh.add_map(kind + ", of " + t.data.name,
-                                 draw_specimen(specimen, t.data.name, SpecimenColour::phase, html::figure_style()));
+            content.mesh.add_specimen(kind + ", of " + t.data.name, [specimen, file = t.data.name](const PictureStyle& style) {
+                return draw_specimen(specimen, file, SpecimenColour::phase, style);
+            });
             content.grains += grains_paragraph(run.file(), specimen, kind + ", of " + t.data.name);
             content.minerals.add_phases(kind, specimen, t.data.header, options.material);
         }
-        content.maps += map_figures(run, t, row.name(), options.label);
+        if (run.n_frames() > 0) {
+            content.viewed_of[first] = content.viewed.size();
+            content.viewed.push_back(viewed_run(run, {options.label, 2}));
+        }
+        content.maps += map_figures(content, first, run, row.name(), options.label);
         content.minerals.add_classes(row.name(), read_classes(run, options.label));
     }
 }
@@ -192,14 +207,14 @@ void add_maps(Content& content, const ReportOptions& options) {
 void count_once(Content& content, std::ostream& diagnostics) {
     RunList runs;
     for (const TestReport& t : content.tests) runs.push_back(&t.data);
-    Content whole;
-    std::swap(whole, content);
-    content.other_material = whole.other_material;
+    std::vector<std::string> files;
+    std::vector<TestReport> tests;
     for (const std::size_t i : once_each(runs, "report", diagnostics)) {
-        content.files.push_back(whole.files[i]);
-        content.tests.push_back(std::move(whole.tests[i]));
-        content.curves.push_back(std::move(whole.curves[i]));
+        files.push_back(content.files[i]);
+        tests.push_back(std::move(content.tests[i]));
     }
+    std::swap(content.files, files);
+    std::swap(content.tests, tests);
 }
 
 /// Drops a material that the first run is not of. \return what is to be said of that
@@ -235,7 +250,6 @@ Content read_content(const std::vector<std::string>& runs, ReportOptions& option
         throw_if_interrupted();
         const RunReader run(runs[i]);
         content.tests.push_back(read_test_report(run, options.label));
-        content.curves.push_back(run_data(run, options.label));
         const TestReport& t = content.tests.back();
         if (i == 0) content.other_material = drop_other_material(options, t.data.header, diagnostics);
         if (i == 0 && !content.other_material.empty()) say(diagnostics, "report: " + content.other_material);
@@ -290,28 +304,24 @@ std::string run_table(const Content& content) {
     return table.str();
 }
 
-/// Caveats of the strengths of runs, a line each. \param wanted which runs
-std::vector<std::string> caveat_lines(const Content& content, const std::function<bool(const RunData&)>& wanted) {
-    CaveatCount doubts;
-    for (const TestReport& t : content.tests) {
-        if (wanted(t.data)) doubts.add(t.data, t.caveats);
-    }
-    return doubts.lines();
+std::string kind_of(const RunData& run) {
+    return is_compression(run.header) ? "compression"
+                                      : run.header.test + (distinct_shape(run).empty() ? "" : " " + distinct_shape(run));
 }
 
-std::vector<std::string> caveat_lines(const Content& content) {
-    return caveat_lines(content, [](const RunData&) { return true; });
+/// Caveats of the strengths of runs, a line each. \param kind of these runs; "" for all
+std::vector<std::string> caveat_lines(const Content& content, const std::string& kind = "") {
+    CaveatCount doubts;
+    for (const TestReport& t : content.tests) {
+        if (kind.empty() || kind_of(t.data) == kind) doubts.add(t.data, t.caveats);
+    }
+    return doubts.lines();
 }
 
 /// Beside strengths, their caveats.
 std::string caveat_paragraph(const Content& content) {
     const std::vector<std::string> lines = caveat_lines(content);
     return lines.empty() ? "" : html::paragraph(fmt::format("Caveats of these strengths: {}.", fmt::join(lines, "; ")));
-}
-
-std::string kind_of(const RunData& run) {
-    return is_compression(run.header) ? "compression"
-                                      : run.header.test + (distinct_shape(run).empty() ? "" : " " + distinct_shape(run));
 }
 
 /// Strengths and curves; tests whose stresses mean the same share a chart.
@@ -321,13 +331,13 @@ std::string curve_figures(const Content& content, const ReportOptions& options) 
         return draw_strengths(data_of(content), options.material, caveat_lines(content), style);
     });
     std::map<std::string, std::vector<RunData>> kinds;
-    for (const RunData& run : content.curves) kinds[kind_of(run)].push_back(run);
+    for (const TestReport& t : content.tests) kinds[kind_of(t.data)].push_back(t.data);
     for (const auto& each : kinds) {
         const std::string& kind = each.first;
         const std::vector<RunData>& runs = each.second;
         figures.add("stress and strain: " + kind, [&](const PictureStyle& style) {
-            const auto lines = caveat_lines(content, [&](const RunData& run) { return kind_of(run) == kind; });
-            return draw_curves(runs, {}, definition_of(options.label.of(runs.front().header)), lines, style);
+            return draw_curves(runs, {}, definition_of(options.label.of(runs.front().header)), caveat_lines(content, kind),
+                               style);
         });
     }
     return figures.str();
@@ -335,55 +345,46 @@ std::string curve_figures(const Content& content, const ReportOptions& options) 
 
 std::string envelope_section(const Content& content) {
     html::Figures figures;
-    for (const SizedEnvelope& each : content.envelopes) {
+    for (const FabricEnvelope& each : content.envelopes) {
         figures.add("Mohr circles and envelopes", [&](const PictureStyle& style) {
-            const std::string title = content.tests.front().data.header.material + (each.size.empty() ? "" : ", " + each.size);
+            const std::string title =
+                content.tests.front().data.header.material + (each.fabric.empty() ? "" : ", " + each.fabric);
             return draw_envelope(each.tests, title, {}, style);
         });
     }
     return (figures.empty() ? "" : figures.str()) + content.envelope_note;
 }
 
-/// The first run of each group of runs that share a chart with the first compression test, or with the first test.
-std::vector<std::size_t> runs_of_first_chart(const Content& content) {
-    const auto compression = std::find_if(content.groups.begin(), content.groups.end(),
-                                          [](const SeedGroup& group) { return is_compression(group.first().data.header); });
-    const SeedGroup& shown = compression == content.groups.end() ? content.groups.front() : *compression;
-    std::vector<std::size_t> runs;
-    for (const SeedGroup& group : content.groups) {
-        if (kind_of(group.first().data) != kind_of(shown.first().data)) continue;
-        runs.push_back(static_cast<std::size_t>(&group.first() - content.tests.data()));
-    }
-    return runs;
-}
-
-/// The curve, the cracks and the envelope at a glance.
+/// The curves of the first run of each group that shares a chart with the first compression test, or with the first test; the
+/// cracks of the first of them; and the envelope.
 std::string first_figures(const Content& content, const ReportOptions& options) {
-    html::FirstFigures figures;
-    const std::vector<std::size_t> shown = runs_of_first_chart(content);
-    figures.add(shown.size() < content.tests.size() ? "stress and strain of the first run of each kind" : "stress and strain",
-                "curves", [&](const PictureStyle& style) {
-                    std::vector<RunData> curves;
-                    for (const std::size_t i : shown) curves.push_back(content.curves[i]);
-                    return draw_curves(curves, {}, definition_of(options.label.of(curves.front().header)), {}, style);
-                });
-    const RunReader run(content.files[shown.front()]);
-    if (run.n_frames() > 0) {
-        figures.add("micro-cracks by the end of " + content.tests[shown.front()].data.name, "maps",
-                    [&](const PictureStyle& style) {
-                        CrackMapOptions map{"last", std::nullopt, 1, options.label};
-                        map.largest_height = 0.9 * style.page_width;  // about as high as the charts beside it
-                        return draw_cracks(run, map, style);
-                    });
+    const auto& groups = content.groups;
+    const auto compression = std::find_if(groups.begin(), groups.end(),
+                                          [](const SeedGroup& group) { return is_compression(group.first().data.header); });
+    const SeedGroup& shown = compression == groups.end() ? groups.front() : *compression;
+    std::vector<RunData> curves;
+    for (const SeedGroup& group : groups) {
+        if (kind_of(group.first().data) == kind_of(shown.first().data)) curves.push_back(group.first().data);
     }
+    html::Figures figures;
+    figures.add(
+        curves.size() < content.tests.size() ? "stress and strain of the first run of each kind" : "stress and strain",
+        [&](const PictureStyle& style) {
+            return draw_curves(curves, {}, definition_of(options.label.of(curves.front().header)), {}, style);
+        },
+        "curves");
+    const std::string map = crack_map(content, shown.indices.front(), true, 420);
+    if (!map.empty()) figures.add_map(map);
     if (!content.envelopes.empty()) {
-        const SizedEnvelope& envelope = content.envelopes.front();
-        figures.add("Mohr circles and envelopes" + (envelope.size.empty() ? "" : ", " + envelope.size), "envelope",
-                    [&](const PictureStyle& style) {
-                        return draw_envelope(envelope.tests, content.tests.front().data.header.material, {}, style);
-                    });
+        const FabricEnvelope& envelope = content.envelopes.front();
+        figures.add(
+            "Mohr circles and envelopes" + (envelope.fabric.empty() ? "" : ", " + envelope.fabric),
+            [&](const PictureStyle& style) {
+                return draw_envelope(envelope.tests, content.tests.front().data.header.material, {}, style);
+            },
+            "envelope");
     }
-    return figures.str();
+    return figures.first();
 }
 
 /// A row of a parameter of all contacts, or a cell for each class where they differ.
@@ -493,7 +494,7 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     }
     body += html::section("inputs", "Parameters", parameters(content));
     body += html::section("provenance", "Provenance", provenance(content));
-    return html::page(title, body);
+    return html::page(title, body, map_scripts(content.viewed));
 }
 
 }  // namespace graincrack

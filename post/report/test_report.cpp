@@ -55,7 +55,7 @@ void add_toughness(MeasuredRun& report, const Specimen& specimen) {
 
 TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label) {
     TestReport report;
-    report.data = run_data(run);
+    report.data = run_data(run, label);
     report.curve = load_curve(report.data);
     report.strength = measure_strength(report.data, report.curve);
     report.moduli = measure_moduli(report.data);
@@ -105,25 +105,6 @@ std::string ratio_to_brazilian(const std::vector<SeedGroup>& groups, const SeedG
 
 }  // namespace
 
-std::optional<Sample> SeedGroup::sample_of(const ValueOfTest& value) const {
-    std::vector<double> values;
-    for (const TestReport* run : runs) {
-        if (const auto own = value(*run)) values.push_back(*own);
-    }
-    return values.empty() ? std::nullopt : std::optional(sample(values));
-}
-
-std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests) {
-    RunList runs;
-    for (const TestReport& test : tests) runs.push_back(&test.data);
-    std::vector<SeedGroup> groups;
-    for (const ComparableGroup& like : comparable_groups(runs)) {
-        SeedGroup& group = groups.emplace_back(SeedGroup{series_label(*runs[like.runs[0]]), like.distinction, {}});
-        for (const std::size_t i : like.runs) group.runs.push_back(&tests[i]);
-    }
-    return groups;
-}
-
 const char* const strength_heading = "strength (compression: first peak), MPa";
 
 std::string mean_cell(const Sample& sample, double factor) {
@@ -160,7 +141,7 @@ std::string group_table(const std::vector<SeedGroup>& groups) {
             row.push_back(sample ? mean_cell(*sample, value.factor) : "");
         }
         row.push_back(std::to_string(
-            std::count_if(group.runs.begin(), group.runs.end(), [](const TestReport* t) { return !t->strength.has_peak(); })));
+            std::count_if(group.runs.begin(), group.runs.end(), [](const MeasuredRun* t) { return !t->strength.has_peak(); })));
         row.push_back(ratio_to_brazilian(groups, group));
         table.row(std::move(row));
     }

@@ -2,15 +2,13 @@
 // alone, and their means.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "post/cracks/crack_counts.hpp"
+#include "post/laboratory/comparison.hpp"
 #include "post/measure/brazilian.hpp"
-#include "post/measure/property.hpp"
-#include "post/statistics/statistics.hpp"
 
 namespace graincrack {
 
@@ -33,28 +31,6 @@ struct TestReport : MeasuredRun {
 
 /// Evaluates a run for the report. \param label of its cracks \throws InputError if it cannot be read or evaluated
 TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label = {});
-
-/// A value of a run, SI; empty if the test does not measure it.
-using ValueOfTest = std::function<std::optional<double>(const TestReport&)>;
-
-/// Comparable runs: of one test at one confining pressure, different in their seeds alone.
-struct SeedGroup {
-    std::string test;         ///< "uniaxial", "σ3 = 8 MPa"
-    std::string distinction;  ///< from other groups of the test: "diameter 60 mm"; "" if there are none
-    std::vector<const TestReport*> runs;
-
-    [[nodiscard]] const TestReport& first() const { return *runs.front(); }
-    /// A text with what tells the group from others of its test: "uniaxial, grain diameter 5 mm".
-    [[nodiscard]] std::string with_specimen(const std::string& text) const {
-        return text + (distinction.empty() ? "" : ", ") + distinction;
-    }
-    [[nodiscard]] std::string name() const { return with_specimen(test); }
-    /// Over the runs that have the value; empty if none has.
-    [[nodiscard]] std::optional<Sample> sample_of(const ValueOfTest& value) const;
-};
-
-/// In the order of `group_strengths`: Brazilian, tension, then compression by rising pressure.
-std::vector<SeedGroup> seed_groups(const std::vector<TestReport>& tests);
 
 /// "132.4 (4.8)\n124.8 to 140": mean, standard deviation and, on a line of its own, the 95 % interval of the mean. \param
 /// factor from SI to the unit of the table

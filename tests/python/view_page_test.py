@@ -60,7 +60,7 @@ ready.then(async () => {
   for (const type of ["pointerdown", "pointerup"]) {
     try { canvas.dispatchEvent(new PointerEvent(type, {pointerId: 1, clientX: at(px, box.left), clientY: at(py, box.top)})); } catch {}
   }
-  panes[0].pick(at(px, 0), at(py, 0));
+  pick(panes[0], at(px, 0), at(py, 0));
   found.contact = element("contact").textContent;
   parent.document.body.append(Object.assign(parent.document.createElement("pre"), {id: "measured", textContent: JSON.stringify(found)}));
 });

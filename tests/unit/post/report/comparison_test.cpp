@@ -162,14 +162,12 @@ TEST_F(Comparison, AVerdictNeedsTheWholeInterval) {
     calibrate::Target target = calibrate::target_of("uniaxial", "test");
     target.value = 100;
     target.deviation = 5;
-    const auto verdict = [&](const std::vector<double>& values) {
-        return verdict_of(agreement_of(target, sample(values).mean), values.size());
-    };
-    EXPECT_EQ(verdict({100}), "not decided by one run");
-    EXPECT_EQ(verdict({106}), "not decided by one run");
+    const auto verdict = [&](const std::vector<double>& values) { return name_of(agreement_of(target, sample(values).mean)); };
+    EXPECT_EQ(verdict({100}), "undecided");
+    EXPECT_EQ(verdict({106}), "undecided");
     EXPECT_EQ(verdict({99.9, 100.1}), "within");
-    EXPECT_EQ(verdict({95, 105}), "not decided (2 runs)");  // 37 to 163
-    EXPECT_EQ(verdict({106, 108}), "not decided (2 runs)");
+    EXPECT_EQ(verdict({95, 105}), "undecided");  // 37 to 163
+    EXPECT_EQ(verdict({106, 108}), "undecided");
     EXPECT_EQ(verdict({109.9, 110.1}), "outside");
     target.deviation = NAN;
     EXPECT_EQ(verdict({106, 107}), "");
@@ -207,15 +205,34 @@ TEST_F(Comparison, ATestThatDidNotFailHasNoStrength) {
     strength.peak_kind = "cap";
     const std::vector<SeedGroup> groups = seed_groups(tests_);
     EXPECT_EQ(groups[0].sample_of(strength_of)->n, 1U);
+    expect_texts(table(read_material("augig-granite")), {"<td>UCS</td><td>122 ± 6.1*\u00a0MPa</td><td>119.4\u00a0MPa"});
     expect_texts(group_table(groups),
                  {"<th>did not fail</th>", "<td>uniaxial</td><td>strain</td><td>2</td><td>119.4</td><td>0.4708</td>"});
+}
+
+TEST_F(Comparison, HeatedSpecimensStandBesideNeitherLaboratoryNorKind) {
+    const test::KindFolder folder(test::SyntheticKind{}.rows(70));
+    const Material rock = read_material("lac-du-bonnet-granite-calibrated");
+    const auto row = [&](const std::string& name) {
+        const std::string page = table(rock);
+        const std::size_t from = page.find("<td>" + name + "</td>");
+        return from == std::string::npos ? "" : page.substr(from, page.find("</tr>", from) - from);
+    };
+    add("uniaxial", 1, 120e6).data.header.heat = 300;
+    const std::string heated = "UCS, at +300 K", none = "<td>–</td>";
+    EXPECT_EQ(row(heated),
+              "<td>" + heated + "</td>" + none + "<td>119.4\u00a0MPa\n(1\u00a0run)</td>" + none + none + none + none);
+    add("uniaxial", 1, 120e6);
+    EXPECT_TRUE(row(heated).ends_with(none + none + none + none)) << row(heated);
+    EXPECT_NE(row("UCS").find("200 ± "), std::string::npos) << row("UCS");
+    expect_texts(table(rock), {"Heated specimens stand beside neither"});
 }
 
 TEST_F(Comparison, TwoTestsDoNotDetermineALine) {
     EnvelopeTests two;
     two.compression = {{0, 120e6, 1}, {8e6, 190e6, 1}};
     add("uniaxial", 1, 120e6);
-    const SizedEnvelope line{"", two, fit_envelope(two.confining(), two.strength())};
+    const FabricEnvelope line{"", false, two, fit_envelope(two.confining(), two.strength())};
     const std::string html = comparison(seed_groups(tests_), {line}, read_material("augig-granite"));
     expect_texts(html, {"<td>friction angle φ</td><td>53\u00a0°</td><td>not determined by 2 tests</td>"});
 }
@@ -229,10 +246,26 @@ TEST_F(Comparison, SpecimensOfAnotherWidthAreAnotherGroup) {
     ASSERT_EQ(groups.size(), 3U);
     EXPECT_EQ(groups[0].name(), "uniaxial, width 80 mm");
     EXPECT_NEAR(groups[0].sample_of(strength_of)->mean.value, 125e6, 1e6);
-    EXPECT_EQ(groups[0].sample_of([](const TestReport&) { return std::nullopt; }), std::nullopt);
+    EXPECT_EQ(groups[0].sample_of([](const MeasuredRun&) { return std::nullopt; }), std::nullopt);
     EXPECT_EQ(groups[1].name(), "uniaxial, width 40 mm");
     EXPECT_EQ(groups[2].name(), "σ3 = 8 MPa");
     expect_texts(table(std::nullopt), {"<td>UCS, width 80 mm</td>", "<td>UCS, width 40 mm</td>"});
+}
+
+TEST(FittedTable, HasTheWordsOfALaboratory) {
+    const std::string table = fitted_table(read_material("augig-granite-triangles"));
+    EXPECT_NE(table.find("<td>UCS</td><td>122 MPa</td><td>124.6\u00a0MPa</td><td>117.6 to 131.6</td><td>6</td>"),
+              std::string::npos)
+        << table;
+    EXPECT_NE(table.find("<td>Poisson's ratio ν</td><td>0.23</td><td>0.2293</td>"), std::string::npos) << table;
+    EXPECT_EQ(table.find('_'), std::string::npos) << table;
+    EXPECT_EQ(fitted_table(read_material("augig-granite")), "");
+    EXPECT_EQ(fitted_table(std::nullopt), "");
+    Material other;
+    other.fitted = {{"confined_strength", "by hand"}, {"p_wave_speed", "4 km/s; 4.1 on 1 new specimen"}};
+    const std::string words = fitted_table(other);
+    EXPECT_NE(words.find("<td>confined strength</td><td colspan=\"4\">by hand</td>"), std::string::npos) << words;
+    EXPECT_NE(words.find("<td>p wave speed</td><td>4 km/s</td><td>4.1</td><td>–</td><td>1</td>"), std::string::npos) << words;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What a material has of the laboratory, by property.
-#include "post/report/laboratory.hpp"
+#include "post/laboratory/laboratory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,9 +53,8 @@ TEST(LaboratoryProperties, WithoutTargetsAreThoseOfTheLaboratory) {
     EXPECT_DOUBLE_EQ(toughness.target.value, 1.3e6);
     EXPECT_DOUBLE_EQ(toughness.target.deviation, 0.13e6);
     EXPECT_EQ(name_of(toughness.origin), "fitted");
-    EXPECT_NE(fitted_table(tough).find("<td>fracture toughness K_IC</td><td>1.3 MPa√m</td><td>1.21\u00a0MPa√m</td>"),
-              std::string::npos)
-        << fitted_table(tough);
+    EXPECT_EQ(fitted_entries(tough).front().name, "fracture toughness K_IC");
+    EXPECT_EQ(fitted_entries(tough).front().computed, "1.21");
     EXPECT_EQ(name_of(property_of(all, "UCS").origin), "");
     for (const LaboratoryProperty& each : laboratory_properties(std::nullopt, {8e6})) {
         EXPECT_FALSE(each.is_measured()) << each.name();
@@ -95,22 +94,6 @@ TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {
     EXPECT_FALSE(material_of_run(header, {"graincrack-solve"}));
     header.rock.density += 1;
     EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "augig-granite"}));
-}
-
-TEST(FittedTable, HasTheWordsOfALaboratory) {
-    const std::string table = fitted_table(read_material("augig-granite-triangles"));
-    EXPECT_NE(table.find("<td>UCS</td><td>122 MPa</td><td>124.6\u00a0MPa</td><td>117.6 to 131.6</td><td>6</td>"),
-              std::string::npos)
-        << table;
-    EXPECT_NE(table.find("<td>Poisson's ratio ν</td><td>0.23</td><td>0.2293</td>"), std::string::npos) << table;
-    EXPECT_EQ(table.find('_'), std::string::npos) << table;
-    EXPECT_EQ(fitted_table(read_material("augig-granite")), "");
-    EXPECT_EQ(fitted_table(std::nullopt), "");
-    Material other;
-    other.fitted = {{"confined_strength", "by hand"}, {"p_wave_speed", "4 km/s; 4.1 on 1 new specimen"}};
-    const std::string words = fitted_table(other);
-    EXPECT_NE(words.find("<td>confined strength</td><td colspan=\"4\">by hand</td>"), std::string::npos) << words;
-    EXPECT_NE(words.find("<td>p wave speed</td><td>4 km/s</td><td>4.1</td><td>–</td><td>1</td>"), std::string::npos) << words;
 }
 
 }  // namespace

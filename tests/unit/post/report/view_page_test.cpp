@@ -1,5 +1,5 @@
 // What a page of `view` holds of a run with known answers.
-#include "post/view/view_page.hpp"
+#include "post/report/view_page.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "post/view/packed_array.hpp"
+#include "post/report/packed_array.hpp"
 #include "share/file/probe_file.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/synthetic_run.hpp"

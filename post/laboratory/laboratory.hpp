@@ -1,4 +1,4 @@
-// Laboratory values and calibration of a material, by the properties that a report compares.
+// Laboratory values and calibration of a material, by the properties that are compared with runs.
 #pragma once
 
 #include <optional>
@@ -19,6 +19,12 @@ enum class PropertyOrigin {
     predicted,  ///< by tests that the calibration did not use
 };
 std::string name_of(PropertyOrigin origin);
+
+/// Where the laboratory's values are from.
+enum class LaboratorySource {
+    targets_first,  ///< [targets], else [laboratory]; a strength under pressure by the line σ1 = UCS + b σ3
+    line            ///< [laboratory] alone; a strength under pressure by the line σ1 = 2C√b + b σ3
+};
 
 /// A property by the definition that targets of a calibration have.
 struct LaboratoryProperty {
@@ -44,13 +50,20 @@ std::string difference_from(const Material& material, const RunSettings& run);
 /// with b of the friction angle, or of cohesion and UCS. Without a material nothing has a value. \param pressures of tests, Pa
 /// \throws InputError if [targets] is wrong
 std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,
-                                                      const std::vector<double>& pressures);
+                                                      const std::vector<double>& pressures,
+                                                      LaboratorySource source = LaboratorySource::targets_first);
 
 /// True if the material says that its calibration used strengths under confining pressure.
 bool has_fitted_confined_strength(const std::optional<Material>& material);
 
-/// [fitted] as a table: property, fitted to, computed on new specimens, 95 % interval, number of specimens. Empty without
-/// [fitted].
-std::string fitted_table(const std::optional<Material>& material);
+/// An entry of [fitted] as a calibration writes it: "122 MPa; 124.6 (117.59 to 131.62) on 6 new specimens".
+struct FittedEntry {
+    std::string name;  ///< of the property, as a laboratory calls it
+    std::string unit;
+    std::string asked, computed, low, high, specimens;  ///< without an interval both are empty
+    std::string text;                                   ///< of another form, in place of these
+};
+/// In the order of `all_properties`.
+std::vector<FittedEntry> fitted_entries(const Material& material);
 
 }  // namespace graincrack

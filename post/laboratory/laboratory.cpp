@@ -1,4 +1,4 @@
-#include "post/report/laboratory.hpp"
+#include "post/laboratory/laboratory.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <regex>
 
-#include "post/report/html.hpp"
+#include "post/fit/mohr_coulomb.hpp"
 #include "post/run/comparability.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
@@ -57,12 +57,6 @@ bool is_harmless(const std::string& name) {
     return std::filesystem::exists(status) ? std::filesystem::is_regular_file(status) : name.find('/') == std::string::npos;
 }
 
-/// A number with four digits; any other text as it is.
-std::string rounded(const std::string& text) {
-    const auto value = parse_number(text);
-    return value ? html::number(*value) : text;
-}
-
 /// The words of an entry of [fitted]: the value that was asked for, the computed one, its interval if there is one, the number of
 /// specimens. False for other texts.
 bool read_fitted(const std::string& text, std::smatch& found) {
@@ -80,6 +74,15 @@ std::optional<double> half_interval_of_one(const Material& material, const Targe
     const auto high = parse_number(found[4]);
     const auto n = parse_number(found[5]);
     return low && high && n ? std::optional((*high - *low) / 2 * std::sqrt(*n) * target.property.si) : std::nullopt;
+}
+
+/// σ1 = 2C√b + b σ3
+std::optional<double> strength_on_line(const Material& material, double pressure) {
+    const auto cohesion = material.laboratory_value("cohesion");
+    const auto angle = material.laboratory_value("friction_angle");
+    if (!cohesion || !angle) return std::nullopt;
+    const double b = mohr_coulomb_slope(*angle);
+    return 2 * *cohesion * std::sqrt(b) + b * pressure;
 }
 
 }  // namespace
@@ -132,9 +135,10 @@ std::string difference_from(const Material& material, const RunSettings& run) {
 }
 
 std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,
-                                                      const std::vector<double>& pressures) {
+                                                      const std::vector<double>& pressures, LaboratorySource source) {
     std::vector<LaboratoryProperty> all;
-    if (material && has_targets(*material)) {
+    const bool is_line = source == LaboratorySource::line;
+    if (material && !is_line && has_targets(*material)) {
         for (const Target& target : calibrate::given_targets(read_toml(material->file.string()))) {
             all.push_back({target, true, origin_of(*material, target, true)});
         }
@@ -153,9 +157,12 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
         all.push_back({target, false, material ? origin_of(*material, target, false) : PropertyOrigin::unknown});
     }
     for (LaboratoryProperty& property : all) {
-        const auto value =
-            material && !property.is_measured() ? calibrate::laboratory_entry(*material, property.target) : std::nullopt;
-        if (value) {
+        const auto entry = [&] {
+            return is_line && property.target.confining_pressure > 0
+                       ? strength_on_line(*material, property.target.confining_pressure)
+                       : calibrate::laboratory_entry(*material, property.target);
+        };
+        if (const auto value = material && !property.is_measured() ? entry() : std::nullopt) {
             property.target.value = *value;
             property.target.deviation = property.target.usual_deviation();
             property.has_own_deviation = false;
@@ -177,35 +184,31 @@ bool has_fitted_confined_strength(const std::optional<Material>& material) {
                                    [](const auto& entry) { return entry.first.starts_with("confined_strength"); });
 }
 
-std::string fitted_table(const std::optional<Material>& material) {
-    if (!material || material->fitted.empty()) return "";
-    struct Row {
-        std::size_t order;
-        double pressure;
-        std::vector<std::string> cells;
-    };
-    std::vector<Row> rows;
-    for (const auto& [key, text] : material->fitted) {
+std::vector<FittedEntry> fitted_entries(const Material& material) {
+    std::vector<std::pair<std::pair<std::size_t, double>, FittedEntry>> entries;
+    for (const auto& [key, text] : material.fitted) {
         const std::optional<Target> target = fitted_target(key);
-        Row row{target ? order_of(target->property) : all_properties().size(), target ? target->confining_pressure : 0, {}};
-        std::string words = key;
-        std::replace(words.begin(), words.end(), '_', ' ');
-        row.cells.push_back(target ? laboratory_name(*target) : words);
+        FittedEntry entry;
+        entry.name = target ? laboratory_name(*target) : key;
+        if (!target) std::replace(entry.name.begin(), entry.name.end(), '_', ' ');
+        if (target) entry.unit = target->property.unit;
         std::smatch found;
         if (read_fitted(text, found)) {
-            const std::string unit = target && !target->property.unit.empty() ? "\u00a0" + target->property.unit : "";
-            const std::string interval = found[3].matched ? rounded(found[3]) + " to " + rounded(found[4]) : "";
-            row.cells.insert(row.cells.end(), {found[1], rounded(found[2]) + unit, interval, found[5]});
+            entry.asked = found[1];
+            entry.computed = found[2];
+            entry.low = found[3];
+            entry.high = found[4];
+            entry.specimens = found[5];
         } else {
-            row.cells.push_back(text);
+            entry.text = text;
         }
-        rows.push_back(std::move(row));
+        const std::size_t order = target ? order_of(target->property) : all_properties().size();
+        entries.push_back({{order, target ? target->confining_pressure : 0}, std::move(entry)});
     }
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const Row& a, const Row& b) { return std::pair(a.order, a.pressure) < std::pair(b.order, b.pressure); });
-    html::Table table({"property", "fitted to", "computed on new specimens", "95\u00a0% interval of the mean", "specimens"});
-    for (Row& row : rows) table.row(std::move(row.cells));
-    return table.str();
+    std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<FittedEntry> sorted;
+    for (auto& [order, entry] : entries) sorted.push_back(std::move(entry));
+    return sorted;
 }
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-#include "post/view/packed_array.hpp"
+#include "post/report/packed_array.hpp"
 
 #include <zlib.h>
 

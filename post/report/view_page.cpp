@@ -1,6 +1,7 @@
-#include "post/view/view_page.hpp"
+#include "post/report/view_page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,11 +16,11 @@
 #include "post/measure/caveats.hpp"
 #include "post/measure/thresholds.hpp"
 #include "post/report/html.hpp"
+#include "post/report/packed_array.hpp"
 #include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
-#include "post/view/packed_array.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "share/file/platen_faces.hpp"
@@ -39,6 +40,9 @@ const char* const style_sheet =
     ;
 const char* const script =
 #include "view.js.inc"
+    ;
+const char* const map_script =
+#include "map.js.inc"
     ;
 
 Json array_of(const std::vector<double>& values) {
@@ -90,10 +94,10 @@ Json marks_of(const RunData& run, const LoadCurve& curve) {
     return marks;
 }
 
-/// What a page holds of one run.
-class ViewedRun {
+/// What a page holds of one run, as it is gathered.
+class RunPart {
 public:
-    ViewedRun(const RunReader& run, const ViewOptions& options)
+    RunPart(const RunReader& run, const ViewOptions& options)
         : run_(run),
           specimen_(run.specimen()),
           label_(options.label.of(run.header())),
@@ -250,16 +254,12 @@ std::vector<std::size_t> evenly_chosen(std::size_t n, std::size_t most, std::siz
     return {chosen.begin(), chosen.end()};
 }
 
-std::string make_view(const std::vector<std::string>& runs, const ViewOptions& options, Verbosity verbosity) {
-    Json all = Json::array();
-    Progress progress("view", verbosity);
-    for (const std::string& path : runs) {
-        throw_if_interrupted();
-        const RunReader run(path);
-        all.push_back(ViewedRun(run, options).part());
-        progress.update(static_cast<double>(all.size()) / static_cast<double>(runs.size()), run.name());
-    }
-    progress.finish();
+ViewedRun viewed_run(const RunReader& run, const ViewOptions& options) {
+    const Json part = RunPart(run, options).part();
+    return {page_text(part), part["frames"].size()};
+}
+
+std::string map_scripts(const std::vector<ViewedRun>& runs) {
     Json colours{{"series", {css(palette::series(0)), css(palette::series(1))}},
                  {"directions", {css({0, 90, 150}), css(palette::series(1))}}};
     for (const auto& [name, colour] : {std::pair{"tensile", palette::tensile},
@@ -270,9 +270,28 @@ std::string make_view(const std::vector<std::string>& runs, const ViewOptions& o
                                        {"rim", palette::rim}}) {
         colours[name] = css(colour);
     }
-    const std::string title = all[0]["title"].get<std::string>() + (all.size() > 1 ? " and others" : "");
+    std::vector<std::string> parts;
+    for (const ViewedRun& run : runs) parts.push_back(run.json);
+    constexpr const char* data = "<script type=\"application/json\" id=\"{}\">{}</script>\n";
+    return fmt::format(fmt::runtime(data), "colours", page_text(colours)) +
+           fmt::format(fmt::runtime(data), "runs", fmt::format("[{}]", fmt::join(parts, ","))) + "<script>" + map_script +
+           "</script>\n";
+}
+
+std::string make_view(const std::vector<std::string>& runs, const ViewOptions& options, Verbosity verbosity) {
+    std::vector<ViewedRun> all;
+    std::string title;
+    Progress progress("view", verbosity);
+    for (const std::string& path : runs) {
+        throw_if_interrupted();
+        const RunReader run(path);
+        if (all.empty()) title = printable(test_title(run.header())) + (runs.size() > 1 ? " and others" : "");
+        all.push_back(viewed_run(run, options));
+        progress.update(static_cast<double>(all.size()) / static_cast<double>(runs.size()), run.name());
+    }
+    progress.finish();
     return fmt::format(fmt::runtime(skeleton), fmt::arg("title", html::escaped(title)), fmt::arg("style", style_sheet),
-                       fmt::arg("colours", page_text(colours)), fmt::arg("runs", page_text(all)), fmt::arg("script", script));
+                       fmt::arg("maps", map_scripts(all)), fmt::arg("script", script));
 }
 
 }  // namespace graincrack

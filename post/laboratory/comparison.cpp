@@ -1,0 +1,240 @@
+#include "post/laboratory/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "post/fit/paper_rock.hpp"
+#include "post/run/comparability.hpp"
+#include "post/run/test_label.hpp"
+#include "post/table/column.hpp"
+
+namespace graincrack {
+
+namespace {
+
+using calibrate::Target;
+using OptionalValue = std::optional<double>;
+
+std::string column_of(const Target& target) {
+    const Property& property = target.property;
+    if (property.name == "uniaxial" || property.name == "first_peak") {
+        return fmt::format("s1_at_{:.7g}_MPa", target.confining_pressure * in_megapascals);
+    }
+    return property.quantity.dimension == Dimension::toughness ? property.column : property.row();
+}
+
+/// A value of the paper's model for its rock, by the keys of [laboratory]. \param si unit of the paper
+OptionalValue published_of(const std::optional<Material>& material, const std::string& key, double si) {
+    const auto value = material && is_rock_of_paper(material->name) ? PaperModel{}.value(key) : std::nullopt;
+    return value ? OptionalValue(*value * si) : std::nullopt;
+}
+
+OptionalValue slope_of(const OptionalValue& angle) { return angle ? OptionalValue(mohr_coulomb_slope(*angle)) : std::nullopt; }
+
+/// Nothing of a laboratory or a kind is beside what was heated.
+void leave_alone(ComparisonRow& row) {
+    row.is_heated = true;
+    row.laboratory.target.value = NAN;
+    row.laboratory.origin = PropertyOrigin::unknown;
+    row.laboratory.half_interval_of_one.reset();
+    row.published.reset();
+    row.kind.reset();
+}
+
+std::size_t n_without_peak(const SeedGroup& group, StrengthKind kind) {
+    return static_cast<std::size_t>(std::count_if(group.runs.begin(), group.runs.end(),
+                                                  [kind](const MeasuredRun* run) { return !run->strength.has_peak(kind); }));
+}
+
+std::string shape_of(const MeasuredRun& test) {
+    return test.data.header.loading() == Loading::bending ? test.bend.method : distinct_shape(test.data);
+}
+
+/// The rows of a comparison as they are made.
+class Rows {
+public:
+    Rows(const std::optional<Material>& material, const MaterialPrediction& prediction, StrengthKind kind)
+        : material_(material), prediction_(prediction), kind_(kind) {}
+
+    /// A row for each group that measures a property. \return whether there are any
+    bool add(const LaboratoryProperty& property, const std::vector<SeedGroup>& groups) {
+        const std::size_t before = rows_.size();
+        for (const SeedGroup& group : groups) add(property, group);
+        return rows_.size() > before;
+    }
+    void add_untested(const LaboratoryProperty& property) { (void)new_row(property); }
+    void add(const FabricEnvelope& fit) {
+        const EnvelopeTests& tests = fit.tests;
+        const auto laboratory = [&](const char* key) { return material_ ? material_->laboratory_value(key) : std::nullopt; };
+        const auto seeds = fit_seed_envelopes(tests);
+        const auto published_angle = published_of(material_, "friction_angle", 1 / in_degrees);
+        const Estimate& angle = fit.envelope.friction_angle;
+        const Estimate slope{mohr_coulomb_slope(angle.value), slope_of(angle.low), slope_of(angle.high)};  // b rises with φ
+        fitted(fit, "cohesion C", "cohesion", unit::megapascal, fit.envelope.cohesion, laboratory("cohesion"),
+               published_of(material_, "cohesion", 1 / in_megapascals));
+        if (seeds) rows_.back().deviation = seeds->cohesion.deviation;
+        fitted(fit, "friction angle φ", "friction_angle", unit::degree, angle, laboratory("friction_angle"), published_angle);
+        if (seeds) rows_.back().deviation = seeds->friction_angle.deviation;
+        fitted(fit, "", "slope_b", unit::none, slope, slope_of(laboratory("friction_angle")), slope_of(published_angle));
+        const EnvelopeAt yield = fit_envelope_at_first_yield(tests);
+        if (!yield.envelope || !yield.envelope->is_determined()) return;
+        for (const auto& [key, unit, value] :
+             {std::tuple{"cohesion_at_first_yield", unit::megapascal, yield.envelope->cohesion},
+              std::tuple{"friction_angle_at_first_yield", unit::degree, yield.envelope->friction_angle}}) {
+            fitted(fit, "", key, unit, value, std::nullopt, std::nullopt);
+            rows_.back().specimens = yield.runs;
+            rows_.back().without_peak.reset();
+        }
+    }
+    [[nodiscard]] std::vector<ComparisonRow> take() { return std::move(rows_); }
+
+private:
+    ComparisonRow& new_row(const LaboratoryProperty& property) {
+        ComparisonRow& row = rows_.emplace_back(ComparisonRow{property});
+        row.name = property.name();
+        row.column = column_of(property.target);
+        row.ours.value = NAN;
+        row.kind = prediction_.of(property.target);
+        return row;
+    }
+    void add(const LaboratoryProperty& property, const SeedGroup& group) {
+        const Target& target = property.target;
+        const bool is_strength = target.property.value == &strength_of;
+        const MeasuredRun& first = group.first();
+        const auto sample = group.sample_of([&](const MeasuredRun& run) { return value_of(run, target, kind_); });
+        if (!sample && !(is_strength && is_measured_by(target, first.data.header, shape_of(first)))) return;
+        ComparisonRow& row = new_row(property);
+        row.name = group.with_specimen(row.name);
+        row.is_mean = true;
+        if (is_strength) row.without_peak = n_without_peak(group, kind_);
+        if (sample) {
+            row.ours = sample->mean;
+            row.deviation = sample->deviation;
+            row.specimens = sample->n;
+        }
+        if (target.confining_pressure == 0) row.published = published_of(material_, target.property.key, target.property.si);
+        if (first.data.header.heat != 0) leave_alone(row);
+        if (!row.laboratory.is_measured() || !sample) return;
+        row.caveat = target.caveat(first.bend);
+        if (row.caveat.empty()) row.agreement = agreement_of(target, row.computed());
+    }
+    void fitted(const FabricEnvelope& fit, const std::string& name, const std::string& key, const ColumnUnit& unit,
+                const Estimate& ours, const OptionalValue& laboratory, const OptionalValue& published) {
+        ComparisonRow& row = rows_.emplace_back();
+        Property& property = row.laboratory.target.property;
+        property.key = key;
+        property.unit = unit.name;
+        property.si = 1 / unit.factor;
+        row.laboratory.target.value = laboratory.value_or(NAN);
+        row.laboratory.target.deviation = NAN;
+        // The line follows from UCS and strengths under pressure.
+        if (laboratory && !material_->fitted.empty()) {
+            row.laboratory.origin = has_fitted_confined_strength(material_) ? PropertyOrigin::fitted : PropertyOrigin::predicted;
+        }
+        row.name = name + (name.empty() || fit.fabric.empty() ? "" : ", " + fit.fabric);
+        row.column = property.row();
+        row.ours = determined(ours).value_or(Estimate{NAN, {}, {}});
+        row.specimens = fit.tests.compression.size();
+        row.without_peak = fit.tests.at_strain_limit;
+        row.published = published;
+        if (fit.is_heated) leave_alone(row);
+    }
+
+    const std::optional<Material>& material_;
+    const MaterialPrediction& prediction_;
+    StrengthKind kind_;
+    std::vector<ComparisonRow> rows_;
+};
+
+}  // namespace
+
+std::optional<Sample> SeedGroup::sample_of(const ValueOfTest& value) const {
+    std::vector<double> values;
+    for (const MeasuredRun* run : runs) {
+        if (const auto own = value(*run)) values.push_back(*own);
+    }
+    return values.empty() ? std::nullopt : std::optional(sample(values));
+}
+
+std::vector<SeedGroup> seed_groups(const std::vector<const MeasuredRun*>& all) {
+    RunList runs;
+    for (const MeasuredRun* run : all) runs.push_back(&run->data);
+    std::vector<SeedGroup> groups;
+    for (const ComparableGroup& like : comparable_groups(runs, {}, {SettingGroup::heat})) {
+        const RunData& first = *runs[like.runs.front()];
+        const std::string heat = first.header.heat_label();
+        const std::string between = heat.empty() || like.distinction.empty() ? "" : ", ";
+        SeedGroup& group = groups.emplace_back(SeedGroup{series_label(first), heat + between + like.distinction, {}, like.runs});
+        for (const std::size_t i : like.runs) group.runs.push_back(all[i]);
+    }
+    return groups;
+}
+
+MaterialPrediction prediction_of(const Material& material) {
+    MaterialPrediction prediction;
+    prediction.surface = KindSurface::of(material, &prediction.why);
+    if (!prediction.surface) return prediction;
+    prediction.at = kind_coordinates(material);
+    prediction.why = prediction.surface->beyond(prediction.at);
+    if (!prediction.why.empty()) prediction.surface.reset();
+    return prediction;
+}
+
+Estimate ComparisonRow::computed() const {
+    Estimate computed = ours;
+    if (is_mean && specimens == 1 && laboratory.half_interval_of_one) {
+        computed.low = computed.value - *laboratory.half_interval_of_one;
+        computed.high = computed.value + *laboratory.half_interval_of_one;
+    }
+    return computed;
+}
+
+std::optional<double> ComparisonRow::off_laboratory_percent() const {
+    const double known = laboratory.target.value;
+    return laboratory.is_measured() && known != 0 ? OptionalValue(100 * (ours.value / known - 1)) : std::nullopt;
+}
+
+std::optional<double> ComparisonRow::half_interval_percent() const {
+    return ours.low && ours.high && ours.value != 0 ? OptionalValue(std::abs(50 * (*ours.high - *ours.low) / ours.value))
+                                                    : std::nullopt;
+}
+
+std::optional<double> ComparisonRow::specimens_for_3_percent() const {
+    if (!is_mean || !deviation || ours.value == 0) return std::nullopt;
+    constexpr double normal_95 = 1.96;
+    return std::max(3.0, std::ceil(std::pow(normal_95 * *deviation / (0.03 * ours.value), 2)));
+}
+
+bool is_measured_by(const Target& target, const RunSettings& settings, const std::string& shape) {
+    const bool is_known = target.measured_on && target.measured_on->is_known();
+    const std::string usual = settings.loading() == Loading::bending ? "half-disc" : "";
+    return settings.test == target.test() &&
+           std::abs(settings.confining_pressure - target.confining_pressure) <= 1e-6 * target.confining_pressure &&
+           shape == (is_known ? target.measured_on->method : usual);
+}
+
+std::optional<double> value_of(const MeasuredRun& test, const Target& target, StrengthKind kind) {
+    if (!is_measured_by(target, test.data.header, shape_of(test))) return std::nullopt;
+    return target.property.value == &strength_of ? test.strength.reported(kind) : target.property.value(test);
+}
+
+std::vector<ComparisonRow> compare(const std::vector<SeedGroup>& groups, const std::vector<FabricEnvelope>& envelopes,
+                                   const std::vector<LaboratoryProperty>& properties, const std::optional<Material>& material,
+                                   const MaterialPrediction& prediction, StrengthKind kind) {
+    Rows rows(material, prediction, kind);
+    std::vector<const LaboratoryProperty*> untested;
+    auto envelope = envelopes.begin();
+    for (const LaboratoryProperty& property : properties) {
+        const bool is_behind_strengths = order_of(property.target.property) > order_of(property_named("first_peak"));
+        for (; is_behind_strengths && envelope != envelopes.end(); ++envelope) rows.add(*envelope);
+        if (!rows.add(property, groups)) untested.push_back(&property);
+    }
+    for (const LaboratoryProperty* property : untested) rows.add_untested(*property);
+    return rows.take();
+}
+
+}  // namespace graincrack

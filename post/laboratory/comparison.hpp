@@ -1,0 +1,110 @@
+// Properties of runs beside the laboratory's and what the kind of rock predicts: the rows that the page `report` and the table
+// `properties` print.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/fit/envelope.hpp"
+#include "post/kind/kind_surface.hpp"
+#include "post/laboratory/laboratory.hpp"
+#include "post/measure/property.hpp"
+#include "post/statistics/statistics.hpp"
+
+namespace graincrack {
+
+/// A value of a run, SI; empty if the test does not measure it.
+using ValueOfTest = std::function<std::optional<double>(const MeasuredRun&)>;
+
+/// Comparable runs: of one test at one confining pressure, different in their seeds alone.
+struct SeedGroup {
+    std::string test;  ///< "uniaxial", "σ3 = 8 MPa"
+    /// How its specimens were heated, and what tells it from other groups of the test: "diameter 60 mm"; "" if nothing does.
+    std::string distinction;
+    std::vector<const MeasuredRun*> runs;
+    std::vector<std::size_t> indices;  ///< of these in the list that was grouped
+
+    [[nodiscard]] const MeasuredRun& first() const { return *runs.front(); }
+    /// A text with what tells the group from others of its test: "uniaxial, grain diameter 5 mm".
+    [[nodiscard]] std::string with_specimen(const std::string& text) const {
+        return text + (distinction.empty() ? "" : ", ") + distinction;
+    }
+    [[nodiscard]] std::string name() const { return with_specimen(test); }
+    /// Over the runs that have the value; empty if none has.
+    [[nodiscard]] std::optional<Sample> sample_of(const ValueOfTest& value) const;
+};
+
+/// In the order of `group_strengths`: Brazilian, tension, then compression by rising pressure.
+std::vector<SeedGroup> seed_groups(const std::vector<const MeasuredRun*>& runs);
+template <class Run>
+std::vector<SeedGroup> seed_groups(const std::vector<Run>& runs) {
+    std::vector<const MeasuredRun*> all;
+    for (const Run& run : runs) all.push_back(&run);
+    return seed_groups(all);
+}
+
+/// The envelope of the compression tests of one fabric.
+struct FabricEnvelope {
+    std::string fabric;  ///< "edge 5 mm"; empty if all runs are of one
+    bool is_heated = false;
+    EnvelopeTests tests;
+    Envelope envelope;
+};
+
+/// What the kind of rock predicts of new specimens of a material.
+struct MaterialPrediction {
+    std::optional<KindSurface> surface;  ///< empty if it predicts nothing
+    std::string why;                     ///< it predicts nothing: "its cohesion over tc is 20, those of the design 1.5 to 16"
+    KindCoordinates at;                  ///< of the material
+
+    [[nodiscard]] std::optional<KindPrediction> of(const calibrate::Target& target) const {
+        return surface ? surface->predict(at, target.property, target.confining_pressure) : std::nullopt;
+    }
+};
+MaterialPrediction prediction_of(const Material& material);
+
+/// A property of a group of runs, or of the line through several groups, and what it is compared with. SI.
+struct ComparisonRow {
+    LaboratoryProperty laboratory;  ///< the property; not measured where a comparison would be wrong, as for heated specimens
+    std::string name = {};          ///< as a laboratory calls it, with what tells its specimens; "" of rows of the table alone
+    std::string column = {};        ///< its name in the table `properties`
+    Estimate ours = {};             ///< mean over specimens, or of a fit; NaN: none, or not determined
+    std::optional<double> deviation = std::nullopt;  ///< over specimens; of C and φ over seeds with tests at all pressures
+    std::size_t specimens = 0;                       ///< that have a value
+    /// Those that did not fail: not among the specimens, unless the largest stress is taken as the strength; empty: no strength.
+    std::optional<std::size_t> without_peak = std::nullopt;
+    bool is_heated = false;                             ///< compared with neither laboratory nor kind
+    bool is_mean = false;                               ///< of a sample of specimens; else from a fit through all of them
+    std::optional<double> published = std::nullopt;     ///< of the paper's model, for the paper's rock
+    std::optional<KindPrediction> kind = std::nullopt;  ///< of a new specimen, by the surface of the kind of rock
+    std::string caveat = {};                            ///< why its agreement is unknown, as `Target::caveat`
+    calibrate::Agreement agreement = calibrate::Agreement::unknown;
+
+    [[nodiscard]] bool is_tested() const { return specimens > 0 || without_peak; }
+    /// Our value with its interval; of a single specimen that of the scatter of specimens, if the material tells it.
+    [[nodiscard]] Estimate computed() const;
+    /// 100 (ours/laboratory − 1)
+    [[nodiscard]] std::optional<double> off_laboratory_percent() const;
+    /// Half of the 95 % interval over our value.
+    [[nodiscard]] std::optional<double> half_interval_percent() const;
+    /// Specimens, at least three, whose mean has a 95 % half interval of 3 %, with the deviation of these.
+    [[nodiscard]] std::optional<double> specimens_for_3_percent() const;
+};
+
+/// True if runs with these settings and a `distinct_shape` (bending: that of the specimen with a slit) measure a target.
+bool is_measured_by(const calibrate::Target& target, const RunSettings& settings, const std::string& shape);
+/// The property of a target, SI; empty if the run is of another test or does not have it. \param kind of strengths
+std::optional<double> value_of(const MeasuredRun& test, const calibrate::Target& target,
+                               StrengthKind kind = StrengthKind::first_peak);
+
+/// For each property a row for each group that measures it; behind the strengths C, φ and b of each envelope, which [targets]
+/// do not have, also by the stress at first yield; last the properties that no group measures. Heated specimens stand beside
+/// neither the laboratory's values nor the kind's.
+/// \param properties as `laboratory_properties` \param kind of strengths
+std::vector<ComparisonRow> compare(const std::vector<SeedGroup>& groups, const std::vector<FabricEnvelope>& envelopes,
+                                   const std::vector<LaboratoryProperty>& properties, const std::optional<Material>& material,
+                                   const MaterialPrediction& prediction, StrengthKind kind = StrengthKind::first_peak);
+
+}  // namespace graincrack
