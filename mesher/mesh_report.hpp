@@ -20,7 +20,7 @@ std::vector<std::string> summary_of(const Specimen& specimen, const std::string&
 /// Statistics of a specimen, a line each. Lengths in mm, angles in degrees.
 std::vector<Remark> describe_mesh(const Specimen& specimen, const Request& request, const MeshReport& report);
 
-/// Expected counts and file size of a request, a line each. \throws UsageError as `plan_mesh`
+/// Estimated counts, file size and time of a request, two lines. \throws UsageError as `plan_mesh`
 std::vector<std::string> describe_plan(const Request& request);
 
 /// How many elements, in mean lengths of contacts, lie in the zone in which the contacts of a material soften: of those between
