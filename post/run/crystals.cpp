@@ -49,7 +49,8 @@ std::string asked_grains(const H5Input& file) {
         const bool is_equiaxed = elongation == 1 && std::string_view(name).starts_with("elongation");
         if (is_given && !is_equiaxed) text += fmt::format(", {} {}", option_name(*setting), shown(*setting));
     }
-    return text;
+    const std::string material = text_of(settings, "material");
+    return material.empty() ? text : fmt::format("{} (material {})", text, material);
 }
 
 std::optional<CrystalSizes> crystal_sizes(const H5Input& file) {

@@ -24,7 +24,8 @@ bool is_within_crystal(const Specimen& specimen, std::size_t contact);
 /// "452 grains" or, of polygons that break, "300 crystals of 2168 elements".
 std::string grains_label(const Specimen& specimen);
 
-/// The grains that were asked for, by a material or by options: "delaunay, grains 8, spread 0.1"; "" if the file does not say.
+/// The grains that were asked for, by a material or by options: "delaunay, grains 8, spread 0.1 (material gneiss)"; "" if the
+/// file does not say.
 std::string asked_grains(const H5Input& file);
 
 /// The polygons of a specimen.

@@ -30,7 +30,7 @@ TEST(Fabric, AMaterialMakesItsOwnGrains) {
     // 20 x 40 mm² over π (4 mm)²/4 are 63.66, and diameters that vary by 0.4 have 1 + 0.4² times the area of their mean.
     EXPECT_EQ(fact(shell, "s.h5", "crystals"), "55");
     EXPECT_EQ(fact(shell, "s.h5", "asked_for"),
-              "trigon, grain-size 4 mm, spread 0.4, elements-per-crystal 16 (material granite.toml)");
+              "trigon, grains 55, spread 0.4, elements-per-crystal 16 (material granite.toml)");
     EXPECT_NEAR(std::stod(fact(shell, "s.h5", "elements_per_crystal")), 16, 0.02 * 16);  // tolerance of the trials
     EXPECT_NEAR(std::stod(fact(shell, "s.h5", "crystal_variation")), 0.4, 1e-3);  // sizes are drawn so that they vary as wanted
     EXPECT_NEAR(std::stod(fact(shell, "s.h5", "grain_size")), 4, 4 * 0.5 / 55);   // whole polygons
@@ -61,12 +61,12 @@ TEST(Fabric, OptionsOverrideItOneByOne) {
     const std::string end = " (material granite.toml)";
     EXPECT_EQ(asked("--grains 30"), "trigon, grains 30, spread 0.4, elements-per-crystal 16" + end);
     EXPECT_EQ(fact(shell, "s.h5", "crystals"), "30");
-    EXPECT_EQ(asked("--edge 5mm"), "trigon, edge 5mm, spread 0.4, elements-per-crystal 16" + end);
-    EXPECT_EQ(asked("--spread 0.2"), "trigon, grain-size 4 mm, spread 0.2, elements-per-crystal 16" + end);
-    EXPECT_EQ(asked("--element-size 2mm"), "trigon, grain-size 4 mm, spread 0.4, element-size 2mm" + end);
-    EXPECT_EQ(asked("--tessellation voronoi"), "voronoi, grain-size 4 mm, spread 0.4, elements-per-crystal 16" + end);
+    EXPECT_EQ(asked("--edge 5mm"), "trigon, edge 5 mm, spread 0.4, elements-per-crystal 16" + end);
+    EXPECT_EQ(asked("--spread 0.2"), "trigon, grains 61, spread 0.2, elements-per-crystal 16" + end);
+    EXPECT_EQ(asked("--element-size 2mm"), "trigon, grains 55, spread 0.4, element-size 2 mm" + end);
+    EXPECT_EQ(asked("--tessellation voronoi"), "voronoi, grains 55, spread 0.4, elements-per-crystal 16" + end);
     // The variation is that of diameters of polygons, not of edges of triangles.
-    EXPECT_EQ(asked("--tessellation delaunay"), "delaunay, grain-size 4 mm, spread 0.1" + end);
+    EXPECT_EQ(asked("--tessellation delaunay"), "delaunay, grains 64, spread 0.1" + end);
     EXPECT_EQ(fact(shell, "s.h5", "grains"), "64");
     EXPECT_EQ(shell.must(rectangle + "granite.toml --spread 0.3 --print-config | grep -E '^(spread|# edge)'"),
               "# edge =\nspread = 0.3\n");
