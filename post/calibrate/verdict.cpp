@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "post/kind/kind_surface.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack::calibrate {
