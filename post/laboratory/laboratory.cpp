@@ -93,25 +93,18 @@ bool LaboratoryProperty::is_measured() const { return std::isfinite(target.value
 
 std::string LaboratoryProperty::name() const { return laboratory_name(target); }
 
-std::optional<Material> material_of_run(const RunSettings& header, const std::vector<std::string>& words) {
-    constexpr std::string_view option = "--material";
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        std::string name;
-        if (words[i] == option && i + 1 < words.size()) name = words[i + 1];
-        if (words[i].starts_with(std::string(option) + "=")) name = words[i].substr(option.size() + 1);
-        if (name.empty()) continue;
-        if (!is_harmless(name)) return std::nullopt;
-        try {
-            Material material = read_material(name);
-            const Rock& rock = material.rock;
-            const bool is_same = material.name == header.material && rock.young_modulus == header.rock.young_modulus &&
-                                 rock.poisson_ratio == header.rock.poisson_ratio && rock.density == header.rock.density;
-            return is_same ? std::optional(std::move(material)) : std::nullopt;
-        } catch (const InputError&) {
-            return std::nullopt;
-        }
+std::optional<Material> material_of_run(const RunSettings& run) {
+    const std::string name = text_of(run.request, "material");
+    if (name.empty() || !is_harmless(name)) return std::nullopt;
+    try {
+        Material material = read_material(name);
+        const Rock& rock = material.rock;
+        const bool is_same = material.name == run.material && rock.young_modulus == run.rock.young_modulus &&
+                             rock.poisson_ratio == run.rock.poisson_ratio && rock.density == run.rock.density;
+        return is_same ? std::optional(std::move(material)) : std::nullopt;
+    } catch (const InputError&) {
+        return std::nullopt;
     }
-    return std::nullopt;
 }
 
 std::string difference_from(const Material& material, const RunSettings& run) {

@@ -37,9 +37,9 @@ struct LaboratoryProperty {
     [[nodiscard]] std::string name() const;  ///< "UCS", "σ1 at σ3 = 8 MPa", "crack initiation CI"
 };
 
-/// The material that a run was made with, as its command line names it; empty if that is not found, or is another by now: its
-/// name, the elastic constants or density of its rock differ. \param words of the command line
-std::optional<Material> material_of_run(const RunSettings& header, const std::vector<std::string>& words);
+/// The material that a run was made with, as its request names it; empty if that is not found, or is another by now: its name,
+/// the elastic constants or density of its rock differ.
+std::optional<Material> material_of_run(const RunSettings& run);
 
 /// In what a run is of another material than this: its name, rock, contacts or phases, the values of the run first; "" if in
 /// nothing.

@@ -80,9 +80,6 @@ TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label)
     report.contact_zone_length =
         fpz::contact_zone_length(header.rock, header.plane, header.contact.fracture_energy, header.contact.tensile_strength);
     report.provenance = provenance_of(run.file());
-    if (run.file().has(schema::provenance_group) && run.file().has_attribute(schema::provenance_group, "command_line")) {
-        report.command_line = run.file().attribute<std::vector<std::string>>(schema::provenance_group, "command_line");
-    }
     return report;
 }
 

@@ -26,7 +26,6 @@ struct TestReport : MeasuredRun {
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;
-    std::vector<std::string> command_line;  ///< words
 };
 
 /// Evaluates a run for the report. \param label of its cracks \throws InputError if it cannot be read or evaluated

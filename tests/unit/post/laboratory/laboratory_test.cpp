@@ -82,18 +82,15 @@ TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {
     RunHeader header;
     header.material = granite.name;
     header.rock = granite.rock;
-    for (const std::vector<std::string>& words : {std::vector<std::string>{"graincrack-solve", "--material", "augig-granite"},
-                                                  {"graincrack-solve", "--material=augig-granite"}}) {
-        const auto found = material_of_run(header, words);
-        ASSERT_TRUE(found);
-        EXPECT_EQ(found->file, granite.file);
-    }
-    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "none.toml"}));
-    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "/dev/zero"}));
-    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material"}));
-    EXPECT_FALSE(material_of_run(header, {"graincrack-solve"}));
+    const auto found = [&header](const std::string& name) {
+        header.request = {{"material", name}};
+        return material_of_run(header);
+    };
+    ASSERT_TRUE(found("augig-granite"));
+    EXPECT_EQ(found("augig-granite")->file, granite.file);
+    for (const char* name : {"none.toml", "/dev/zero", ""}) EXPECT_FALSE(found(name)) << name;
     header.rock.density += 1;
-    EXPECT_FALSE(material_of_run(header, {"graincrack-solve", "--material", "augig-granite"}));
+    EXPECT_FALSE(found("augig-granite"));
 }
 
 }  // namespace
