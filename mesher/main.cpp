@@ -46,6 +46,7 @@ void write(H5Output& file, const Specimen& specimen, const std::string& input_di
     provenance.tool = "graincrack-mesh";
     provenance.command_line.assign(argv, argv + argc);
     provenance.configuration = options.configuration;
+    provenance.material = options.material_name;
     provenance.input_digest = input_digest;
     provenance.libraries = library_versions();
     provenance.libraries.push_back(triangulation_library());

@@ -354,7 +354,7 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
         "material (name or TOML file) whose [fabric], phases and scatter of strengths are taken unless given, and whose "
         "contact zones elements must resolve",
         "NAME|FILE", "")
-        .of(SettingGroup::none, [&options] { return options.material ? SettingValue(options.material_name) : SettingValue(); });
+        .of(SettingGroup::none, [&options] { return options.material ? SettingValue(options.material->name) : SettingValue(); });
     add_output_file(set.usual(), options.output, "specimen file to write; - for stdout", {".h5"}).type_name("FILE|-");
 }
 

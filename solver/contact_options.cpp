@@ -100,7 +100,6 @@ void check_energies(const ContactParameters& p, LawVariant law) {
 
 void add_contact_options(OptionSet command, ContactOptions& o) {
     add_text(command, "--material", o.material, "material: a name of share/materials or a TOML file")
-        .of(SettingGroup::none)
         .required()
         .type_name("NAME");
     std::vector<std::string> laws;

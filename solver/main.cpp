@@ -235,6 +235,7 @@ int solve(int argc, char** argv, const Ranks& ranks) {
     provenance.tool = "graincrack-solve";
     provenance.command_line.assign(argv, argv + argc);
     provenance.configuration = options->configuration;
+    provenance.material = options->material;
     provenance.input_digest = digest;
     const SimulationSummary summary = simulate(specimen, options->request, options->output, options->verbosity, provenance);
     print_summary(out, summary, specimen, options->output);

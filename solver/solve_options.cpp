@@ -33,7 +33,7 @@ struct RawOptions {
     ContactOptions contact;
     std::optional<double> platen_friction, heat, confining_pressure, rate_tolerance, block_speed;
     std::optional<std::int64_t> block_steps;
-    std::optional<double> rate_share, walltime;
+    std::optional<double> rate_share, mass_scaling_factor, walltime;
     std::optional<bool> mass_scaling;
     std::string program;   ///< its file
     double damping = NAN;  ///< of a program; NaN if not given
@@ -116,7 +116,7 @@ void add_method_options(OptionSet command, SimulationRequest& request, RawOption
         "selective: mass is added to the relative motion of nodes across contacts, which allows a time step about ten times as "
         "long; default: selective, but none for tests without damping and for programs that make waves")
         .of(SettingGroup::loading, [&request] { return std::string(request.mass_scaling ? "selective" : "none"); });
-    add_quantity(command, "--mass-scaling-factor", request.mass_scaling_factor, quantity::mass_scaling_factor,
+    add_quantity(command, "--mass-scaling-factor", raw.mass_scaling_factor, quantity::mass_scaling_factor,
                  "ratio of added to real mass in relative motion across contacts; default: large enough that the grains, not the "
                  "contacts, limit the time step")
         .of(SettingGroup::loading);
@@ -265,6 +265,7 @@ void complete_program(SimulationRequest& request, const RawOptions& raw) {
 
 /// Scaled masses for what is quasi-static, unless they were chosen; a run that starts from another keeps what that has.
 void complete_mass_scaling(SimulationRequest& request, const RawOptions& raw) {
+    request.mass_scaling_factor = raw.mass_scaling_factor;
     const std::string why = request.why_dynamic();
     request.mass_scaling = raw.mass_scaling.value_or(why.empty());
     if (!request.restart.empty() && raw.mass_scaling != false && !request.mass_scaling_factor) {
@@ -338,6 +339,7 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     if (options.output.empty() && !options.dry_run && !options.print_program) {
         throw UsageError("--output: missing; name the run file with -o FILE, or - for stdout");
     }
+    options.material = raw.contact.material;
     complete_request(options.request, raw);
     const bool goes_to_stream = !options.output.empty() && is_stream(options.output);
     if (options.request.checkpoint_interval && goes_to_stream) {

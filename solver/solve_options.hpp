@@ -18,6 +18,7 @@ struct SolveOptions {
     bool dry_run = false;
     bool print_program = false;  ///< print the program that a standard test is, and run nothing
     std::string configuration;   ///< effective options as TOML
+    std::string material;        ///< as it was given
 };
 
 /// Reads options, configuration and material; empty if the call was answered (--help, --version, --print-config).

@@ -93,8 +93,7 @@ bool LaboratoryProperty::is_measured() const { return std::isfinite(target.value
 
 std::string LaboratoryProperty::name() const { return laboratory_name(target); }
 
-std::optional<Material> material_of_run(const RunSettings& run) {
-    const std::string name = text_of(run.request, "material");
+std::optional<Material> material_of_run(const RunSettings& run, const std::string& name) {
     if (name.empty() || !is_harmless(name)) return std::nullopt;
     try {
         Material material = read_material(name);

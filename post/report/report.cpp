@@ -260,7 +260,7 @@ Content read_content(const std::vector<std::string>& runs, ReportOptions& option
     count_once(content, diagnostics);
     content.groups = seed_groups(content.tests);
     const TestReport& first = content.tests.front();
-    if (!is_given) options.material = material_of_run(first.data.header);
+    if (!is_given) options.material = material_of_run(first.data.header, first.material);
     add_maps(content, options);
     add_envelopes(content);
     return content;

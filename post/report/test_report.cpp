@@ -80,6 +80,9 @@ TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label)
     report.contact_zone_length =
         fpz::contact_zone_length(header.rock, header.plane, header.contact.fracture_energy, header.contact.tensile_strength);
     report.provenance = provenance_of(run.file());
+    if (run.file().has(schema::provenance_group)) {
+        report.material = run.file().attribute_or<std::string>(schema::provenance_group, "material", "");
+    }
     return report;
 }
 

@@ -26,6 +26,7 @@ struct TestReport : MeasuredRun {
     std::vector<SensitivityRow> sensitivity;  ///< empty unless the run was made with --sensitivity
     double contact_zone_length = 0;           ///< m
     ProvenanceEntries provenance;
+    std::string material;  ///< as the command line named it; "" if the file does not say
 };
 
 /// Evaluates a run for the report. \param label of its cracks \throws InputError if it cannot be read or evaluated

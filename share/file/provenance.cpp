@@ -50,6 +50,7 @@ void write_provenance(H5Output& file, const Provenance& provenance) {
     file.attribute(group, "commit", project_commit());
     file.attribute(group, "command_line", provenance.command_line);
     file.attribute(group, "configuration", provenance.configuration);
+    if (!provenance.material.empty()) file.attribute(group, "material", provenance.material);
     file.attribute(group, "host", host_name());
     file.attribute(group, "utc_time", utc_time());
     file.attribute(group, "libraries", provenance.libraries.empty() ? library_versions() : provenance.libraries);

@@ -20,6 +20,7 @@ struct Provenance {
     std::string tool;
     std::vector<std::string> command_line;
     std::string configuration;  ///< effective options as TOML
+    std::string material;       ///< as the command line names it, "" if none
     std::string input_digest;   ///< digest of the input file, "" if none
     std::vector<std::string> libraries;
     double wall_time = 0;  ///< s

@@ -30,7 +30,7 @@ TEST(Fabric, AMaterialMakesItsOwnGrains) {
     // 20 x 40 mm² over π (4 mm)²/4 are 63.66, and diameters that vary by 0.4 have 1 + 0.4² times the area of their mean.
     EXPECT_EQ(fact(shell, "s.h5", "crystals"), "55");
     EXPECT_EQ(fact(shell, "s.h5", "asked_for"),
-              "trigon, grains 55, spread 0.4, elements-per-crystal 16 (material granite.toml)");
+              "trigon, grains 55, spread 0.4, elements-per-crystal 16 (material Augig granite)");
     EXPECT_NEAR(std::stod(fact(shell, "s.h5", "elements_per_crystal")), 16, 0.02 * 16);  // tolerance of the trials
     EXPECT_NEAR(std::stod(fact(shell, "s.h5", "crystal_variation")), 0.4, 1e-3);  // sizes are drawn so that they vary as wanted
     EXPECT_NEAR(std::stod(fact(shell, "s.h5", "grain_size")), 4, 4 * 0.5 / 55);   // whole polygons
@@ -47,7 +47,7 @@ TEST(Fabric, AMaterialMakesItsOwnGrains) {
         "graincrack-post report run.h5 --material granite.toml -o report.html");
     EXPECT_EQ(fact(shell, "run.h5", "asked_for"), fact(shell, "s.h5", "asked_for"));
     EXPECT_NE(
-        content_of(shell.file("report.html")).find("elements-per-crystal 16 (material granite.toml) asked for; 55 crystals"),
+        content_of(shell.file("report.html")).find("elements-per-crystal 16 (material Augig granite) asked for; 55 crystals"),
         std::string::npos);
 }
 
@@ -58,7 +58,7 @@ TEST(Fabric, OptionsOverrideItOneByOne) {
         shell.must(rectangle + "granite.toml " + options + silent + "s.h5");
         return fact(shell, "s.h5", "asked_for");
     };
-    const std::string end = " (material granite.toml)";
+    const std::string end = " (material Augig granite)";
     EXPECT_EQ(asked("--grains 30"), "trigon, grains 30, spread 0.4, elements-per-crystal 16" + end);
     EXPECT_EQ(fact(shell, "s.h5", "crystals"), "30");
     EXPECT_EQ(asked("--edge 5mm"), "trigon, edge 5 mm, spread 0.4, elements-per-crystal 16" + end);

@@ -408,7 +408,7 @@ def _package():
 def material_of(path: str | Path) -> str | None:
     """The material with which a specimen or run was made, as its command line had it."""
     with _open(path) as file:
-        return _request(file).get("material")
+        return _attributes(file["provenance"]).get("material")
 
 
 # Units that end the names of columns (share/doc/tables.md).

@@ -82,10 +82,7 @@ TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {
     RunHeader header;
     header.material = granite.name;
     header.rock = granite.rock;
-    const auto found = [&header](const std::string& name) {
-        header.request = {{"material", name}};
-        return material_of_run(header);
-    };
+    const auto found = [&header](const std::string& name) { return material_of_run(header, name); };
     ASSERT_TRUE(found("augig-granite"));
     EXPECT_EQ(found("augig-granite")->file, granite.file);
     for (const char* name : {"none.toml", "/dev/zero", ""}) EXPECT_FALSE(found(name)) << name;

@@ -129,7 +129,7 @@ void write_run(const std::string& path, Write&& write, const RunHeader& of_run =
                const std::vector<Crack>& log = cracks()) {
     RunWriter writer(H5Output(path, "run"), specimen(), of_run);
     write(writer);
-    writer.finish(of_run, log, {"graincrack-solve", {"graincrack-solve", "uniaxial"}, "", "", {}, 12.25, 3, 1, ""});
+    writer.finish(of_run, log, {"graincrack-solve", {"graincrack-solve", "uniaxial"}, "", "", "", {}, 12.25, 3, 1, ""});
 }
 void add_row(RunWriter& writer) { writer.append_history(history(1)); }
 
@@ -297,7 +297,7 @@ TEST(RunFile, DigestDoesNotDependOnTimeTakenOrOnThePieces) {
     const auto write = [&](const std::string& name, std::initializer_list<std::size_t> pieces, double wall_time) {
         RunWriter writer(H5Output(folder.file(name), "run"), specimen(), header());
         for (const std::size_t rows : pieces) writer.append_history(history(rows));
-        writer.finish(header(), cracks(), {"", {}, "", "", {}, wall_time, 1, 1, ""});
+        writer.finish(header(), cracks(), {"", {}, "", "", "", {}, wall_time, 1, 1, ""});
         return RunReader(folder.file(name)).file().digest();
     };
     const std::string digest = write("a.h5", {10}, 1);
