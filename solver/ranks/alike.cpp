@@ -33,9 +33,9 @@ void refuse_difference(const std::string& first, const std::string& other, std::
 }  // namespace
 
 Facts facts_of(const Settings& settings, const std::string& before) {
-    constexpr int all_digits = 17;
+    constexpr int digits = 15;  // that every text of a number keeps
     Facts facts;
-    for (const Setting& each : settings) facts.emplace_back(before + option_name(each), shown(each, all_digits));
+    for (const Setting& each : settings) facts.emplace_back(before + option_name(each), shown(each, digits));
     return facts;
 }
 

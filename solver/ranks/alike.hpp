@@ -15,7 +15,7 @@ namespace graincrack {
 using Fact = std::pair<std::string, std::string>;
 using Facts = std::vector<Fact>;
 
-/// Settings with all their digits. \param before each name
+/// Settings with 15 digits. \param before each name
 Facts facts_of(const Settings& settings, const std::string& before);
 
 /// Prepares a run on every rank. \param prepare returns what must be alike; alone its result does not matter
