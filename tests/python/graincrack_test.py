@@ -86,6 +86,7 @@ class ReadsWhatTheToolsWrite(unittest.TestCase):
         self.assertEqual(specimen["width"], 0.02)
         self.assertEqual([specimen.request[name] for name in ("width", "tessellation", "slit")], [0.02, specimen["tessellation"], None])
         self.assertEqual([run.request[name] for name in ("peak_drop", "heat", "cool")], [0.3, None, False])
+        self.assertEqual(run.specimen.request, specimen.request)
         np.testing.assert_array_equal(specimen.nodes, run.specimen.nodes)
         corners = specimen.nodes[specimen.elements]
         edges = corners[:, 1:] - corners[:, :1]

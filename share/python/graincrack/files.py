@@ -79,10 +79,6 @@ def _long_text(dataset: h5py.Dataset):
     return rows.tobytes().decode() if rows.ndim == 1 else [row.tobytes().rstrip(b"\0").decode() for row in rows]
 
 
-def _request(file: h5py.File) -> dict:
-    return json.loads(_attributes(file[_text(file.attrs["kind"])]).get("request", "{}"))
-
-
 def _attributes(group: h5py.Group) -> dict:
     """All attributes of a group, also those that are datasets for their length."""
     long = {name: _long_text(item) for name, item in group.items() if isinstance(item, h5py.Dataset) and item.dtype == np.uint8}
@@ -170,7 +166,7 @@ class _Hdf5File(_File):
     @property
     def request(self) -> dict:
         """The effective values of the options by which it was made, SI; None for what was not given."""
-        return _request(self._file)
+        return json.loads(_attributes(self._file[self._group]).get("request", "{}"))
 
     @property
     def provenance(self) -> dict:
@@ -184,6 +180,8 @@ class _Hdf5File(_File):
 
 class Specimen(_Hdf5File):
     """A particle assemblage. `Specimen("specimen.h5")`, or `run.specimen`."""
+
+    _group = "/specimen"
 
     def __init__(self, source: str | Path | h5py.File):
         super().__init__(source.filename if isinstance(source, h5py.File) else source)
@@ -217,6 +215,8 @@ class Specimen(_Hdf5File):
 
 class Run(_Hdf5File):
     """A run of graincrack-solve. `run["damping"]` is an attribute of /run."""
+
+    _group = "/run"
 
     def __init__(self, path: str | Path):
         super().__init__(path)
