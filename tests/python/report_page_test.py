@@ -56,7 +56,7 @@ class Printer(Browser):
         """Sizes of the pages of a print, and the marks on them: name to list of (page, xMin, yMin, xMax, yMax)."""
         copy, pdf = self.folder / "copy.html", self.folder / "print.pdf"
         copy.write_text(page.read_text().replace("</body>", MARK + "</body>"))
-        self(copy, f"--print-to-pdf={pdf}", "--no-pdf-header-footer")
+        self(copy, f"--print-to-pdf={pdf}", "--no-pdf-header-footer", "--virtual-time-budget=20000")
         boxes = subprocess.run(["pdftotext", "-bbox", pdf, "-"], check=True, capture_output=True, encoding="utf-8").stdout
         sizes, marks = [], {}
         for line in boxes.splitlines():
@@ -95,7 +95,7 @@ class Page(unittest.TestCase):
             for page in cls.reports:
                 for width in (400, 1200):
                     cls.browser(page, f"--screenshot={Path(pictures).resolve()}/{page.stem}-{width}.png", f"--window-size={width},6000")
-                cls.browser(page, f"--print-to-pdf={Path(pictures).resolve()}/{page.stem}.pdf", "--no-pdf-header-footer")
+                cls.browser(page, f"--print-to-pdf={Path(pictures).resolve()}/{page.stem}.pdf", "--no-pdf-header-footer", "--virtual-time-budget=20000")
 
     def expect_sorted(self, column, page):
         up, down = column["up"], column["down"]
