@@ -12,9 +12,9 @@
 namespace graincrack {
 namespace {
 
-RunData run_of(const std::string& name, const std::string& test = "uniaxial", double confining = 0) {
+RunData run_of(const std::string& name, const std::string& kind = "uniaxial", double confining = 0) {
     test::Recipe recipe;
-    recipe.test = test;
+    recipe.test = kind;
     recipe.confining_pressure = confining;
     RunData run;
     run.name = name;
