@@ -118,8 +118,8 @@ void require_comparable(const RunData& run, const RunData& first, const Envelope
         throw InputError(run.name + ": differs from " + first.name + " in " + what +
                          "; compression tests of an envelope differ in confining pressure and seed only");
     };
-    const std::string found =
-        differences(run, first, {SettingGroup::test, SettingGroup::pressure, SettingGroup::loading, SettingGroup::rate, SettingGroup::end});
+    const std::string found = differences(
+        run, first, {SettingGroup::test, SettingGroup::pressure, SettingGroup::loading, SettingGroup::rate, SettingGroup::end});
     if (!found.empty()) refuse(found);
     if (options.strength == StrengthKind::largest && options.strain_limit_runs == StrainLimitRuns::accept &&
         run.header.max_strain != first.header.max_strain) {

@@ -37,8 +37,8 @@ struct LaboratoryProperty {
     [[nodiscard]] std::string name() const;  ///< "UCS", "σ1 at σ3 = 8 MPa", "crack initiation CI"
 };
 
-/// The material that a run was made with, by the name that its provenance has; empty if that is not found, or is another by now: its name,
-/// the elastic constants or density of its rock differ.
+/// The material that a run was made with, by the name that its provenance has; empty if that is not found, or is another by now:
+/// its name, the elastic constants or density of its rock differ.
 std::optional<Material> material_of_run(const RunSettings& run, const std::string& name);
 
 /// In what a run is of another material than this: its name, rock, contacts or phases, the values of the run first; "" if in

@@ -11,8 +11,8 @@
 
 #include "post/cracks/crack_network.hpp"
 #include "post/measure/strength.hpp"
-#include "post/measure/strength_table.hpp"
 #include "post/measure/strength_summary.hpp"
+#include "post/measure/strength_table.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/synthetic_run.hpp"
 

@@ -105,7 +105,8 @@ TEST(Units, AWordForAValue) {
         parse_quantity_or("off", "none", 0, quantity::damping, "--damping");
         FAIL();
     } catch (const UsageError& error) {
-        EXPECT_STREQ(error.what(), "--damping: \"off\" is not a number; a pure number, or one in %, fits; the word none fits too");
+        EXPECT_STREQ(error.what(),
+                     "--damping: \"off\" is not a number; a pure number, or one in %, fits; the word none fits too");
     }
     EXPECT_THROW(parse_quantity_or("1.5", "none", 0, quantity::damping, "--damping"), UsageError);
     EXPECT_THROW(parse_quantity_or("", "none", 0, quantity::damping, "--damping"), UsageError);
