@@ -195,7 +195,7 @@ std::vector<FittedEntry> fitted_entries(const Material& material) {
             entry.text = text;
         }
         const std::size_t order = target ? order_of(target->property) : all_properties().size();
-        entries.push_back({{order, target ? target->confining_pressure : 0}, std::move(entry)});
+        entries.emplace_back(std::pair(order, target ? target->confining_pressure : 0.0), std::move(entry));
     }
     std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<FittedEntry> sorted;
