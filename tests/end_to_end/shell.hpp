@@ -90,10 +90,4 @@ inline std::string cell(const std::string& table, const std::string& column) {
     return "";
 }
 
-inline const std::string make_disc = "graincrack-mesh disc --diameter 20mm --grains 60 --quiet -o ";
-/// Options of a test that passes its peak after 6,000 steps, a fraction of a second.
-inline const std::string past_peak = " --material augig-granite --rate 400mm/s --max-strain 0.01 --quiet ";
-/// Options of a test that ends long before its peak.
-inline const std::string elastic = " --material augig-granite --rate 400mm/s --max-strain 0.0003 --quiet ";
-
 }  // namespace graincrack::test

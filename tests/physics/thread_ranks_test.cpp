@@ -1,6 +1,6 @@
 // Runs on several ranks are the run of one: the same file, to the digest, past the peak, with fragments, whatever the test, the
 // law and the mass scaling; so are runs that stop on some ranks and resume on others. Ranks are threads here: see
-// tests/end_to_end/ranks_test.cpp for those of MPI.
+// tests/end_to_end/ranks.toml for those of MPI.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 #include "solver/program/program_file.hpp"
 #include "solver/restart/checkpoint.hpp"
 #include "solver/run/simulation.hpp"
-#include "tests/end_to_end/same_arrays.hpp"
 #include "tests/support/crystals.hpp"
 #include "tests/support/phases.hpp"
+#include "tests/support/same_arrays.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/thread_ranks.hpp"
 

@@ -1,0 +1,183 @@
+// Commands and what they must answer: each case of the files *.toml beside this one is a test.
+//
+// A case is a requirement, in a sentence, with the files that it needs (`files.toml` makes them), and steps: itself, and the rows
+// of `then`. The keys of a step:
+//   command        lines of bash, behind the prelude of `files.toml`; the first one that fails ends them
+//   exit           the exit code, 0 unless given
+//   stdout, stderr, ..._lacks    a text, or several, that must stand there, or must not
+//   stdout_is, stderr_is         the whole text
+//   stdout_lines, stderr_lines   number of lines
+//   leaves         names in the folder afterwards, with spaces between them
+// Unless a step says otherwise, a command that ends with another code than 0 prints nothing to stdout and one line to stderr,
+// which begins with the name of a program, and leaves no file. `for_each` repeats a case for each of its texts, which takes the
+// place of {each}; or for each of its rows, whose values take the place of their keys in braces or are keys of the first step. A
+// case is skipped where its lines `only_where` fail.
+#include <toml++/toml.h>
+
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "tests/end_to_end/shell.hpp"
+
+namespace graincrack::test {
+namespace {
+
+struct Case {
+    std::string name;
+    toml::table table;
+};
+void PrintTo(const Case& value, std::ostream* stream) { *stream << value.name; }
+
+const std::string folder_of_cases = GRAINCRACK_SOURCE "/tests/end_to_end/";
+
+const toml::table& common() {
+    static const toml::table table = toml::parse_file(folder_of_cases + "files.toml");
+    return table;
+}
+
+/// The words of a sentence, joined; no test has another sign in its name.
+std::string joined(const std::string& sentence) {
+    std::string name;
+    bool begins = true;
+    for (const char c : sentence) {
+        const bool is_of_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (is_of_word) name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        begins = !is_of_word && c != '\'';
+    }
+    return name;
+}
+
+std::vector<Case> all_cases() {
+    std::map<std::string, toml::table> files;
+    for (const auto& file : std::filesystem::directory_iterator(folder_of_cases)) {
+        const std::string stem = file.path().stem().string();
+        if (file.path().extension() == ".toml" && stem != "files") files[stem] = toml::parse_file(file.path().string());
+    }
+    std::vector<Case> cases;
+    for (const auto& [stem, file] : files) {
+        for (const auto& row : *file["case"].as_array()) {
+            const toml::table& table = *row.as_table();
+            cases.push_back({joined(stem) + "_" + joined(table["requires"].value<std::string>().value()), table});
+        }
+    }
+    return cases;
+}
+
+using Values = std::map<std::string, std::string>;
+
+std::string with_values(std::string text, const Values& values) {
+    for (const auto& [key, value] : values) {
+        const std::string mark = "{" + key + "}";
+        for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += value.size()) {
+            text.replace(at, mark.size(), value);
+        }
+    }
+    return text;
+}
+
+/// One row of a case, run and checked.
+class Step {
+public:
+    Step(const Shell& shell, const toml::table& row, const Values& values) : shell_(shell), row_(row), values_(values) {
+        for (const auto& [key, value] : row) EXPECT_TRUE(is_key(key.str())) << key.str() << ": no key of a step";
+    }
+
+    static bool is_key(std::string_view word) {
+        static const std::set<std::string, std::less<>> keys{
+            "requires", "only_where", "files",        "then",         "for_each",  "command",   "exit",         "stdout",
+            "stderr",   "leaves",     "stdout_lacks", "stderr_lacks", "stdout_is", "stderr_is", "stdout_lines", "stderr_lines"};
+        return keys.contains(word);
+    }
+
+    void check() const {
+        const std::string command = with_values(row_["command"].value<std::string>().value(), values_);
+        const int code = row_["exit"].value_or(0);
+        const std::string before = shell_.names();
+        const Outcome outcome = run(shell_, command);
+        EXPECT_EQ(outcome.exit_code, code) << command << "\n" << outcome.out << outcome.err;
+        expect_text("stdout", outcome.out, code != 0);
+        expect_text("stderr", outcome.err, false);
+        if (const auto names = row_["leaves"].value<std::string>()) {
+            EXPECT_EQ(std::regex_replace(shell_.names(), std::regex("\n"), " "),
+                      with_values(*names, values_) + (names->empty() ? "" : " "));
+        } else if (code != 0) {
+            EXPECT_EQ(shell_.names(), before) << command;
+        }
+        if (code == 0 || row_.contains("stderr_is") || row_.contains("stderr_lines")) return;
+        EXPECT_EQ(n_lines(outcome.err), 1) << outcome.err;
+        EXPECT_TRUE(std::regex_search(outcome.err, std::regex("^graincrack-(mesh|solve|post): "))) << outcome.err;
+    }
+
+    static Outcome run(const Shell& shell, const std::string& lines) {
+        return shell.run("source=" GRAINCRACK_SOURCE " build=" GRAINCRACK_BIN "/..\nset -e\n" +
+                         common()["prelude"]["bash"].value<std::string>().value() + lines);
+    }
+
+private:
+    void expect_text(const std::string& stream, const std::string& text, bool is_empty) const {
+        const auto whole = row_[stream + "_is"].value<std::string>();
+        const std::string otherwise = is_empty && !row_.contains(stream) ? "" : text;
+        EXPECT_EQ(text, whole ? with_values(*whole, values_) : otherwise) << stream;
+        EXPECT_EQ(n_lines(text), row_[stream + "_lines"].value_or(n_lines(text))) << stream << ": " << text;
+        for (const std::string& part : texts(stream)) EXPECT_TRUE(text.find(part) != std::string::npos) << part << "\n" << text;
+        for (const std::string& part : texts(stream + "_lacks")) EXPECT_EQ(text.find(part), std::string::npos) << text;
+    }
+    [[nodiscard]] std::vector<std::string> texts(const std::string& key) const {
+        std::vector<std::string> found;
+        if (const auto one = row_[key].value<std::string>()) found.push_back(with_values(*one, values_));
+        if (const toml::array* several = row_[key].as_array()) {
+            for (const auto& each : *several) found.push_back(with_values(each.value<std::string>().value(), values_));
+        }
+        return found;
+    }
+
+    const Shell& shell_;
+    const toml::table& row_;
+    const Values& values_;
+};
+
+void check_case(const toml::table& first, const Values& values) {
+    const Shell shell;
+    const std::string condition = first["only_where"].value_or("");
+    if (Step::run(shell, condition).exit_code != 0) GTEST_SKIP() << "only where: " << condition;
+    if (const toml::array* files = first["files"].as_array()) {
+        for (const auto& file : *files) {
+            const auto name = file.value<std::string>().value();
+            const Outcome made = Step::run(shell, common()["files"][name].value<std::string>().value());
+            ASSERT_EQ(made.exit_code, 0) << name << "\n" << made.err;
+        }
+    }
+    Step(shell, first, values).check();
+    if (const toml::array* then = first["then"].as_array()) {
+        for (const auto& row : *then) Step(shell, *row.as_table(), values).check();
+    }
+}
+
+class Commands : public testing::TestWithParam<Case> {};
+
+TEST_P(Commands, Answer) {
+    const toml::table& table = GetParam().table;
+    const toml::array* variants = table["for_each"].as_array();
+    if (variants == nullptr) return check_case(table, {});
+    for (const auto& variant : *variants) {
+        toml::table first = table;
+        Values values;
+        if (const auto text = variant.value<std::string>()) values["each"] = *text;
+        if (const toml::table* row = variant.as_table()) {
+            for (const auto& [key, value] : *row) {
+                if (const auto word = value.value<std::string>()) values[std::string(key.str())] = *word;
+                if (Step::is_key(key.str())) first.insert_or_assign(key, value);
+            }
+        }
+        check_case(first, values);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, Commands, testing::ValuesIn(all_cases()), [](const auto& of) { return of.param.name; });
+
+}  // namespace
+}  // namespace graincrack::test
