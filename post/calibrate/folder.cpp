@@ -4,12 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
-#include <functional>
 #include <set>
 
-#include "post/calibrate/outcome.hpp"
+#include "post/table/table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
 #include "share/base/toml_document.hpp"
@@ -29,10 +27,8 @@ void add_measures(const std::string& path, FinishedRuns& runs) {
     for (const std::string& column : table.columns()) {
         const std::vector<std::string> texts = table.texts(column);
         for (std::size_t row = 0; row < texts.size(); ++row) {
-            double value = 0;
-            const char* const end = texts[row].data() + texts[row].size();
-            const auto read = std::from_chars(texts[row].data(), end, value);
-            if (read.ec == std::errc() && read.ptr == end) runs[fs::path(files[row]).filename().string()][column] = value;
+            const auto value = parse_number(texts[row]);
+            if (value) runs[fs::path(files[row]).filename().string()][column] = *value;
         }
     }
 }
@@ -94,25 +90,6 @@ double time_of(const std::vector<RequestedRun>& requested, const FinishedRuns& f
     return sum;
 }
 
-/// Writes a file of a folder. \param what it is
-using WriteFile = std::function<void(const std::string& what, const std::string& name, const std::string& text)>;
-
-/// Writes the files of a calibration that has ended.
-void write_end(const Material& rock, const std::string& folder, const Problem& problem, const FolderDecision& out,
-               const std::optional<Draws>& draws, std::size_t n_runs, const WriteFile& write) {
-    const Decision& decision = out.decision;
-    std::optional<Material> at;
-    if (!decision.point.empty()) {
-        const bool calibrated = decision.ending == Ending::calibrated;
-        const std::string name = calibrated ? "calibrated.toml" : "nearest.toml";
-        write("material", name, material_text(rock, decision, calibrated ? "calibrated" : "nearest point"));
-        at = read_material((fs::path(folder) / name).string());
-    }
-    if (decision.fit) write("sensitivities", "identify.tsv", identify_table(out.sensitivities));
-    if (draws) write("draws", "draws.tsv", draws_table(problem, *decision.fit, *draws));
-    write("report", "report.md", report_text(rock, at, problem, decision, draws, n_runs));
-}
-
 }  // namespace
 
 FinishedRuns read_finished(const std::string& folder) {
@@ -163,21 +140,29 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
          {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "identify.png", "draws.tsv"}) {
         remove_file(path(name));
     }
-    OutcomeFiles files;
-    const WriteFile write = [&](const std::string& what, const std::string& name, const std::string& text) {
+    std::map<std::string, std::string> files;
+    const auto write = [&](const std::string& what, const std::string& name, const std::string& text) {
         write_whole_file(path(name), text);
         files[what] = name;
     };
-    std::optional<Draws> draws;
+    Findings findings = findings_of(rock, problem, decision, finished.size());
     if (decision.ending == Ending::requested) {
         write("wanted", "wanted.tsv", requested_table(rock, problem.study, decision.requested));
         out.requested_time = time_of(decision.requested, finished);
     } else {
-        draws = draws_of(problem, decision);
-        if (decision.fit) out.sensitivities = sensitivities(problem.parameters, *decision.fit);
-        write_end(rock, folder, problem, out, draws, finished.size(), write);
+        std::optional<Material> at;
+        if (!decision.point.empty()) {
+            const bool calibrated = decision.ending == Ending::calibrated;
+            const std::string name = calibrated ? "calibrated.toml" : "nearest.toml";
+            write("material", name, material_text(rock, decision, calibrated ? "calibrated" : "nearest point"));
+            at = read_material(path(name));
+        }
+        if (decision.fit) write("sensitivities", "identify.tsv", identify_table(findings.sensitivities));
+        if (findings.draws) write("draws", "draws.tsv", draws_table(findings));
+        write("report", "report.md", report_text(findings, at));
     }
-    write_whole_file(path("outcome.json"), outcome_text(rock, problem, decision, draws, finished.size(), files));
+    write_whole_file(path("outcome.json"), outcome_text(findings, files));
+    out.sensitivities = std::move(findings.sensitivities);
     return out;
 }
 

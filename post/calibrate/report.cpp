@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "post/measure/toughness.hpp"
+#include "share/base/quantities.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::calibrate {
@@ -20,6 +22,30 @@ std::string markdown_head(const Cells& cells) {
     std::string rule = "|";
     for (std::size_t i = 0; i < cells.size(); ++i) rule += "---|";
     return "\n" + markdown_row(cells) + rule + "\n";
+}
+
+/// A value of a material that a calibration found, SI.
+struct FoundValue {
+    std::string key;
+    Estimate value;                        ///< without an interval where it was scaled, or the data do not determine it
+    const Parameter* parameter = nullptr;  ///< null of E and ν of the grains
+};
+std::vector<FoundValue> found_values(const Problem& problem, const Decision& decision) {
+    std::vector<FoundValue> all;
+    for (const auto& [key, value] : decision.point) {
+        FoundValue& found = all.emplace_back(FoundValue{key, {value, std::nullopt, std::nullopt}});
+        for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
+            const Parameter& p = problem.parameters[k];
+            if (p.key != key) continue;
+            found.parameter = &p;
+            const auto i = static_cast<Eigen::Index>(k);
+            const Optimum& optimum = decision.fit->optimum;
+            if (optimum.is_undetermined(i)) continue;
+            found.value.low = p.value(optimum.point(i) - optimum.half_interval(i));
+            found.value.high = p.value(optimum.point(i) + optimum.half_interval(i));
+        }
+    }
+    return all;
 }
 
 std::string percent(double part) { return std::isfinite(part) ? fmt::format("{:.2g} %", 100 * part) : ""; }
@@ -40,8 +66,8 @@ std::string toughness_test_text(const Problem& problem) {
 }
 
 /// How many free parameters, targets of both kinds and first peaks there are, what became of K_IC, and what is fixed.
-std::string summary_text(const Material& rock, const std::optional<Material>& at, const Problem& problem,
-                         const Decision& decision, std::size_t n_runs) {
+std::string summary_text(const Findings& findings, const std::optional<Material>& at) {
+    const auto& [rock, problem, decision, n_runs, sensitivities, draws, predictions] = findings;
     Cells parameters;
     for (const Parameter& p : problem.parameters) parameters.push_back(p.key);
     Cells fitted;
@@ -196,30 +222,7 @@ std::string predictions_text(const std::vector<Prediction>& predictions) {
     return text;
 }
 
-std::string identify_text(const Problem& problem, const Fit& fit) {
-    Cells head{"response"};
-    for (const Parameter& p : problem.parameters) head.push_back(p.key);
-    std::string text =
-        "\nd ln(response)/d ln(parameter) at the optimum, for a drop of what is left, with 95 % intervals; bold: without 0. "
-        "identify.tsv has the same numbers.\n\n![Sensitivities](identify.png)\n" +
-        markdown_head(head);
-    const std::vector<Sensitivity> all = sensitivities(problem.parameters, fit);
-    for (std::size_t i = 0; i < all.size(); i += problem.parameters.size()) {
-        Cells cells{all[i].response};
-        for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
-            const Sensitivity& s = all[i + k];
-            const std::string number = fmt::format("{:.2f}", s.exponent.value);
-            cells.push_back(fmt::format("{} ({:.2f} to {:.2f})", s.is_significant() ? "**" + number + "**" : number,
-                                        *s.exponent.low, *s.exponent.high));
-        }
-        text += markdown_row(cells);
-    }
-    return text;
-}
-
-}  // namespace
-
-std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters, const Fit& fit) {
+std::vector<Sensitivity> sensitivities_of(const std::vector<Parameter>& parameters, const Fit& fit) {
     std::vector<Sensitivity> all;
     const DesignPoint& point = fit.optimum.point;
     for (const Response& response : fit.responses) {
@@ -237,23 +240,51 @@ std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters,
     return all;
 }
 
-std::vector<FoundValue> found_values(const Problem& problem, const Decision& decision) {
-    std::vector<FoundValue> all;
-    for (const auto& [key, value] : decision.point) {
-        FoundValue& found = all.emplace_back(FoundValue{key, {value, std::nullopt, std::nullopt}});
-        for (std::size_t k = 0; k < problem.parameters.size(); ++k) {
-            const Parameter& p = problem.parameters[k];
-            if (p.key != key) continue;
-            found.parameter = &p;
-            const auto i = static_cast<Eigen::Index>(k);
-            const Optimum& optimum = decision.fit->optimum;
-            if (optimum.is_undetermined(i)) continue;
-            found.value.low = p.value(optimum.point(i) - optimum.half_interval(i));
-            found.value.high = p.value(optimum.point(i) + optimum.half_interval(i));
-        }
-    }
-    return all;
+using Json = nlohmann::ordered_json;  // NaN becomes null
+
+/// {value, low, high, unit}, with null where there is none.
+Json json_of(const Estimate& e, Dimension dimension) {
+    const auto end = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+    return {{"value", e.value}, {"low", end(e.low)}, {"high", end(e.high)}, {"unit", si_unit(dimension)}};
 }
+
+Json json_of_targets(const Decision& decision) {
+    Json targets = Json::object();
+    for (const Outcome& o : decision.outcomes) {
+        const Target& t = o.target;
+        const Estimate ours = o.ours ? o.ours->mean : Estimate{NAN, std::nullopt, std::nullopt};
+        Json& row = targets[t.name()] = json_of(ours, t.property.quantity.dimension);
+        row.update({{"use", t.use == Use::fit ? "fit" : "predict"},
+                    {"laboratory", t.value},
+                    {"bound", t.deviation},
+                    {"specimens", o.ours ? o.ours->n : 0},
+                    {"tests", o.tests},
+                    {"verdict", o.verdict}});
+    }
+    return targets;
+}
+
+/// What a reader of the numbers should know, each with a word for programs.
+Json json_of_caveats(const Findings& findings) {
+    const auto& [rock, problem, decision, n_runs, sensitivities, draws, predictions] = findings;
+    Json caveats = Json::array();
+    const auto add = [&](const char* code, const std::string& of, const std::string& text) {
+        caveats.push_back({{"code", code}, {"of", of}, {"text", text}});
+    };
+    for (const FoundValue& found : found_values(problem, decision)) {
+        if (found.parameter != nullptr && !found.value.low) add("undetermined", found.key, "not determined by the data");
+    }
+    for (const Outcome& o : decision.outcomes) {
+        const std::size_t n = o.ours ? o.ours->n : 0;
+        if (n < o.tests) add("missing_values", o.target.name(), fmt::format("{} of {} tests have a value", n, o.tests));
+        const std::string caveat = o.target.use == Use::fit ? "" : o.target.caveat(problem.study.specimens.bend());
+        if (!caveat.empty()) add("other_specimen", o.target.name(), caveat);
+    }
+    if (const std::string text = disagreement_text(rock); !text.empty()) add("laboratory_disagrees", "uniaxial", text);
+    return caveats;
+}
+
+}  // namespace
 
 std::vector<Prediction> predictions_of(const Fit& fit, const Draws& draws) {
     std::vector<Prediction> all;
@@ -279,22 +310,31 @@ std::vector<Prediction> predictions_of(const Fit& fit, const Draws& draws) {
     return all;
 }
 
-std::optional<Draws> draws_of(const Problem& problem, const Decision& decision) {
-    if (!decision.fit || !decision.fit->points.empty()) return std::nullopt;
+Findings findings_of(const Material& rock, const Problem& problem, const Decision& decision, std::size_t n_runs) {
+    Findings findings{rock, problem, decision, n_runs};
+    if (decision.ending == Ending::requested || !decision.fit) return findings;
+    const Fit& fit = *decision.fit;
+    findings.sensitivities = sensitivities_of(problem.parameters, fit);
+    if (!fit.points.empty()) return findings;  // of a rock without a kind
     std::vector<const LocalSurface*> surfaces;
-    for (const Response& r : decision.fit->responses) surfaces.push_back(r.surface ? &*r.surface : nullptr);
-    return draw(limits_of(problem.parameters), decision.fit->optimum, residuals_of(decision.fit->responses), surfaces, 400);
+    for (const Response& r : fit.responses) surfaces.push_back(r.surface ? &*r.surface : nullptr);
+    findings.draws = draw(limits_of(problem.parameters), fit.optimum, residuals_of(fit.responses), surfaces, 400);
+    findings.predictions = predictions_of(fit, *findings.draws);
+    return findings;
 }
 
-std::string draws_table(const Problem& problem, const Fit& fit, const Draws& draws) {
+std::string draws_table(const Findings& findings) {
+    const Fit& fit = *findings.decision.fit;
+    const Draws& draws = *findings.draws;
+    const std::vector<Parameter>& parameters = findings.problem.parameters;
     std::string text = "draw";
-    for (const Parameter& p : problem.parameters) text += "\t" + column_of(p.key);
+    for (const Parameter& p : parameters) text += "\t" + column_of(p.key);
     for (const Response& r : fit.responses) {
         if (r.surface) text += fmt::format("\t{}_{}", r.target.name(), r.target.property.unit);
     }
     for (std::size_t i = 0; i < draws.points.size(); ++i) {
         text += fmt::format("\n{}", i + 1);
-        for (const auto& [key, value] : point_at(problem.parameters, draws.points[i])) {
+        for (const auto& [key, value] : point_at(parameters, draws.points[i])) {
             text += fmt::format("\t{:.5g}", in_unit(key, value));
         }
         for (std::size_t r = 0; r < fit.responses.size(); ++r) {
@@ -319,21 +359,47 @@ std::string with_interval(const Estimate& e, double si) {
     return fmt::format("{:.5g} ({:.5g} to {:.5g})", e.value / si, *e.low / si, *e.high / si);
 }
 
-std::string report_text(const Material& rock, const std::optional<Material>& at, const Problem& problem, const Decision& decision,
-                        const std::optional<Draws>& draws, std::size_t n_runs) {
-    std::string text =
-        fmt::format("# {}: {}\n\n{}.\n\nNext: {}.\n\n", rock.name, label_of(decision.ending), decision.reason, decision.next);
-    text += summary_text(rock, at, problem, decision, n_runs);
+std::string report_text(const Findings& findings, const std::optional<Material>& at) {
+    const Decision& decision = findings.decision;
+    std::string text = fmt::format("# {}: {}\n\n{}.\n\nNext: {}.\n\n", findings.rock.name, label_of(decision.ending),
+                                   decision.reason, decision.next);
+    text += summary_text(findings, at);
     if (!decision.outcomes.empty()) text += "\n## Targets\n" + outcomes_text(decision);
     if (decision.fit) {
-        text += "\n## Values\n" + values_text(problem, decision);
-        if (draws) text += "\n## Predictions\n" + predictions_text(predictions_of(*decision.fit, *draws));
+        text += "\n## Values\n" + values_text(findings.problem, decision);
+        if (findings.draws) text += "\n## Predictions\n" + predictions_text(findings.predictions);
         text += "\n## Surfaces\n" + surfaces_text(*decision.fit);
-        text += "\n## What tells what\n" + identify_text(problem, *decision.fit);
+        text +=
+            "\n## What tells what\n\nd ln(response)/d ln(parameter) at the optimum, for a drop of what is left; identify.tsv "
+            "has them with 95 % intervals.\n\n![Sensitivities](identify.png)\n";
     }
     text += "\n## Steps\n" + markdown_head({"stage", "what", "result"});
     for (const Step& step : decision.steps) text += markdown_row({step.stage, step.what, step.result});
     return text;
+}
+
+std::string outcome_text(const Findings& findings, const std::map<std::string, std::string>& files) {
+    const Decision& decision = findings.decision;
+    Json values = Json::object();
+    for (const FoundValue& found : found_values(findings.problem, decision)) {
+        values[found.key] = json_of(found.value, material_quantity(found.key).dimension);
+    }
+    Json predictions = Json::object();
+    for (const Prediction& p : findings.predictions) {
+        const Dimension dimension = p.target.property.quantity.dimension;
+        predictions[p.target.name()] = {{"specimen", json_of(p.specimen, dimension)}, {"rock", json_of(p.rock, dimension)}};
+    }
+    const Json outcome{{"rock", findings.rock.name},
+                       {"state", decision.ending == Ending::requested ? "running" : label_of(decision.ending)},
+                       {"reason", decision.reason},
+                       {"next", decision.next},
+                       {"runs", {{"finished", findings.n_runs}, {"wanted", decision.requested.size()}}},
+                       {"values", std::move(values)},
+                       {"targets", json_of_targets(decision)},
+                       {"predictions", std::move(predictions)},
+                       {"caveats", json_of_caveats(findings)},
+                       {"files", files}};
+    return outcome.dump(2) + "\n";
 }
 
 }  // namespace graincrack::calibrate

@@ -1,4 +1,4 @@
-// The report of a calibration, in Markdown, and the sensitivities of responses to parameters.
+// What a calibration has come to, for people (report.md) and for programs (outcome.json and tables; share/doc/tables.md).
 #pragma once
 
 #include <cstddef>
@@ -18,20 +18,6 @@ struct Sensitivity {
     [[nodiscard]] bool is_significant() const { return *exponent.low > 0 || *exponent.high < 0; }
 };
 
-/// The sensitivities of all pairs that have a surface, response by response.
-std::vector<Sensitivity> sensitivities(const std::vector<Parameter>& parameters, const Fit& fit);
-
-/// The table identify.tsv: response, parameter, exponent, exponent_low, exponent_high.
-std::string identify_table(const std::vector<Sensitivity>& sensitivities);
-
-/// A value of a material that a calibration found, SI.
-struct FoundValue {
-    std::string key;
-    Estimate value;                        ///< without an interval where it was scaled, or the data do not determine it
-    const Parameter* parameter = nullptr;  ///< null of E and ν of the grains
-};
-std::vector<FoundValue> found_values(const Problem& problem, const Decision& decision);
-
 /// What kind and runs expect of a response, SI.
 struct Prediction {
     Target target;
@@ -41,14 +27,26 @@ struct Prediction {
 };
 std::vector<Prediction> predictions_of(const Fit& fit, const Draws& draws);
 
-/// 400 draws of the values and of all responses that the kind knows; empty of a rock without a kind, or without a fit.
-std::optional<Draws> draws_of(const Problem& problem, const Decision& decision);
-/// The table draws.tsv: a row a draw, with values in the units of reports and the mean of each property.
-std::string draws_table(const Problem& problem, const Fit& fit, const Draws& draws);
+/// All that is told of a calibration.
+struct Findings {
+    const Material& rock;  ///< as it was given
+    const Problem& problem;
+    const Decision& decision;
+    std::size_t n_runs = 0;                       ///< that are finished
+    std::vector<Sensitivity> sensitivities = {};  ///< of all pairs that have a surface, response by response; in the end
+    std::optional<Draws> draws = {};              ///< 400 of the values and of all responses that the kind knows; in the end
+    std::vector<Prediction> predictions = {};     ///< by these
+};
+Findings findings_of(const Material& rock, const Problem& problem, const Decision& decision, std::size_t n_runs);
 
-/// \param rock as it was given \param at the same with the values found, if there are any \param n_runs that are finished
-std::string report_text(const Material& rock, const std::optional<Material>& at, const Problem& problem, const Decision& decision,
-                        const std::optional<Draws>& draws, std::size_t n_runs);
+/// The table identify.tsv: response, parameter, exponent, exponent_low, exponent_high.
+std::string identify_table(const std::vector<Sensitivity>& sensitivities);
+/// The table draws.tsv: a row a draw, with values in the units of reports and the mean of each property. \pre draws
+std::string draws_table(const Findings& findings);
+/// \param at the rock with the values found, if there are any
+std::string report_text(const Findings& findings, const std::optional<Material>& at);
+/// \param files the names of the files written beside it, by what they are
+std::string outcome_text(const Findings& findings, const std::map<std::string, std::string>& files);
 
 /// "25.8 (25.5 to 26.1)"
 std::string with_interval(const Estimate& estimate, double si);
