@@ -95,8 +95,8 @@ private:
 };
 
 const Target* Calibration::target(const char* name) const {
-    const auto found = std::find_if(problem_.targets.begin(), problem_.targets.end(),
-                                    [&](const Target& t) { return t.property.name == name && t.use == Use::fit; });
+    const auto found =
+        std::ranges::find_if(problem_.targets, [&](const Target& t) { return t.property.name == name && t.use == Use::fit; });
     return found == problem_.targets.end() ? nullptr : &*found;
 }
 
@@ -257,7 +257,7 @@ void Calibration::optimise() {
 /// True if the surfaces expect every target at the optimum, each within so many of its deviations.
 bool Calibration::meets_targets(double deviations) const {
     const std::vector<double>& off = fit_.optimum.deviations;
-    return std::all_of(off.begin(), off.end(), [&](double deviation) { return std::abs(deviation) <= deviations; });
+    return std::ranges::all_of(off, [&](double deviation) { return std::abs(deviation) <= deviations; });
 }
 
 /// Another design, where the optimum lies at an edge of what is known and a target is missed there: of the last box, which moves,
@@ -344,7 +344,7 @@ bool Calibration::correct(const DesignPoint& at) {
     optimise();
     const std::vector<Residual> residuals = residuals_of(fit_.responses);
     const double gained = misfit(at, residuals) - misfit(fit_.optimum.point, residuals);
-    const bool is_elastic = std::any_of(decision.outcomes.begin(), decision.outcomes.end(), [](const Outcome& o) {
+    const bool is_elastic = std::ranges::any_of(decision.outcomes, [](const Outcome& o) {
         return o.target.is_elastic() && o.target.use == Use::fit && o.verdict != "within";
     });
     if (corrections_ >= (designs_ > 0 ? 1 : study().corrections) || !(gained > pointless || is_elastic)) return false;
@@ -393,9 +393,8 @@ std::string Calibration::confirm(bool until_decided) {
     ++confirmations_;
     std::vector<std::size_t> n(confirmed_.size(), 0);
     for (std::size_t t = 0; t < confirmed_.size(); ++t) {
-        const bool is_fitted = std::any_of(problem_.targets.begin(), problem_.targets.end(), [&](const Target& target) {
-            return target.use == Use::fit && confirmed_[t].has(target);
-        });
+        const bool is_fitted = std::ranges::any_of(
+            problem_.targets, [&](const Target& target) { return target.use == Use::fit && confirmed_[t].has(target); });
         if (is_fitted) n[t] = specimens_for(confirmed_[t], fit_, study());
     }
     for (bool grows = true; grows;) {
@@ -452,7 +451,7 @@ void Calibration::predict() {
             decision.outcomes.push_back(*known);
             continue;
         }
-        const auto t = std::find_if(confirmed_.begin(), confirmed_.end(), [&](const Test& test) { return test.has(target); });
+        const auto t = std::ranges::find_if(confirmed_, [&](const Test& test) { return test.has(target); });
         const auto test = static_cast<std::size_t>(t - confirmed_.begin());
         if (!runs.contains(test)) runs[test] = get(run_at_optimum(test, "a prediction"), study().predicted);
         decision.outcomes.push_back(outcome_of(target, runs[test], study()));
@@ -478,7 +477,7 @@ void Calibration::run() {
                    (known.target.test() == t.test() && known.target.property.column == t.property.column &&
                     known.target.confining_pressure == t.confining_pressure);
         };
-        if (std::none_of(fit_.responses.begin(), fit_.responses.end(), same)) fit_.responses.push_back({t, {}, {}, {}});
+        if (std::ranges::none_of(fit_.responses, same)) fit_.responses.push_back({t, {}, {}, {}});
     };
     for (const Target& t : fitted) add_response(t);
     if (kind_.lacks(problem_.targets).empty()) {

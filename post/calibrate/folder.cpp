@@ -58,7 +58,7 @@ std::string material_text(const Material& rock, const Decision& decision, const 
     if (!file.has_table({"fitted"})) file.add_table({"fitted"}, "property: what it was fitted to, and what new specimens have");
     for (const auto& [earlier, words] : rock.fitted) {  // by another calibration
         const auto is_earlier = [&key = earlier](const auto& each) { return each.first == key; };
-        if (std::none_of(fitted.begin(), fitted.end(), is_earlier)) file.remove({"fitted", earlier});
+        if (std::ranges::none_of(fitted, is_earlier)) file.remove({"fitted", earlier});
     }
     for (const auto& [key, words] : fitted) file.set({"fitted", key}, toml_string(words));
     return file.text();
@@ -113,8 +113,7 @@ Problem read_problem(const Material& rock, const std::vector<std::string>& setti
     if (const auto kind = KindSurface::of(rock)) problem.kind = std::make_shared<const KindSurface>(*kind);
     for (const ContactParameter& row : all_contact_parameters()) {
         const std::string key = "contact." + row.key();
-        const bool free =
-            std::any_of(problem.parameters.begin(), problem.parameters.end(), [&](const Parameter& p) { return p.key == key; });
+        const bool free = std::ranges::any_of(problem.parameters, [&](const Parameter& p) { return p.key == key; });
         if (row.is_needed() && !free && !(rock.contact.*row.given) && !(rock.ratios.*row.given)) {
             throw InputError(fmt::format("{}: {} is neither given nor a row of [parameters]", rock.file.string(), key));
         }

@@ -2,13 +2,11 @@
 // determine it, and points drawn from what they leave open.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "post/calibrate/local_surface.hpp"
-#include "post/statistics/logistic.hpp"
+#include "post/statistics/nonlinear_fit.hpp"
 
 namespace graincrack::calibrate {
 

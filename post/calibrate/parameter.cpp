@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <numbers>
 #include <set>
@@ -15,7 +14,6 @@
 #include "share/base/error.hpp"
 #include "share/base/toml_table.hpp"
 #include "share/base/units.hpp"
-#include "share/rock/material.hpp"
 
 namespace graincrack::calibrate {
 

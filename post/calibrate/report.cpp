@@ -56,8 +56,7 @@ std::string count_of(std::size_t n, const char* one, const char* several, const 
 
 /// On what K_IC was tested, and on what the laboratory measured it.
 std::string toughness_test_text(const Problem& problem) {
-    const auto toughness = std::find_if(problem.targets.begin(), problem.targets.end(),
-                                        [](const Target& t) { return t.property.name == "toughness"; });
+    const auto toughness = std::ranges::find_if(problem.targets, [](const Target& t) { return t.property.name == "toughness"; });
     if (toughness == problem.targets.end()) return "K_IC was not tested";
     const ToughnessTest tested = problem.study.specimens.bend();
     const std::string text = "K_IC was tested on: " + tested.text();
@@ -95,7 +94,7 @@ std::string summary_text(const Findings& findings, const std::optional<Material>
         Cells fixed;
         for (const ContactParameter& row : all_contact_parameters()) {
             const std::string key = "contact." + row.key();
-            if (std::find(parameters.begin(), parameters.end(), key) != parameters.end()) continue;
+            if (std::ranges::find(parameters, key) != parameters.end()) continue;
             const bool given = (at->contact.*row.given).has_value();
             if (contact.*row.value == 0 && !given) continue;
             fixed.push_back(fmt::format("{} {}{}", key, value_text(key, contact.*row.value, " "), given ? "" : " (derived)"));
@@ -197,8 +196,7 @@ std::string surfaces_text(const Fit& fit) {
             continue;
         }
         const LinearModel& m = r.surface->model();
-        const auto n_quadratic =
-            std::count_if(m.terms.begin(), m.terms.end(), [](const SurfaceTerm& t) { return t.degree() > 1; });
+        const auto n_quadratic = std::ranges::count_if(m.terms, [](const SurfaceTerm& t) { return t.degree() > 1; });
         text += markdown_row({r.target.symbol(), std::to_string(m.n_values), std::to_string(n_quadratic), percent(m.scatter()),
                               percent(m.prediction_error()),
                               r.target.text(r.target.of_logarithm(r.surface->value(fit.optimum.point)))});
@@ -302,7 +300,7 @@ std::vector<Prediction> predictions_of(const Fit& fit, const Draws& draws) {
         };
         std::vector<double> logs;
         for (const std::vector<double>& draw : draws.logs) logs.push_back(draw[r]);
-        std::sort(logs.begin(), logs.end());
+        std::ranges::sort(logs);
         const std::size_t outside = logs.size() / 40;
         all.push_back({t, around(deviations_of_50_percent), around(deviations_of_95_percent),
                        between(logs[outside], logs[logs.size() - 1 - outside])});

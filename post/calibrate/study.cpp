@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <functional>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "share/base/error.hpp"
@@ -87,7 +84,7 @@ std::uint32_t digest(const std::string& text) {
 std::string made_of(const Material& m, const Point& point) {
     const Rock& r = m.rock;
     const bool has_process_zone =
-        std::any_of(point.begin(), point.end(), [](const auto& value) { return value.first == "ratios.process_zone"; });
+        std::ranges::any_of(point, [](const auto& value) { return value.first == "ratios.process_zone"; });
     std::string text = fmt::format("{} {} {} {} {} {} {} {}", r.young_modulus, r.poisson_ratio, r.density, r.mode_i_toughness,
                                    r.mode_ii_toughness, r.tensile_strength, m.platen_friction_angle, m.law);
     for (const ContactParameter& row : all_contact_parameters()) {
@@ -196,7 +193,7 @@ double Specimens::bend_grains() const {
 std::vector<Test> tests_of(const std::vector<Target>& targets) {
     std::vector<Test> tests;
     for (const Target& target : targets) {
-        const auto same = std::find_if(tests.begin(), tests.end(), [&](const Test& t) { return t.has(target); });
+        const auto same = std::ranges::find_if(tests, [&](const Test& t) { return t.has(target); });
         if (same == tests.end()) {
             tests.push_back({target.test(), target.confining_pressure, target.property.peak_drop});
         } else {
@@ -206,7 +203,7 @@ std::vector<Test> tests_of(const std::vector<Target>& targets) {
     const auto length = [](const Test& t) {
         return t.loading() == Loading::compression ? t.confining_pressure : -static_cast<double>(t.loading());
     };
-    std::stable_sort(tests.begin(), tests.end(), [&](const Test& a, const Test& b) { return length(a) > length(b); });
+    std::ranges::stable_sort(tests, [&](const Test& a, const Test& b) { return length(a) > length(b); });
     return tests;
 }
 

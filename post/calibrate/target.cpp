@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
@@ -45,7 +44,7 @@ std::string Target::symbol() const {
 
 std::string Target::test() const {
     const auto& tests = all_tests();
-    const auto test = std::find_if(tests.begin(), tests.end(), [&](const TestDescription& t) {
+    const auto test = std::ranges::find_if(tests, [&](const TestDescription& t) {
         return t.loading == property.loading && t.is_confined == (confining_pressure > 0);
     });
     return std::string(test->name);
@@ -208,7 +207,7 @@ std::vector<Target> targets_of(const Material& rock, const TomlFile& file, doubl
     std::vector<Target> targets = given_targets(file);
     if (targets.empty()) targets = laboratory_targets(rock, confining_pressure, predicted_pressures);
     for (Target& target : targets) set_toughness_test(target, rock);
-    if (std::none_of(targets.begin(), targets.end(), [](const Target& t) { return t.use == Use::fit; })) {
+    if (std::ranges::none_of(targets, [](const Target& t) { return t.use == Use::fit; })) {
         throw InputError(fmt::format("{}: [targets] has none to be fitted", file.file));
     }
     return targets;

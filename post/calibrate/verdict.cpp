@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "post/kind/kind_surface.hpp"
 #include "share/base/text.hpp"

@@ -74,7 +74,7 @@ std::size_t more_specimens_for(const Test& test, const std::vector<const Measure
 /// The one of some responses or outcomes that is of a target; null: there is none.
 template <class Ones>
 auto* find_of(Ones& all, const Target& target) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.target.name() == target.name(); });
+    const auto found = std::ranges::find_if(all, [&](const auto& one) { return one.target.name() == target.name(); });
     return found == all.end() ? nullptr : &*found;
 }
 

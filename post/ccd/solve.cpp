@@ -10,7 +10,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 
 #include "post/ccd/design.hpp"
@@ -50,7 +49,7 @@ Goal parse_goal(const std::string& text, Goal::Kind kind, const std::string& opt
 
 void set_limits(Goal& goal, const std::vector<double>& measured) {
     if (goal.kind != Goal::Kind::target || !std::isnan(goal.low)) return;
-    const auto [low, high] = std::minmax_element(measured.begin(), measured.end());
+    const auto [low, high] = std::ranges::minmax_element(measured);
     goal.low = *low;
     goal.high = *high;
     if (goal.low < goal.target && goal.target < goal.high) return;
@@ -143,8 +142,8 @@ std::optional<Place> nearest_to_centre(const std::vector<LinearModel>& models, c
 /// One optimum in place of the many that a search finds on a line (or a surface) of equal desirability.
 std::vector<Optimum> without_choice(const std::vector<LinearModel>& models, const std::vector<Goal>& goals, const Region& region,
                                     std::vector<Optimum> optima) {
-    const auto targets = static_cast<std::size_t>(
-        std::count_if(goals.begin(), goals.end(), [](const Goal& g) { return g.kind == Goal::Kind::target; }));
+    const auto targets =
+        static_cast<std::size_t>(std::ranges::count_if(goals, [](const Goal& g) { return g.kind == Goal::Kind::target; }));
     constexpr double met = 1 - 1e-6;
     if (optima.empty() || optima[0].desirability < met || targets >= region.n_factors()) return optima;
     optima.resize(1);
@@ -203,7 +202,7 @@ std::vector<Optimum> solve(const std::vector<LinearModel>& models, const std::ve
     };
     std::vector<Place> starts = region.grid(grid_size(region.n_factors()));
     std::erase_if(starts, [&](const Place& place) { return !(objective(place) < 0); });
-    std::stable_sort(starts.begin(), starts.end(), [&](const Place& a, const Place& b) { return objective(a) < objective(b); });
+    std::ranges::stable_sort(starts, [&](const Place& a, const Place& b) { return objective(a) < objective(b); });
     std::vector<Optimum> found;
     // Starts lie far apart: otherwise all would surround the first optimum, and a second one would be missed.
     const double apart = 0.4;
@@ -211,21 +210,21 @@ std::vector<Optimum> solve(const std::vector<LinearModel>& models, const std::ve
     for (const Place& start : starts) {
         if (used.size() == 12) break;
         const auto near = [&](const Place& other) { return distance(start, other) < apart; };
-        if (std::any_of(used.begin(), used.end(), near)) continue;
+        if (std::ranges::any_of(used, near)) continue;
         used.push_back(start);
         const Place end = descend(objective, start, 0.1);
         found.push_back({end, -objective(end)});
     }
     if (found.empty()) return found;
-    const double best = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    const double best = std::ranges::max_element(found, [](const auto& a, const auto& b) {
                             return a.desirability < b.desirability;
                         })->desirability;
     std::erase_if(found, [&](const Optimum& o) { return o.desirability < best - 1e-6; });
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return norm(a.coded) < norm(b.coded); });
+    std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return norm(a.coded) < norm(b.coded); });
     std::vector<Optimum> distinct;
     for (const Optimum& each : found) {
         const auto same = [&](const Optimum& other) { return distance(each.coded, other.coded) < 1e-3; };
-        if (std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(each);
+        if (std::ranges::none_of(distinct, same)) distinct.push_back(each);
     }
     return without_choice(models, goals, region, std::move(distinct));
 }

@@ -71,20 +71,12 @@ void add_seeds(RowBuilder& row, const std::optional<SeedEnvelopes>& seeds) {
     row.add_sample("seed_hoek_brown_mi", unit::none, seeds ? seeds->mi : std::nullopt);
 }
 
-void add_at(RowBuilder& row, const std::string& place, const EnvelopeAt& at) {
-    row.add("runs_at_" + place, static_cast<std::int64_t>(at.runs));
+void add_first_yield(RowBuilder& row, const EnvelopeAt& at) {
+    row.add("runs_at_first_yield", static_cast<std::int64_t>(at.runs));
     const auto& envelope = at.envelope;
-    row.add_interval("cohesion_at_" + place, unit::megapascal, envelope ? std::optional(envelope->cohesion) : std::nullopt);
-    row.add_interval("friction_angle_at_" + place, unit::degree,
+    row.add_interval("cohesion_at_first_yield", unit::megapascal, envelope ? std::optional(envelope->cohesion) : std::nullopt);
+    row.add_interval("friction_angle_at_first_yield", unit::degree,
                      envelope ? std::optional(envelope->friction_angle) : std::nullopt);
-}
-
-/// Envelopes of the other stresses of the table `strength`: at first yield and at given strains.
-void add_other_stresses(RowBuilder& row, const EnvelopeTests& tests) {
-    add_at(row, "first_yield", fit_envelope_at_first_yield(tests));
-    for (std::size_t mark = 0; mark < strain_marks.size(); ++mark) {
-        add_at(row, fmt::format("{:.0f}_percent", 100 * strain_marks[mark]), fit_envelope_at_strain(tests, mark));
-    }
 }
 
 /// The plane condition of the compression tests, which is one for all.
@@ -159,7 +151,7 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
             envelope.curvature ? Cell(std::string(envelope.curvature->value < 0 ? "concave" : "convex")) : Cell());
     add_tension(row, envelope, tests);
     add_seeds(row, fit_seed_envelopes(tests));
-    add_other_stresses(row, tests);
+    add_first_yield(row, fit_envelope_at_first_yield(tests));
     row.add("strength", name_of(tests.kind));
     row.add("compression_runs", static_cast<std::int64_t>(tests.compression_runs));
     row.add("plane", plane_of_compression(runs));

@@ -5,7 +5,7 @@
 #include "post/cracks/export.hpp"
 #include "post/fit/envelope.hpp"
 #include "post/fit/size_effect.hpp"
-#include "post/laboratory/properties.hpp"
+#include "post/laboratory/comparison.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_summary.hpp"

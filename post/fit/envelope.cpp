@@ -4,11 +4,9 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <vector>
 
 #include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
@@ -49,7 +47,7 @@ std::vector<double> first_guess(const Data& data) {
     std::vector<double> squares(data.confining.size());
     for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = std::pow(data.strength[i] - data.confining[i], 2);
     const std::optional<Line> line = fit_line(data.confining, squares);
-    const double smallest = *std::min_element(squares.begin(), squares.end());
+    const double smallest = *std::ranges::min_element(squares);
     const double sigma_ci = std::sqrt(line->intercept > 0.01 * smallest ? line->intercept : 0.1 * smallest);
     return {sigma_ci, line->slope / sigma_ci};
 }
@@ -86,8 +84,8 @@ double HoekBrown::tensile_strength() const { return tension(sigma_ci.value, mi.v
 
 std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength,
                                         std::span<const double> tensile) {
-    const bool two = std::any_of(confining.begin(), confining.end(), [&](double c) { return c != confining[0]; });
-    const double scale = two ? *std::max_element(strength.begin(), strength.end()) : 0;
+    const bool two = std::ranges::any_of(confining, [&](double c) { return c != confining[0]; });
+    const double scale = two ? *std::ranges::max_element(strength) : 0;
     if (!(scale > 0)) return std::nullopt;
     return fit({scale, scaled(confining, 1 / scale), scaled(strength, 1 / scale), scaled(tensile, 1 / scale)});
 }
@@ -103,7 +101,7 @@ double cohesion_variance(const Line& line, double cohesion) {
 }
 
 std::optional<Estimate> curvature_of(std::span<const double> confining, std::span<const double> strength) {
-    const double scale = *std::max_element(confining.begin(), confining.end());
+    const double scale = *std::ranges::max_element(confining);
     std::vector<std::vector<double>> factors;
     for (const double pressure : confining) factors.push_back({pressure / scale});
     const auto fit = LinearModel::fit(quadratic_terms(1), std::move(factors), {strength.begin(), strength.end()});
@@ -154,17 +152,6 @@ void require_two_pressures(const EnvelopeTests& tests) {
         fmt::format("{}; {} of {} compression runs have this strength; an envelope needs it at two or more "
                     "confining pressures",
                     tests.left_out.front(), tests.compression.size(), tests.compression_runs));
-}
-
-template <class Stress>
-EnvelopeAt fit_reached(const EnvelopeTests& tests, const Stress& stress_of) {
-    EnvelopeTests those;
-    for (const EnvelopeTests::Test& test : tests.compression) {
-        if (const std::optional<double> reached = stress_of(test)) those.compression.push_back({test.confining, *reached});
-    }
-    EnvelopeAt result{those.compression.size(), std::nullopt};
-    if (those.pressures().size() > 1) result.envelope = fit_envelope(those.confining(), those.strength());
-    return result;
 }
 
 /// The tests of each seed; only seeds that have tests at all pressures.
@@ -241,8 +228,7 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
         const auto stress = strength_for_fit(run, strength, options, "an envelope", tests.left_out, tests.at_strain_limit);
         if (!stress) continue;
         if (is_compression(run.header)) {
-            tests.compression.push_back(
-                {run.header.confining_pressure, *stress, run.specimen.seed, strength.first_yield, strength.stress_at_marks});
+            tests.compression.push_back({run.header.confining_pressure, *stress, run.specimen.seed, strength.first_yield});
         } else {
             (run.header.loading() == Loading::splitting ? tests.brazilian : tests.direct_tension).push_back(*stress);
         }
@@ -274,11 +260,13 @@ void print_left_out(std::ostream& diagnostics, const std::string& command, const
 }
 
 EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {
-    return fit_reached(tests, [](const EnvelopeTests::Test& test) { return test.first_yield; });
-}
-
-EnvelopeAt fit_envelope_at_strain(const EnvelopeTests& tests, std::size_t mark) {
-    return fit_reached(tests, [mark](const EnvelopeTests::Test& test) { return test.stress_at_marks.at(mark); });
+    EnvelopeTests those;
+    for (const EnvelopeTests::Test& test : tests.compression) {
+        if (test.first_yield) those.compression.push_back({test.confining, *test.first_yield});
+    }
+    EnvelopeAt result{those.compression.size(), std::nullopt};
+    if (those.pressures().size() > 1) result.envelope = fit_envelope(those.confining(), those.strength());
+    return result;
 }
 
 std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests) {

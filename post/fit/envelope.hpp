@@ -1,7 +1,6 @@
 // Failure envelopes of a set of tests: Mohr–Coulomb and Hoek–Brown with 95 % intervals, beside the tensile strengths.
 #pragma once
 
-#include <array>
 #include <iosfwd>
 #include <optional>
 #include <set>
@@ -74,8 +73,7 @@ struct EnvelopeTests {
         double confining = 0;
         double strength = 0;
         std::int64_t seed = 0;
-        std::optional<double> first_yield = std::nullopt;           ///< see `first_yield`
-        std::array<std::optional<double>, 3> stress_at_marks = {};  ///< at `strain_marks`
+        std::optional<double> first_yield = std::nullopt;  ///< see `first_yield`
     };
     StrengthKind kind = StrengthKind::largest;
     std::vector<Test> compression;
@@ -107,15 +105,12 @@ std::optional<double> strength_for_fit(const RunData& run, const Strength& stren
 /// A line for each run that was left out. \param command whose fit it is
 void print_left_out(std::ostream& diagnostics, const std::string& command, const std::vector<std::string>& left_out);
 
-/// An envelope through stresses other than the peak, of the tests that reached them.
+/// An envelope through the stresses of first yield, of the tests that reached it.
 struct EnvelopeAt {
     std::size_t runs = 0;              ///< tests that reached it
     std::optional<Envelope> envelope;  ///< empty unless they have two or more confining pressures
 };
 EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests);
-/// At an axial strain, before or after the peak: tests that harden without a peak are compared at equal strain. \param mark of
-/// `strain_marks`
-EnvelopeAt fit_envelope_at_strain(const EnvelopeTests& tests, std::size_t mark);
 
 /// Each seed with tests at all pressures of the set gives C, φ, σci and mi of its own; samples over these seeds. Empty with
 /// fewer than two such seeds; σci and mi are empty where a seed gives none.

@@ -44,7 +44,7 @@ MohrCoulomb fit_mohr_coulomb(std::span<const double> confining, std::span<const 
             throw InputError(fmt::format("envelope: test {} of {} has no finite strength and confining pressure", i + 1, n));
         }
     }
-    const auto [least, most] = std::minmax_element(confining.begin(), confining.end());
+    const auto [least, most] = std::ranges::minmax_element(confining);
     constexpr double round_off = 1e-12;
     const std::optional<Line> line = n < 2 || *most - *least <= round_off * *most ? std::nullopt : fit_line(confining, strength);
     if (!line) {

@@ -10,7 +10,6 @@
 #include "post/fit/paper_rock.hpp"
 #include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
-#include "post/statistics/nonlinear_fit.hpp"
 #include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"
@@ -30,10 +29,9 @@ std::vector<double> logarithms(const std::vector<double>& values, double unit) {
 /// A fit to a series.
 struct FitRow {
     const SizeSeries& series;
-    std::string fit;
     std::optional<PowerLaw> law;
-    [[nodiscard]] double small() const { return *std::min_element(series.edge.begin(), series.edge.end()); }
-    [[nodiscard]] double large() const { return *std::max_element(series.edge.begin(), series.edge.end()); }
+    [[nodiscard]] double small() const { return *std::ranges::min_element(series.edge); }
+    [[nodiscard]] double large() const { return *std::ranges::max_element(series.edge); }
     [[nodiscard]] bool is_tensile() const { return series.test == "brazilian" || series.test == "tension"; }
 };
 
@@ -43,7 +41,6 @@ const Columns<FitRow>& fit_columns() {
     static const Columns<R> all{
         {"test", none, [](const R& r) { return r.series.test; }},
         {"confining_pressure", megapascal, [](const R& r) { return r.series.confining_pressure; }},
-        {"fit", none, [](const R& r) { return r.fit; }},
         {"runs", none, [](const R& r) { return r.series.edge.size(); }},
         {"runs_at_strain_limit", none, [](const R& r) { return r.series.at_strain_limit; }},
         {"smallest_edge", unit::millimetre, [](const R& r) { return r.small(); }},
@@ -61,7 +58,7 @@ const Columns<FitRow>& fit_columns() {
 
 void require_sizes(const SizeSeries& s) {
     if (s.edge.empty()) throw InputError(fmt::format("{}; a size effect needs strengths", s.left_out.front()));
-    const auto [small, large] = std::minmax_element(s.edge.begin(), s.edge.end());
+    const auto [small, large] = std::ranges::minmax_element(s.edge);
     if (*large >= min_edge_ratio * *small) return;
     throw InputError(
         fmt::format("size-effect: {} {} of the {} test at one mean edge ({:.4g} mm); two or more edges are needed, a "
@@ -71,34 +68,19 @@ void require_sizes(const SizeSeries& s) {
 
 }  // namespace
 
-std::optional<PowerLaw> fit_power_law_log(const std::vector<double>& edge, const std::vector<double>& strength) {
+std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std::vector<double>& strength) {
     const std::optional<Line> line = fit_line(logarithms(edge, millimetre), logarithms(strength, 1));
     if (!line) return std::nullopt;
-    return PowerLaw{line->slope_estimate(), std::exp(line->intercept), line};
+    return PowerLaw{line->slope_estimate(), std::exp(line->intercept), *line};
 }
 
 Estimate PowerLaw::strength_at(double edge) const {
     const double x = std::log(edge / millimetre);
-    const Line& line = *logarithms;
+    const Line& line = logarithms;
     const double variance = line.intercept_variance + x * (2 * line.covariance + x * line.slope_variance);
     const Estimate mean = estimate(line.intercept + line.slope * x, variance, line.freedom);
     const auto exponential = [](const std::optional<double>& value) { return value ? std::optional(std::exp(*value)) : value; };
     return {std::exp(mean.value), exponential(mean.low), exponential(mean.high)};
-}
-
-std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std::vector<double>& strength) {
-    const std::optional<PowerLaw> start = fit_power_law_log(edge, strength);
-    if (!start) return std::nullopt;
-    // In units of the start, so that parameters and residuals are of order one.
-    const double scale = *std::max_element(strength.begin(), strength.end());
-    const auto residuals = [&](std::span<const double> p, std::span<double> f) {
-        for (std::size_t i = 0; i < edge.size(); ++i) {
-            f[i] = (p[0] * start->coefficient * std::pow(edge[i] / millimetre, p[1]) - strength[i]) / scale;
-        }
-    };
-    const auto fit = fit_nonlinear(residuals, {1, start->exponent.value}, edge.size());
-    if (!fit) return std::nullopt;
-    return PowerLaw{fit->estimate(1), fit->parameters[0] * start->coefficient};
 }
 
 namespace {
@@ -108,8 +90,7 @@ SettingGroups of_sizes(const std::vector<RunData>& runs) {
     constexpr double slack = 0.1;
     const auto scale = [](const RunData& run) { return run.specimen.width / run.specimen.mean_edge; };
     for (const RunData& run : runs) {
-        const auto other =
-            std::find_if(runs.begin(), runs.end(), [&](const RunData& r) { return r.header.test == run.header.test; });
+        const auto other = std::ranges::find_if(runs, [&](const RunData& r) { return r.header.test == run.header.test; });
         if (!(std::abs(scale(run) / scale(*other) - 1) < slack)) return {SettingGroup::grain_size};
     }
     return {SettingGroup::grain_size, SettingGroup::size};
@@ -121,8 +102,7 @@ std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, const En
     std::map<std::pair<std::string, double>, SizeSeries> series;
     require_comparable(runs, "a size effect", of_sizes(runs));
     for (const RunData& run : runs) {
-        const auto same_test =
-            std::find_if(runs.begin(), runs.end(), [&](const RunData& r) { return r.header.test == run.header.test; });
+        const auto same_test = std::ranges::find_if(runs, [&](const RunData& r) { return r.header.test == run.header.test; });
         if (distinct_shape(*same_test) != distinct_shape(run)) {
             throw InputError(
                 fmt::format("{}: a {} has another strength than the {} of {}; a size effect needs specimens of one shape",
@@ -165,10 +145,7 @@ void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs
                 at_strain_limit, runs.size()));
     }
     std::vector<FitRow> rows;
-    for (const SizeSeries& s : all) {
-        rows.push_back({s, "log-log", fit_power_law_log(s.edge, s.strength)});
-        rows.push_back({s, "non-linear", fit_power_law(s.edge, s.strength)});
-    }
+    for (const SizeSeries& s : all) rows.push_back({s, fit_power_law(s.edge, s.strength)});
     write_table(out, fit_columns(), rows, format);
 }
 

@@ -17,15 +17,13 @@ namespace graincrack {
 /// strength = coefficient · (dp/1 mm)^exponent
 struct PowerLaw {
     Estimate exponent;
-    double coefficient = 0;               ///< Pa: the strength at a mean edge of 1 mm
-    std::optional<Line> logarithms = {};  ///< through ln(edge/mm) and ln(strength/Pa); of `fit_power_law_log`
-    /// The mean strength at an edge (m) with its 95 % interval, Pa. \pre logarithms
+    double coefficient = 0;  ///< Pa: the strength at a mean edge of 1 mm
+    Line logarithms;         ///< through ln(edge/mm) and ln(strength/Pa)
+    /// The mean strength at an edge (m) with its 95 % interval, Pa.
     [[nodiscard]] Estimate strength_at(double edge) const;
 };
 /// Straight line through logarithms: relative errors of equal size. Every run counts once, so the weight of a size is its number
 /// of seeds. Empty unless there are two different edges. \param edge m \param strength Pa
-std::optional<PowerLaw> fit_power_law_log(const std::vector<double>& edge, const std::vector<double>& strength);
-/// Non-linear least squares: absolute errors of equal size.
 std::optional<PowerLaw> fit_power_law(const std::vector<double>& edge, const std::vector<double>& strength);
 
 /// σt ∝ dp^½ at fixed contact parameters (paper, Eq 44).
@@ -55,7 +53,7 @@ inline constexpr double min_edge_ratio = 1.2;
 /// of one size, and as `strength_for_fit`
 std::vector<SizeSeries> collect_sizes(const std::vector<RunData>& runs, const EnvelopeOptions& options);
 
-/// Two rows a series: log-log and non-linear. `diagnostics` gets a line for each run that was left out, and one if the largest
+/// A row a series. `diagnostics` gets a line for each run that was left out, and one if the largest
 /// stress of some stands for a peak.
 void write_size_effect_table(std::ostream& out, const std::vector<RunData>& runs, TableFormat format,
                              const EnvelopeOptions& options, std::ostream& diagnostics);

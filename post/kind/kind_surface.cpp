@@ -78,7 +78,7 @@ std::vector<SurfaceTerm> terms_of(const std::vector<std::vector<double>>& factor
             const auto is_first = [&](const std::vector<double>& row) { return row[k] == factors.front()[k]; };
             if (term.power[k] == 0) continue;
             if (k >= continuous.size() && term.degree() > 1) return true;
-            if (std::all_of(factors.begin(), factors.end(), is_first)) return true;
+            if (std::ranges::all_of(factors, is_first)) return true;
         }
         return false;
     });
@@ -90,8 +90,8 @@ std::vector<SurfaceTerm> terms_of(const std::vector<std::vector<double>>& factor
 KindModel fit_model(const std::string& property, const std::vector<std::vector<double>>& factors,
                     const std::vector<double>& logarithms) {
     std::vector<SurfaceTerm> terms = terms_of(factors);
-    const auto n_linear = static_cast<std::size_t>(
-        std::count_if(terms.begin(), terms.end(), [](const SurfaceTerm& term) { return term.degree() < 2; }));
+    const auto n_linear =
+        static_cast<std::size_t>(std::ranges::count_if(terms, [](const SurfaceTerm& term) { return term.degree() < 2; }));
     if (auto fitted = LinearModel::fit_restricted(std::move(terms), n_linear, factors, logarithms)) return {*std::move(fitted)};
     throw InputError(
         fmt::format("surface of a kind: {} has {} values, which do not determine its {} linear terms; {} or more "
@@ -203,7 +203,7 @@ std::vector<KindRow> read_kind_rows(const std::string& file) {
             if (!is_sound) throw InputError(fmt::format("{}: {}", table.where(i), needed));
         };
         const auto& all = all_properties();
-        const auto found = std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.name == row.property; });
+        const auto found = std::ranges::find_if(all, [&](const Property& each) { return each.name == row.property; });
         require(!row.kind.empty(), "kind is empty; a kind of rock is needed");
         require(found != all.end(), "property is unknown; the name of a target is needed, such as uniaxial");
         require((found->pressure == PressureOf::name) == (row.confining_pressure > 0),
@@ -230,7 +230,7 @@ std::optional<KindSurface> KindSurface::of(const Material& material, std::string
     const auto own = fixed_traits(material);
     std::optional<std::vector<std::string>> least;
     for (const RockKind& kind : rock_kinds()) {
-        if (std::none_of(rows.begin(), rows.end(), [&](const KindRow& row) { return row.kind == kind.name; })) continue;
+        if (std::ranges::none_of(rows, [&](const KindRow& row) { return row.kind == kind.name; })) continue;
         const std::vector<std::string> found = differences_from(kind, own);
         if (found.empty() && !material.grains.grain_size) return none("its fabric.grain_size is not given");
         if (found.empty()) return KindSurface(std::move(rows), kind.name);
@@ -242,7 +242,7 @@ std::optional<KindSurface> KindSurface::of(const Material& material, std::string
 KindSurface::KindSurface(std::vector<KindRow> rows, std::string kind) : kind_(std::move(kind)) {
     const auto rocks = std::stable_partition(rows.begin(), rows.end(), [](const KindRow& row) { return !row.is_rock; });
     for (auto row = rows.begin(); row != rocks; ++row) {
-        if (row->kind != usual_kind && std::count(kinds_.begin(), kinds_.end(), row->kind) == 0) kinds_.push_back(row->kind);
+        if (row->kind != usual_kind && std::ranges::count(kinds_, row->kind) == 0) kinds_.push_back(row->kind);
         const auto widen = [](double& least, double& most, double value) {
             if (value > 0 && (most == 0 || value < least)) least = value;
             most = std::max(most, value);
@@ -289,8 +289,7 @@ std::string KindSurface::name_of(const SurfaceTerm& term) const {
 
 const KindModel* KindSurface::model(const Property& property, double confining_pressure) const {
     if ((property.pressure == PressureOf::name) != (confining_pressure > 0)) return nullptr;
-    const auto found =
-        std::find_if(models_.begin(), models_.end(), [&](const auto& each) { return each.first == property.name; });
+    const auto found = std::ranges::find_if(models_, [&](const auto& each) { return each.first == property.name; });
     return found == models_.end() ? nullptr : &found->second;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <regex>
 
 #include "post/fit/mohr_coulomb.hpp"
@@ -143,8 +142,7 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
     for (const std::string& name : usual) {
         Target target = calibrate::target_of(name, "report");
         target.value = NAN;
-        const bool is_there =
-            std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.target.name() == target.name(); });
+        const bool is_there = std::ranges::any_of(all, [&](const auto& p) { return p.target.name() == target.name(); });
         if (is_there) continue;
         all.push_back({target, false, material ? origin_of(*material, target, false) : PropertyOrigin::unknown});
     }
@@ -164,7 +162,7 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
         property.half_interval_of_one = half_interval_of_one(*material, property.target);
         calibrate::set_toughness_test(property.target, *material);
     }
-    std::stable_sort(all.begin(), all.end(), [](const LaboratoryProperty& a, const LaboratoryProperty& b) {
+    std::ranges::stable_sort(all, [](const LaboratoryProperty& a, const LaboratoryProperty& b) {
         return std::pair(order_of(a.target.property), a.target.confining_pressure) <
                std::pair(order_of(b.target.property), b.target.confining_pressure);
     });
@@ -172,8 +170,8 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
 }
 
 bool has_fitted_confined_strength(const std::optional<Material>& material) {
-    return material && std::any_of(material->fitted.begin(), material->fitted.end(),
-                                   [](const auto& entry) { return entry.first.starts_with("confined_strength"); });
+    return material &&
+           std::ranges::any_of(material->fitted, [](const auto& entry) { return entry.first.starts_with("confined_strength"); });
 }
 
 std::vector<FittedEntry> fitted_entries(const Material& material) {
@@ -182,7 +180,7 @@ std::vector<FittedEntry> fitted_entries(const Material& material) {
         const std::optional<Target> target = fitted_target(key);
         FittedEntry entry;
         entry.name = target ? laboratory_name(*target) : key;
-        if (!target) std::replace(entry.name.begin(), entry.name.end(), '_', ' ');
+        if (!target) std::ranges::replace(entry.name, '_', ' ');
         if (target) entry.unit = target->property.unit;
         std::smatch found;
         if (read_fitted(text, found)) {
@@ -197,7 +195,7 @@ std::vector<FittedEntry> fitted_entries(const Material& material) {
         const std::size_t order = target ? order_of(target->property) : all_properties().size();
         entries.emplace_back(std::pair(order, target ? target->confining_pressure : 0.0), std::move(entry));
     }
-    std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(entries, [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<FittedEntry> sorted;
     for (auto& [order, entry] : entries) sorted.push_back(std::move(entry));
     return sorted;

@@ -36,7 +36,7 @@ std::optional<double> time_of_span(const Specimen& specimen, const std::vector<C
 }
 
 std::optional<double> radius_of_first(const Specimen& specimen, const std::vector<Crack>& open, double peak_time) {
-    const auto late = std::find_if(open.begin(), open.end(), [&](const Crack& c) { return c.time > peak_time; });
+    const auto late = std::ranges::find_if(open, [&](const Crack& c) { return c.time > peak_time; });
     const auto by_peak = static_cast<std::size_t>(late - open.begin());
     if (by_peak == 0) return std::nullopt;
     const std::size_t n = std::clamp<std::size_t>(by_peak / 20, std::min<std::size_t>(2, by_peak), by_peak);
@@ -83,21 +83,6 @@ bool splits(const RunData& run) { return run.header.loading() == Loading::splitt
 
 double strength_share_of_arcs(double angle) { return angle > 0 ? std::pow(std::sin(angle) / angle, 2) : 1; }
 
-double ring_stress(double disc, double ratio) { return disc * (6 + 38 * ratio * ratio); }
-
-double hole_ratio(const Specimen& specimen, const std::string& file) {
-    double sum = 0;
-    double nodes = 0;
-    for (std::size_t e = 0; e < specimen.n_boundary_edges(); ++e) {
-        if (specimen.part_names[specimen.boundary_part[e]] != "inner") continue;
-        const auto& [x, y] = specimen.node_position[static_cast<std::size_t>(specimen.boundary_edges[e][0])];
-        sum += std::hypot(x, y);
-        nodes += 1;
-    }
-    if (nodes == 0) throw InputError(file + ": the ring has no boundary part inner; graincrack-mesh ring makes one with it");
-    return 2 * sum / nodes / specimen.width;
-}
-
 std::string BrazilianSplit::warning() const {
     std::string label;
     for (const Caveat& caveat : caveats) label += (label.empty() ? "" : "; ") + caveat.text;
@@ -108,7 +93,7 @@ BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const S
                              const std::vector<Crack>& log) {
     const auto& times = run.history[HistoryColumn::time];
     std::vector<Crack> cracks = labelled(log, {CrackEvent::failed, CrackModeRule::sign});
-    std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
+    std::ranges::stable_sort(cracks, [](const Crack& a, const Crack& b) { return a.time < b.time; });
     BrazilianSplit split;
     const auto time = time_of_span(specimen, cracks);
     if (time) split.spanning_stress = at_time(times, curve.stress, *time);

@@ -37,13 +37,6 @@ bool splits(const RunData& run);
 /// under this angle: (sin ψ/ψ)² (stresses of Hondros 1959). With flat poles of 20° it is 0.96; Wang et al. (2004) have 0.95.
 double strength_share_of_arcs(double angle);
 
-/// Largest tangential stress of a ring under two opposite loads, at the hole on the loaded diameter: 2F/(π t D) (6 + 38 ρ²), ρ
-/// the ratio of the diameters (Hobbs 1964), Pa. \param disc 2F/(π t D), Pa
-double ring_stress(double disc, double ratio);
-/// Diameter of the hole of a ring over its own: twice the mean distance of the part inner from the origin. \throws InputError
-/// naming `file` if it has no such part
-double hole_ratio(const Specimen& specimen, const std::string& file);
-
 /// Open cracks split a disc, whatever traction they began with: cracks are points past their peak, tensile by the sign of the
 /// opening. \param log crack log of the run, in any order
 BrazilianSplit measure_split(const RunData& run, const LoadCurve& curve, const Specimen& specimen, const std::vector<Crack>& log);

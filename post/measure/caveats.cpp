@@ -58,7 +58,7 @@ std::string note_line(const Caveat& caveat) {
 
 CaveatCount::Group& CaveatCount::group(const RunData& run) {
     const std::string label = series_label(run);
-    const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
+    const auto found = std::ranges::find_if(groups_, [&](const Group& g) { return g.label == label; });
     if (found != groups_.end()) return *found;
     groups_.push_back({label, 0, {}, 0, 0});
     return groups_.back();
@@ -72,8 +72,7 @@ void CaveatCount::add(const RunData& run, const std::vector<Caveat>& caveats) {
         own.sum += *strength;
     }
     for (const Caveat& caveat : caveats) {
-        const auto known =
-            std::find_if(own.kinds.begin(), own.kinds.end(), [&](const auto& kind) { return kind.first == caveat.kind; });
+        const auto known = std::ranges::find_if(own.kinds, [&](const auto& kind) { return kind.first == caveat.kind; });
         if (known == own.kinds.end()) {
             own.kinds.emplace_back(caveat.kind, 1);
         } else {
@@ -81,8 +80,8 @@ void CaveatCount::add(const RunData& run, const std::vector<Caveat>& caveats) {
         }
     }
     const ComparedSettings traits = compared_settings(run);
-    const bool known = std::any_of(rocks_.begin(), rocks_.end(),
-                                   [&](const auto& each) { return differences(each, traits, of_the_test).empty(); });
+    const bool known =
+        std::ranges::any_of(rocks_, [&](const auto& each) { return differences(each, traits, of_the_test).empty(); });
     if (!known) rocks_.push_back(traits);
 }
 
@@ -100,7 +99,7 @@ std::vector<std::string> CaveatCount::lines() const {
 
 std::optional<double> CaveatCount::mean_of(const std::string& test) const {
     const std::string label = series_label(test, 0);
-    const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.label == label; });
+    const auto found = std::ranges::find_if(groups_, [&](const Group& g) { return g.label == label; });
     const bool has_mean = found != groups_.end() && found->failed > 0;
     return has_mean ? std::optional(found->sum / static_cast<double>(found->failed)) : std::nullopt;
 }

@@ -88,13 +88,13 @@ const std::vector<Property>& all_properties() {
 
 std::size_t order_of(const Property& property) {
     const auto& rows = all_properties();
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Property& each) { return each.name == property.name; });
+    const auto row = std::ranges::find_if(rows, [&](const Property& each) { return each.name == property.name; });
     return static_cast<std::size_t>(row - rows.begin());
 }
 
 const Property& property_named(const std::string& name) {
     const auto& rows = all_properties();
-    return *std::find_if(rows.begin(), rows.end(), [&](const Property& row) { return row.name == name; });
+    return *std::ranges::find_if(rows, [&](const Property& row) { return row.name == name; });
 }
 
 }  // namespace graincrack

@@ -1,11 +1,8 @@
 #include "post/measure/strength_summary.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "post/measure/caveats.hpp"
-#include "post/measure/strength.hpp"
 #include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
@@ -40,8 +37,8 @@ void add_ratios(std::vector<StrengthGroup>& groups, const std::vector<RunData>& 
         const auto is_of_its_rock = [&](const StrengthGroup& disc) {
             return disc.is_brazilian() && differences(runs[disc.runs.front()], runs[group.runs.front()], of_the_test).empty();
         };
-        const auto disc = std::find_if(groups.begin(), groups.end(), is_of_its_rock);
-        if (group.is_brazilian() || std::count_if(groups.begin(), groups.end(), is_of_its_rock) != 1) continue;
+        const auto disc = std::ranges::find_if(groups, is_of_its_rock);
+        if (group.is_brazilian() || std::ranges::count_if(groups, is_of_its_rock) != 1) continue;
         if (disc->strength.n > 0) group.ratio_to_brazilian = group.strength.mean.value / disc->strength.mean.value;
     }
 }
@@ -119,7 +116,7 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
     }
     Columns<SummaryRow> terminal = summary_terminal_columns();
     const auto tells = [](const SummaryRow& row) { return !row.group.distinction.empty(); };
-    if (std::any_of(rows.begin(), rows.end(), tells)) {
+    if (std::ranges::any_of(rows, tells)) {
         terminal.push_back({"of", unit::none, [](const SummaryRow& row) { return row.group.distinction; }});
     }
     write_table(out, summary_columns(), terminal, rows, format);

@@ -27,7 +27,6 @@ struct StrengthRow {
     StrengthKind kind{};                  ///< for the terminal
     std::optional<BrazilianSplit> split;  ///< of a Brazilian test
     double loading_arc = 0;               ///< of its disc, rad
-    std::optional<double> ring_strength;  ///< of a ring: the stress at its hole, Pa
     OtherCounts cracks;                   ///< at the strength
     [[nodiscard]] const RunHeader& header() const { return run.header; }
     [[nodiscard]] const ContactParameters& contact() const { return run.header.contact; }
@@ -58,12 +57,10 @@ struct StrengthRow {
 
 StrengthRow read_strength_row(const std::string& path, StrengthKind kind) {
     const RunReader reader(path);
-    StrengthRow row{run_data(reader), {}, kind, std::nullopt, 0, std::nullopt, {}};
+    StrengthRow row{run_data(reader), {}, kind, std::nullopt, 0, {}};
     const LoadCurve curve = load_curve(row.run);
     row.strength = measure_strength(row.run, curve);
-    if (row.header().loading() == Loading::splitting && row.run.specimen.shape == "ring") {
-        row.ring_strength = ring_stress(row.strength.peak.stress, hole_ratio(reader.specimen(), reader.name()));
-    } else if (splits(row.run)) {
+    if (splits(row.run)) {
         const Specimen specimen = reader.specimen();
         row.split = measure_split(row.run, curve, specimen, read_cracks(reader, specimen));
         row.loading_arc = specimen.loading_arc;
@@ -125,7 +122,6 @@ const Columns<StrengthRow>& strength_columns() {
         list.push_back({"plane", none, [](const R& r) { return name_of(r.header().plane); }, further});
         list.push_back({"peak_load", kilonewton_per_metre, [](const R& r) { return r.strength.peak.load; }});
         list.push_back({"flexural_strength", megapascal, &R::flexural_strength});
-        list.push_back({"ring_strength", megapascal, [](const R& r) { return r.ring_strength; }, further});
         list.push_back(
             {"span", millimetre, [](const R& r) { return r.header().span > 0 ? Cell(r.header().span) : Cell(); }, further});
         return list;
@@ -164,7 +160,7 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
     using R = StrengthRow;
     using namespace unit;
     Columns<R> columns = strength_terminal_columns();
-    const auto any = [&](const auto& holds) { return std::any_of(rows.begin(), rows.end(), holds); };
+    const auto any = [&](const auto& holds) { return std::ranges::any_of(rows, holds); };
     if (any([](const R& r) { return r.is_exceeded(); })) {
         columns.push_back(
             {"largest", megapascal, [](const R& r) { return r.is_exceeded() ? Cell(r.strength.largest.stress) : Cell(" "); }});
@@ -172,9 +168,6 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
     if (any([](const R& r) { return r.header().loading() == Loading::bending; })) {
         columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak.load; }});
         columns.push_back({"flexural strength", megapascal, &R::flexural_strength});
-    }
-    if (any([](const R& r) { return r.ring_strength.has_value(); })) {
-        columns.push_back({"at the hole", megapascal, [](const R& r) { return r.ring_strength; }});
     }
     return columns;
 }
@@ -197,7 +190,7 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
         for (const std::size_t i : group.runs) {
             table.row(cells_of(columns, rows[i]));
             const auto strength = rows[i].strength.reported(rows[i].kind);
-            if (strength && std::find(counted.begin(), counted.end(), i) != counted.end()) strengths.push_back(*strength);
+            if (strength && std::ranges::find(counted, i) != counted.end()) strengths.push_back(*strength);
         }
         if (strengths.size() < 2) continue;
         const Sample all = sample(strengths);

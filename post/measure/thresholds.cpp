@@ -1,7 +1,6 @@
 #include "post/measure/thresholds.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 

@@ -2,6 +2,7 @@
 // a notch from below, on three rollers.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -64,6 +65,27 @@ inline constexpr double notch_tolerance = 0.05;
 /// Stress intensity K_I, Pa √m, of a plate of this width under this mean tensile stress, with a crack of this length in its
 /// middle: σ √(π a) √sec(π a/W), a half the length (Feddersen 1966; within 0.3 % for 2a ≤ 0.7 W in a long plate).
 double centre_crack_intensity(double stress, double length, double width);
+
+/// A specimen under a fixed load, and the strip-yield law of its size, after Ghouli et al. (2021, Rock Mech Rock Eng 54,
+/// 4041-4058), who found it for half-discs of three rocks with radii from 25 to 300 mm: the zone before a crack is as long as a
+/// strip that yields at the tensile strength, and the crack grows when the energy released over that length is the rock's. How
+/// the release is averaged follows here from these two statements. The law assumes that the zone bears the whole tensile
+/// strength; one that softens is longer, and shows less.
+struct CrackedSpecimen {
+    double crack = 0;                         ///< a, m
+    double deepest = 0;                       ///< the longest crack whose stress intensity is known, m
+    std::function<double(double)> intensity;  ///< K_I by the length of the crack, in any unit: only ratios matter
+};
+
+/// Length of the zone, ρ = (π/8) (K/σt)², m. \param shown K_IC as the specimen shows it, Pa √m
+double strip_yield_zone(double shown, double tensile_strength);
+
+/// K_∞, Pa √m, of a rock whose specimen shows K: K_∞² is the mean of K_I² over cracks from a to a + ρ under the load at which K_I
+/// of a is K. Empty if a + ρ is longer than the deepest crack.
+std::optional<double> toughness_at_infinite_size(double shown, double tensile_strength, const CrackedSpecimen& specimen);
+
+/// The inverse: K, Pa √m, that a specimen shows of a rock with K_∞. Empty likewise.
+std::optional<double> toughness_at_size(double infinite, double tensile_strength, const CrackedSpecimen& specimen);
 
 /// \throws InputError if the run is neither a tension test of a rectangle with a notch in its middle nor bending of a beam or
 /// half-disc with a notch from the middle of its lower side, or has no peak

@@ -11,7 +11,6 @@
 #include "post/chart/chart.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/measure/caveats.hpp"
-#include "post/measure/first_peak.hpp"
 #include "post/measure/strength.hpp"
 #include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"

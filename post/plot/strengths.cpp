@@ -332,7 +332,7 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     const Colour colour = palette::series(index);
     const std::vector<double> edge = times(s.edge, 1e3);
     const std::string name = series_label(s.test, s.confining_pressure);
-    const auto law = fit_power_law_log(s.edge, s.strength);
+    const auto law = fit_power_law(s.edge, s.strength);
     const auto range = padded_range(edge, 0);
     const double low = range.first / 1.1;
     const double high = range.second * 1.1;

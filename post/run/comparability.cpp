@@ -59,7 +59,7 @@ std::string cuts_of(const RunData& run) {
     const auto is_cut = [](const Setting& each) {
         return each.group == SettingGroup::cuts && !std::holds_alternative<std::monostate>(each.value);
     };
-    if (std::any_of(s.settings.begin(), s.settings.end(), is_cut)) return "";
+    if (std::ranges::any_of(s.settings, is_cut)) return "";
     std::vector<std::string> cuts;
     if (s.holes > 0) cuts.push_back(counted(s.holes, "hole"));
     if (s.is_cracked) cuts.emplace_back("cracks");
@@ -110,14 +110,13 @@ void add_measures(ComparedSettings& all, const RunData& run) {
 void add_settings(ComparedSettings& all, const Settings& settings) {
     for (const Setting& each : settings) {
         const std::string name = words_of(each.name);
-        const bool is_there =
-            std::any_of(all.begin(), all.end(), [&](const ComparedSetting& c) { return c.setting.name == name; });
+        const bool is_there = std::ranges::any_of(all, [&](const ComparedSetting& c) { return c.setting.name == name; });
         if (is_there || each.group == SettingGroup::none || each.group == SettingGroup::seed) continue;
         all.push_back({{name, each.value, each.dimension, each.group}});
         if (each.group == SettingGroup::material) all.back().follows = minerals;
     }
     // The same grains, loaded along another diameter, are others as a seed makes them, unless they have a direction.
-    const bool is_directed = std::any_of(settings.begin(), settings.end(), [](const Setting& each) {
+    const bool is_directed = std::ranges::any_of(settings, [](const Setting& each) {
         const bool is_given = !std::holds_alternative<std::monostate>(each.value);
         return is_given && (each.group == SettingGroup::cuts || each.name == "elongation_angle");
     });
@@ -149,8 +148,7 @@ std::string value_beside(const ComparedSetting& compared, const ComparedSetting&
 
 const ComparedSetting* find(const ComparedSettings& settings, std::size_t near, const std::string& name) {
     if (near < settings.size() && settings[near].setting.name == name) return &settings[near];
-    const auto found =
-        std::find_if(settings.begin(), settings.end(), [&](const ComparedSetting& each) { return each.setting.name == name; });
+    const auto found = std::ranges::find_if(settings, [&](const ComparedSetting& each) { return each.setting.name == name; });
     return found == settings.end() ? nullptr : &*found;
 }
 
@@ -277,27 +275,26 @@ std::vector<ComparableGroup> comparable_groups(const RunList& runs, const Settin
     const auto settings = all_settings(runs);
     std::vector<std::size_t> by_size(runs.size());
     std::iota(by_size.begin(), by_size.end(), std::size_t{0});
-    std::stable_sort(by_size.begin(), by_size.end(), [&](std::size_t i, std::size_t k) {
+    std::ranges::stable_sort(by_size, [&](std::size_t i, std::size_t k) {
         const SpecimenSummary &a = runs[i]->specimen, &b = runs[k]->specimen;
         return std::pair(a.grain_diameter, a.area) < std::pair(b.grain_diameter, b.area);
     });
     std::vector<ComparableGroup> groups;
     for (const std::size_t i : by_size) {
         const auto holds = [&](const ComparableGroup& group) {
-            return std::all_of(group.runs.begin(), group.runs.end(),
-                               [&](std::size_t k) { return differing(settings[i], settings[k], except).empty(); });
+            return std::ranges::all_of(group.runs,
+                                       [&](std::size_t k) { return differing(settings[i], settings[k], except).empty(); });
         };
-        const auto own = std::find_if(groups.begin(), groups.end(), holds);
+        const auto own = std::ranges::find_if(groups, holds);
         if (own == groups.end()) {
             groups.push_back({{i}, ""});
         } else {
             own->runs.push_back(i);
         }
     }
-    for (ComparableGroup& group : groups) std::sort(group.runs.begin(), group.runs.end());
+    for (ComparableGroup& group : groups) std::ranges::sort(group.runs);
     const auto order = [&](const ComparableGroup& group) { return std::pair(table_order(*runs[group.runs[0]]), group.runs[0]); };
-    std::sort(groups.begin(), groups.end(),
-              [&](const ComparableGroup& a, const ComparableGroup& b) { return order(a) < order(b); });
+    std::ranges::sort(groups, [&](const ComparableGroup& a, const ComparableGroup& b) { return order(a) < order(b); });
     RunList firsts;
     for (const ComparableGroup& group : groups) firsts.push_back(runs[group.runs[0]]);
     SettingGroups all = except;
@@ -309,7 +306,7 @@ std::vector<ComparableGroup> comparable_groups(const RunList& runs, const Settin
 
 std::string common_material(const std::vector<RunData>& runs, const std::string& otherwise) {
     const std::string& name = runs.front().header.material;
-    const bool is_common = std::all_of(runs.begin(), runs.end(), [&](const RunData& run) { return run.header.material == name; });
+    const bool is_common = std::ranges::all_of(runs, [&](const RunData& run) { return run.header.material == name; });
     return is_common && !name.empty() ? name : otherwise;
 }
 
@@ -357,7 +354,7 @@ bool is_same_run(const RunData& a, const RunData& b) {
 std::vector<std::size_t> once_each(const RunList& runs, const std::string& command, std::ostream& diagnostics) {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const auto same = std::find_if(kept.begin(), kept.end(), [&](std::size_t k) { return is_same_run(*runs[i], *runs[k]); });
+        const auto same = std::ranges::find_if(kept, [&](std::size_t k) { return is_same_run(*runs[i], *runs[k]); });
         if (same == kept.end()) {
             kept.push_back(i);
             continue;

@@ -25,7 +25,7 @@ ContactClasses classes_of(const Specimen& specimen) {
     std::vector<std::size_t> index(all.size());
     ContactClasses classes;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        if (std::find(of_contact.begin(), of_contact.end(), k) == of_contact.end()) continue;
+        if (std::ranges::find(of_contact, k) == of_contact.end()) continue;
         index[k] = classes.names.size();
         classes.names.push_back(all[k]);
     }
@@ -43,10 +43,9 @@ std::vector<bool> contacts_of_classes(const Specimen& specimen, const std::vecto
             for (std::size_t k = 0; k < wanted.size(); ++k) {
                 if (!phase_of_within_class(classes.names[k]).empty() == is_within) wanted[k] = true;
             }
-            if (std::find(wanted.begin(), wanted.end(), true) != wanted.end()) continue;
+            if (std::ranges::find(wanted, true) != wanted.end()) continue;
         }
-        const auto found = std::find_if(classes.names.begin(), classes.names.end(),
-                                        [&](const std::string& each) { return same_class(each, name); });
+        const auto found = std::ranges::find_if(classes.names, [&](const std::string& each) { return same_class(each, name); });
         if (found == classes.names.end()) {
             throw UsageError(fmt::format("--class {}: {} has contacts of {} only", name, file, fmt::join(classes.names, ", ")));
         }

@@ -1,7 +1,6 @@
 #include "post/run/crack_label.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "share/base/text.hpp"
 
@@ -28,7 +27,7 @@ OtherCounts count_other_labels(const std::vector<Crack>& log, CrackEvent event, 
 }
 
 void count_in_history(std::vector<Crack> cracks, History& history) {
-    std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
+    std::ranges::stable_sort(cracks, [](const Crack& a, const Crack& b) { return a.time < b.time; });
     ModeCounts now;
     auto next = cracks.begin();
     for (std::size_t row = 0; row < history.size(); ++row) {

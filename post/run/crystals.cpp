@@ -7,7 +7,6 @@
 #include <map>
 #include <numbers>
 #include <string_view>
-#include <vector>
 
 #include "share/file/file_checks.hpp"
 #include "share/file/schema.hpp"

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "post/run/crack_label.hpp"
 #include "post/run/crystals.hpp"
 #include "share/base/error.hpp"
 #include "share/file/file_checks.hpp"
@@ -74,15 +73,15 @@ SpecimenSummary specimen_summary(const H5Input& file) {
     summary.shape = file.attribute_or<std::string>(schema::specimen_group, "shape", "");
     const std::vector<std::uint8_t> kinds = file.read<std::uint8_t>(schema::contact_kind.path);
     const auto cracked = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
-    summary.is_cracked = std::find(kinds.begin(), kinds.end(), cracked) != kinds.end();
+    summary.is_cracked = std::ranges::find(kinds, cracked) != kinds.end();
     summary.width = file.attribute<double>(schema::specimen_group, "width");
     summary.height = file.attribute<double>(schema::specimen_group, "height");
     summary.seed = file.attribute_or<std::int64_t>(schema::specimen_group, "seed", 0);
     summary.mean_edge = file.attribute_or<double>(schema::specimen_group, "mean_edge", unknown);
     summary.grains = static_cast<std::int64_t>(rows_of(file, schema::grain_phase.path));
     const auto parts = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", {});
-    summary.holes = static_cast<std::size_t>(
-        std::count_if(parts.begin(), parts.end(), [](const std::string& part) { return part.starts_with("hole_"); }));
+    summary.holes =
+        static_cast<std::size_t>(std::ranges::count_if(parts, [](const std::string& part) { return part.starts_with("hole_"); }));
     summarize_grains(file, summary);
     summary.settings = read_settings(file, schema::specimen_group);
     return summary;
@@ -168,7 +167,7 @@ CurveColumns LoadCurve::loaded() const {
 namespace {
 
 double range_of(const std::vector<double>& values) {
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const auto [low, high] = std::ranges::minmax_element(values);
     return *high - *low;
 }
 

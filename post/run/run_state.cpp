@@ -66,7 +66,7 @@ Frame read_frame(const RunReader& run, const Specimen& specimen, std::size_t ind
 
 std::vector<Crack> cracks_until(const std::vector<Crack>& cracks, double time) {
     std::vector<Crack> present;
-    std::copy_if(cracks.begin(), cracks.end(), std::back_inserter(present), [time](const Crack& c) { return c.time <= time; });
+    std::ranges::copy_if(cracks, std::back_inserter(present), [time](const Crack& c) { return c.time <= time; });
     return present;
 }
 
@@ -75,7 +75,7 @@ std::size_t choose_frame(const RunReader& run, const std::string& word, const st
     if (times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
     const auto nearest = [&](double wanted) {
         const auto closer = [wanted](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); };
-        return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), closer) - times.begin());
+        return static_cast<std::size_t>(std::ranges::min_element(times, closer) - times.begin());
     };
     if (time) return nearest(*time);
     if (word == "last") return times.size() - 1;
@@ -99,7 +99,7 @@ std::vector<std::size_t> choose_frames(const RunReader& run, const std::string& 
     std::vector<std::size_t> frames;
     for (const std::string_view word : split(names, ',')) {
         const std::size_t frame = choose_frame(run, std::string(word), time);
-        if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
+        if (std::ranges::find(frames, frame) == frames.end()) frames.push_back(frame);
     }
     return frames;
 }

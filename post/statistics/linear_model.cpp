@@ -6,7 +6,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -248,7 +247,7 @@ LinearModel eliminate_backward(LinearModel model, double alpha) {
         auto weakest = terms.end();
         double largest = alpha;
         for (auto term = terms.begin(); term != terms.end(); ++term) {
-            const bool is_needed = term->degree() == 0 || std::any_of(terms.begin(), terms.end(), [&](const SurfaceTerm& other) {
+            const bool is_needed = term->degree() == 0 || std::ranges::any_of(terms, [&](const SurfaceTerm& other) {
                                        return term->is_parent_of(other);
                                    });
             const std::optional<double> p = model.p_value(static_cast<std::size_t>(term - terms.begin()));

@@ -4,6 +4,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -55,7 +56,7 @@ std::optional<NonlinearFit> fit_nonlinear(const Residuals& residuals, std::vecto
     if (!settles(work.get())) return std::nullopt;
     NonlinearFit fit;
     fit.parameters.assign(work->x->data, work->x->data + p);
-    if (!std::all_of(fit.parameters.begin(), fit.parameters.end(), [](double v) { return std::isfinite(v); })) {
+    if (!std::ranges::all_of(fit.parameters, [](double v) { return std::isfinite(v); })) {
         return std::nullopt;
     }
     std::vector<double> covariance(p * p);
@@ -68,6 +69,26 @@ std::optional<NonlinearFit> fit_nonlinear(const Residuals& residuals, std::vecto
     gsl_blas_ddot(work->f, work->f, &fit.residual_sum);
     fit.freedom = static_cast<int>(n_residuals) - static_cast<int>(p);
     return fit;
+}
+
+Logistic fit_logistic(const Eigen::MatrixXd& factors, const Eigen::VectorXd& happened) {
+    Eigen::MatrixXd x(factors.rows(), factors.cols() + 1);
+    x << Eigen::VectorXd::Ones(factors.rows()), factors;
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(x.cols());
+    for (int i = 0; i < 100; ++i) {
+        const Eigen::VectorXd p = (1 + (-(x * b).array()).exp()).inverse();
+        const Eigen::VectorXd w = (p.array() * (1 - p.array())).max(1e-12);
+        const Eigen::MatrixXd information = x.transpose() * w.asDiagonal() * x;
+        const Eigen::LDLT<Eigen::MatrixXd> solver(information);
+        // h_i, the leverages, of the weighted regression
+        const Eigen::VectorXd h = w.array() * (x.array() * solver.solve(x.transpose()).transpose().array()).rowwise().sum();
+        Eigen::VectorXd step = solver.solve(x.transpose() * (happened - p + (h.array() * (0.5 - p.array())).matrix()));
+        const double longest = step.lpNorm<Eigen::Infinity>();
+        if (longest > 2) step *= 2 / longest;
+        b += step;
+        if (longest < 1e-10) break;
+    }
+    return {b};
 }
 
 }  // namespace graincrack

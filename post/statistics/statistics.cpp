@@ -31,7 +31,7 @@ Sample sample(std::span<const double> values) {
 
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y, std::span<const double> weights) {
     const std::size_t n = x.size();
-    if (n < 2 || std::all_of(x.begin(), x.end(), [&](double value) { return value == x[0]; })) return std::nullopt;
+    if (n < 2 || std::ranges::all_of(x, [&](double value) { return value == x[0]; })) return std::nullopt;
     Line line;
     gsl_fit_wlinear(x.data(), 1, weights.data(), 1, y.data(), 1, n, &line.intercept, &line.slope, &line.intercept_variance,
                     &line.covariance, &line.slope_variance, &line.residual_sum);

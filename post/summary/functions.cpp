@@ -79,7 +79,7 @@ std::optional<Estimate> slope(const Values& x, const Values& y) { return fit_lin
 std::optional<Estimate> exponent(const Values& x, const Values& y) {
     const auto positive = [](double value) { return value > 0; };
     if (!std::all_of(x.begin(), x.end(), positive) || !std::all_of(y.begin(), y.end(), positive)) return std::nullopt;
-    return fit_power_law_log(x, y)->exponent;
+    return fit_power_law(x, y)->exponent;
 }
 
 Number lack_of_fit_p(const Values& x, const Values& y) {

@@ -189,8 +189,8 @@ TEST(Calibration, AMissOfNewSpecimensCorrectsTheSurfaces) {
     EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
     std::vector<std::string> stages;
     for (const Step& step : decision.steps) stages.push_back(step.stage);
-    EXPECT_EQ(std::count(stages.begin(), stages.end(), "correction"), 1);
-    EXPECT_EQ(std::count(stages.begin(), stages.end(), "zoom"), 0);
+    EXPECT_EQ(std::ranges::count(stages, "correction"), 1);
+    EXPECT_EQ(std::ranges::count(stages, "zoom"), 0);
 }
 
 // What is left behind a peak under 8 MPa follows the residual friction angle; at half of the points the stress rises there.
@@ -263,9 +263,8 @@ TEST(Calibration, ABoxMovesToAnOptimumOutsideOfIt) {
     planted[cohesion] = 0.9;  // beyond ln 1.8 = 0.588
     const Decision decision = decide_on(rock, rock.problem(planted));
     EXPECT_EQ(decision.ending, Ending::calibrated) << decision.reason;
-    EXPECT_TRUE(std::any_of(decision.steps.begin(), decision.steps.end(), [](const Step& step) {
-        return step.stage == "move" && step.what.find(cohesion) != std::string::npos;
-    }));
+    EXPECT_TRUE(std::ranges::any_of(
+        decision.steps, [](const Step& step) { return step.stage == "move" && step.what.find(cohesion) != std::string::npos; }));
 }
 
 TEST(Calibration, GrainsThatCannotMakeTheModulusEndIt) {

@@ -1,5 +1,5 @@
 // Properties of specimens beside the laboratory's: means, the line and the numbers that follow, against numbers by hand.
-#include "post/laboratory/properties.hpp"
+#include "post/laboratory/comparison.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "post/measure/first_peak.hpp"
+#include "post/measure/strength.hpp"
 
 #include <gtest/gtest.h>
 

@@ -45,7 +45,7 @@ TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
               "max_strain\trate_tolerance\t"
               "tensile_cracks_by_sign\tshear_cracks_by_sign\ttensile_cracks_broken\tshear_cracks_broken\t"
               "tensile_cracks_broken_by_sign\tshear_cracks_broken_by_sign\tplane\t"
-              "peak_load_kN/m\tflexural_strength_MPa\tring_strength_MPa\tspan_mm");
+              "peak_load_kN/m\tflexural_strength_MPa\tspan_mm");
     std::ostringstream usual;
     write_strength_table(usual, {folder_.file("run.h5")}, TableFormat::tsv, notes_, {}, ColumnChoice::usual);
     EXPECT_EQ(usual.str().substr(0, usual.str().find('\n')),

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <sstream>
 
-#include "post/measure/strip_yield.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"

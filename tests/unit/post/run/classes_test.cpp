@@ -51,11 +51,11 @@ TEST_F(Classes, AreChosenByEitherOrderOfTheirNames) {
     const Specimen& s = recipe_.specimen;
     const std::vector<bool> chosen = contacts_of_classes(s, {"mica-feldspar"}, "run.h5");
     EXPECT_EQ(chosen, contacts_of_classes(s, {"feldspar-mica"}, "run.h5"));
-    EXPECT_EQ(std::count(chosen.begin(), chosen.end(), true), 12);  // the upright sides of one line of the grid
+    EXPECT_EQ(std::ranges::count(chosen, true), 12);  // the upright sides of one line of the grid
     const std::vector<bool> all = contacts_of_classes(s, {}, "run.h5");
-    EXPECT_EQ(std::count(all.begin(), all.end(), true), static_cast<std::ptrdiff_t>(s.n_contacts()));
+    EXPECT_EQ(std::ranges::count(all, true), static_cast<std::ptrdiff_t>(s.n_contacts()));
     const std::vector<bool> two = contacts_of_classes(s, {"mica-feldspar", "mica-mica"}, "run.h5");
-    EXPECT_GT(std::count(two.begin(), two.end(), true), 12);
+    EXPECT_GT(std::ranges::count(two, true), 12);
     test::expect_one_line<UsageError>([&] { (void)contacts_of_classes(s, {"quartz-mica"}, "run.h5"); },
                                       {"--class quartz-mica", "run.h5", "quartz-quartz, quartz-feldspar, feldspar-feldspar"});
 }
@@ -165,7 +165,7 @@ TEST_F(Classes, SpecimensAreDrawnByPhaseOrStrength) {
         }
     }
     const std::size_t contacts = recipe_.specimen.n_contacts();
-    EXPECT_EQ(std::count(sizes.begin(), sizes.end(), contacts / 2), contacts % 2 == 0 ? 2 : 1);
+    EXPECT_EQ(std::ranges::count(sizes, contacts / 2), contacts % 2 == 0 ? 2 : 1);
     Specimen uniform = recipe_.specimen;
     uniform.contact_strength_factor.clear();
     test::expect_one_line<InputError>([&] { (void)draw_specimen(uniform, "specimen.h5", SpecimenColour::strength); },

@@ -39,8 +39,7 @@ RunData run_of(const std::string& name, const std::string& kind = "uniaxial", do
 
 /// Gives a setting another value, or adds it.
 void set(Settings& settings, const Setting& setting) {
-    const auto found =
-        std::find_if(settings.begin(), settings.end(), [&](const Setting& each) { return each.name == setting.name; });
+    const auto found = std::ranges::find_if(settings, [&](const Setting& each) { return each.name == setting.name; });
     if (found == settings.end()) {
         settings.push_back(setting);
     } else {
