@@ -1,4 +1,4 @@
-// What a calibration has come to, for people (report.md) and for programs (outcome.json and tables; share/doc/tables.md).
+// What a calibration has come to: report.md, its tables, and for programs outcome.json (share/doc/tables.md).
 #pragma once
 
 #include <cstddef>

@@ -56,9 +56,7 @@ std::optional<NonlinearFit> fit_nonlinear(const Residuals& residuals, std::vecto
     if (!settles(work.get())) return std::nullopt;
     NonlinearFit fit;
     fit.parameters.assign(work->x->data, work->x->data + p);
-    if (!std::ranges::all_of(fit.parameters, [](double v) { return std::isfinite(v); })) {
-        return std::nullopt;
-    }
+    if (!std::ranges::all_of(fit.parameters, [](double v) { return std::isfinite(v); })) return std::nullopt;
     std::vector<double> covariance(p * p);
     gsl_matrix_view matrix = gsl_matrix_view_array(covariance.data(), p, p);
     gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work.get()), 0, &matrix.matrix);
