@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "tests/end_to_end/shell.hpp"
+#include "tests/support/rows.hpp"
 
 namespace graincrack::test {
 namespace {
@@ -68,16 +69,6 @@ std::vector<Case> all_cases() {
 }
 
 using Values = std::map<std::string, std::string>;
-
-std::string with_values(std::string text, const Values& values) {
-    for (const auto& [key, value] : values) {
-        const std::string mark = "{" + key + "}";
-        for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += value.size()) {
-            text.replace(at, mark.size(), value);
-        }
-    }
-    return text;
-}
 
 /// One row of a case, run and checked.
 class Step {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -59,11 +59,6 @@ Fabric fabric_from(const std::string& text) {
 const ContactParameters& between(const Fabric& fabric, std::size_t a, std::size_t b) {
     return fabric.contacts[contact_class(a, b)];
 }
-void expect_refused(const std::string& text, const std::vector<std::string>& words) {
-    SCOPED_TRACE(text);
-    expect_one_line<InputError>([&] { material_of(granite_text + text); }, words);
-}
-
 TEST(Fabric, GrainsHaveTheirShareOfTheContrast) {
     const Fabric fabric = fabric_from(granite_text + phases);
     ASSERT_EQ(fabric.phases.size(), 3U);
@@ -197,8 +192,6 @@ TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
     EXPECT_EQ(bridging("[flaws.joint]\n" + bridges, true), 5e6);
     EXPECT_EQ(bridging("", false), 0);
     EXPECT_EQ(bridging("[pairs.within]\nbridging_strength = 0.5\n", false), 2.5e6);
-    expect_refused("[flaws.Joint]\ncohesion = \"1 MPa\"\n", {"flaws.Joint", "small letters"});
-    expect_refused("[flaws.joint]\ncohesoin = \"1 MPa\"\n", {"flaws.joint.cohesoin", "did you mean cohesion"});
 }
 
 TEST(Fabric, ContactsWithinCrystalsAreThoseOfTheirPhaseUnlessTheyHaveATable) {
@@ -350,29 +343,9 @@ TEST(Fabric, ThePhasesOfGraniteAreAFileOfTheirOwn) {
 }
 
 TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
-    expect_refused("[phases.quartz]\nfraction = 0.7\n[phases.mica]\nfraction = 0.4\n", {"sum up to 1.1", "1 is needed"});
-    expect_refused("[phases.Quartz]\nfraction = 1\n", {"phases.Quartz", "small letters"});
-    expect_refused("[phases.quartz]\nfraction = 1\nyoung_modulus = \"80 GPa\"\nrelative_young_modulus = 1.2\n",
-                   {"give one of them"});
-    expect_refused("[phases]\ncontrast = 2\n[phases.mica]\nfraction = 1\nrelative_young_modulus = 0.4\n",
-                   {"mica", "a smaller contrast than 2 fits"});
-    expect_refused(phases + "[pairs.\"quartz-micca\"]\ncohesion = 1\n", {"micca is no phase", "did you mean mica"});
-    expect_refused(phases + "[pairs.\"quartz-mica\"]\ncohesion = 1\n[pairs.\"mica-quartz\"]\ncohesion = 1\n", {"given twice"});
-    expect_refused("[pairs.withn]\ncohesion = 1\n", {"pairs.withn", "no pair", "did you mean within", "two phases joined by -"});
-    expect_refused("[pairs.within]\ncohesion = \"1 MPa\"\n", {"pairs.within.cohesion", "MPa"});
-    expect_refused("[pairs.within]\ncohesoin = 2\n", {"pairs.within.cohesoin", "did you mean cohesion"});
-    expect_refused(phases + "[pairs]\nrule = \"max\"\n", {"pairs.rule", "unknown word \"max\"", "mean or minimum fits"});
-    expect_refused(phases + "[pairs.\"quartz-mica\"]\ncohesoin = 1\n", {"pairs.quartz-mica.cohesoin", "did you mean cohesion"});
-    expect_refused("[phases.mica]\nfraction = 1\nthermal_expansion_axes = { along = 1e-5 }\n", {"mica", "along alone", "across"});
-    expect_refused(
-        "[phases.mica]\nfraction = 1\nthermal_expansion = 1e-5\nthermal_expansion_axes = { along = 1e-5, across = 0 }\n",
-        {"phases.mica", "give one of them"});
-    expect_refused("[phases.mica]\nfraction = 1\nthermal_expansion = { temperatures = [0, 300], values = [1e-5] }\n",
-                   {"phases.mica", "as many values as temperatures"});
-    expect_refused("[temperature]\ntemperatures = [300, 0]\nyoung_modulus = [1, 0.8]\n", {"[temperature]", "ascend"});
-    expect_refused("[temperature]\ntemperatures = [0, 300]\nyoung_modulus = [1, 1.2]\n", {"temperature.young_modulus", "1.2"});
-    expect_refused("[strength]\ncorrelation = \"10 mm\"\n", {"correlation and no modulus"});
-    expect_refused("[phases]\nfrom = \"basalt\"\n", {"phases.from", "phases/basalt.toml"});
+    EXPECT_EQ(test::expect_refused<InputError>("share/file/fabric.toml",
+                                               [](const std::string& text) { material_of(granite_text + text); }),
+              20U);
     const Material granite = material_of(granite_text + phases);
     expect_one_line<InputError>([&] { fabric_of(granite, PlaneCondition::strain, std::nullopt, {"rock"}); },
                                 {"phases rock", "feldspar, mica, quartz", "graincrack-mesh"});

@@ -13,7 +13,7 @@
 #include "share/base/error.hpp"
 #include "share/base/toml_file.hpp"
 #include "share/rock/material_edit.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/rows.hpp"
 
 namespace graincrack {
 namespace {
@@ -151,62 +151,11 @@ TEST_F(MaterialFile, TheFabricSaysWhichGrainsAreMade) {
     EXPECT_EQ(grains.elements_per_crystal, 8);
     EXPECT_EQ(grains.elongation, 1.5);
     EXPECT_DOUBLE_EQ(*grains.elongation_angle, 30 * degree);
-    const auto of_triangles = [&](const std::string& keys) { return complaint(stone + "[fabric]\n" + keys + "\n"); };
-    EXPECT_EQ(of_triangles("elements_per_crystal = 8"),
-              "[fabric] elements_per_crystal is of polygons; give tessellation = \"trigon\" or \"voronoi\"");
-    EXPECT_EQ(of_triangles("size_variation = 0.5"), "[fabric] size_variation: triangles vary by 0.35 at most, not by 0.5");
-    EXPECT_EQ(of_triangles("elongation_angle = '30 deg'"),
-              "[fabric] has an elongation_angle and no elongation; give both, or none");
-    const auto expect_lines = [&](const std::string& keys, const std::string& key) {
-        const std::string message = of_triangles(keys);
-        EXPECT_TRUE(message.starts_with("line 14: ") && message.find("fabric." + key) != std::string::npos) << message;
-    };
-    expect_lines("grain_sise = '4 mm'", "grain_sise: unknown key (did you mean grain_size?)");
-    expect_lines("tessellation = 'hexagons'", "tessellation");
-    expect_lines("tessellation = 3", "tessellation");
-    expect_lines("grain_size = '4 kg'", "grain_size");
-    expect_lines("grain_size = 0", "grain_size");
-    expect_lines("size_variation = 0.7", "size_variation");
-    expect_lines("elements_per_crystal = 0", "elements_per_crystal");
-    expect_lines("elongation = 0.5", "elongation");
 }
 
 TEST_F(MaterialFile, ComplaintsNameFileKeyAndRemedy) {
-    EXPECT_EQ(complaint(stone + "[rok]\n"),
-              "line 13: rok: unknown table (did you mean rock?); known are phases, pairs, flaws, strength, temperature, rock, "
-              "contact, ratios, "
-              "platen, fabric, laboratory");
-    EXPECT_EQ(complaint(stone + "cohesio = 3\n"),
-              "line 13: contact.cohesio: unknown key (did you mean cohesion?); known are bridging_energy, bridging_strength, "
-              "cohesion, fracture_energy, "
-              "friction_angle, law, "
-              "mode_ii_fracture_energy, normal_stiffness, open_shear_strength, residual_cohesion, residual_friction_angle, "
-              "residual_tensile_strength, shear_stiffness, tensile_strength");
-    EXPECT_EQ(complaint("colour = 'red'\n" + stone), "line 1: colour: unknown key; known are contact, name, rock");
-    EXPECT_EQ(
-        complaint("name = 'x'\n" + contact +
-                  "[rock]\nyoung_modulus = '49 GPa'\npoisson_ratio = 0.19\ndensity = 2700\n"
-                  "mode_i_toughness = 1e6\n"),
-        "2 keys are missing: rock.mode_ii_toughness (fracture toughness K_IIC of the rock, in Pa.m^0.5), "
-        "rock.tensile_strength (tensile strength of the rock, in Pa); what [laboratory] has counts for [rock]; graincrack-post "
-        "material init --kind every-key writes a template with every key");
-    EXPECT_EQ(complaint("name = 'x'\n" + rock + "[contact]\ntensile_strength = 1\ncohesion = 1\n"),
-              "a key is missing: contact.friction_angle (friction angle phi_c of a contact, in rad); what [laboratory] has "
-              "counts for [rock]; graincrack-post "
-              "material init --kind every-key writes a template with every key");
-    EXPECT_EQ(complaint(rock + contact), "name is missing; give the material a name");
-    EXPECT_NE(complaint(stone + "[platen]\nfriction_angle = '5 MPa'\n")
-                  .find("line 14: platen.friction_angle: \"5 MPa\" has the unit of a stress"),
-              std::string::npos);
-    EXPECT_NE(complaint(stone + "fracture_energy = -1\n").find("contact.fracture_energy: \"-1\" is out of bounds"),
-              std::string::npos);
-    EXPECT_NE(complaint(stone + "fracture_energy = nan\n").find("is not a finite number"), std::string::npos);
-    EXPECT_NE(complaint(stone + "fracture_energy = [1, 2]\n").find("contact.fracture_energy: is no quantity"), std::string::npos);
-    EXPECT_NE(complaint(stone + "fracture_energy = true\n").find("contact.fracture_energy: is no quantity"), std::string::npos);
-    EXPECT_NE(complaint(stone + "fracture_energy = 1979-05-27\n").find("is a date or time"), std::string::npos);
-    EXPECT_NE(complaint("name = 'x\n").find("line 1: not TOML"), std::string::npos);
-    EXPECT_NE(complaint(stone + "cohesion = 3\n").find("line 13: not TOML"), std::string::npos);  // given twice
-    EXPECT_NE(complaint(stone + "[rock.deep]\n").find("rock.deep: unknown table"), std::string::npos);
+    const auto refuse = [&](const std::string& text) { throw InputError(complaint(text)); };
+    EXPECT_EQ(test::expect_refused<InputError>("share/rock/material.toml", refuse), 32U);
     EXPECT_NE(complaint_about((folder / "none.toml").string()).find("cannot be read: No such file"), std::string::npos);
     EXPECT_NE(complaint_about(folder.string()).find("cannot be read"), std::string::npos);
 }
@@ -231,16 +180,6 @@ TEST_F(MaterialFile, AMeasuredToughnessMayNameItsTest) {
         EXPECT_NE(unknown.text().find("of a size that the material does not name"), std::string::npos) << table;
         EXPECT_EQ(unknown.caveat(usual_half_disc(0.08)), "size not known") << table;
     }
-    const auto refused = [&](const std::string& table, const std::string& part) {
-        test::expect_one_line<InputError>([&] { read(table); }, {"laboratory.mode_i_toughness", part});
-    };
-    refused("{method = 'half-disc'}", "value: missing; K_IC is needed");
-    refused("{value = 1e6, method = 'half-disk'}", "unknown word \"half-disk\"; half-disc or beam or");
-    refused("{value = 1e6, diameter = '75 mm'}", "method: missing; a size belongs to a test");
-    refused("{value = 1e6, method = 'half-disc', height = '75 mm'}", "height: does not belong to the method");
-    refused("{value = 1e6, method = 'half-disc', diameter = '75 mm', notch = '40 mm'}",
-            "40 mm leaves no ligament; less than 37.5");
-    refused("{value = 1e6, method = 'half-disc', diametre = '75 mm'}", "did you mean diameter?");
 }
 
 TEST_F(MaterialFile, NotesWhatIsWithoutUnitOrFarOffAnyRock) {
@@ -336,13 +275,13 @@ TEST_F(MaterialFile, BridgesNeedBothValuesAndHoldLessThanTheContact) {
     ContactParameters c = contact_parameters(read_material("augig-granite"), PlaneCondition::strain, std::nullopt);
     require_sound_bridges(c, "x");
     c.bridging_strength = 5e6;
-    expect_one_line<InputError>([&] { require_sound_bridges(c, "x.toml"); },
-                                {"x.toml: bridging_strength is 5 MPa", "bridging_energy is 0"});
+    test::expect_one_line<InputError>([&] { require_sound_bridges(c, "x.toml"); },
+                                      {"x.toml: bridging_strength is 5 MPa", "bridging_energy is 0"});
     c.bridging_energy = 80;
     require_sound_bridges(c, "x");
     c.bridging_strength = c.tensile_strength;
-    expect_one_line<InputError>([&] { require_sound_bridges(c, "x.toml"); },
-                                {"bridging_strength is 24.15 MPa and tensile_strength is 24.15 MPa"});
+    test::expect_one_line<InputError>([&] { require_sound_bridges(c, "x.toml"); },
+                                      {"bridging_strength is 24.15 MPa and tensile_strength is 24.15 MPa"});
 }
 
 TEST(FractureEnergyOption, WordsAndValues) {
