@@ -76,15 +76,15 @@ bool meets_flaw(const PlaneMesh& mesh, int part) {
 double smallest_angle_at(const PlaneMesh& mesh, int part) {
     std::vector<bool> is_on_part(mesh.points.size(), false);
     for (const Side& side : mesh.sides) {
-        if (side.part == part) is_on_part[static_cast<std::size_t>(side.from)] = true;
+        if (side.part == part) is_on_part[index(side.from)] = true;
     }
     double smallest = std::numbers::pi;
     for (const Triangle& t : mesh.triangles) {
-        if (std::none_of(t.begin(), t.end(), [&](int p) { return is_on_part[static_cast<std::size_t>(p)]; })) continue;
+        if (std::none_of(t.begin(), t.end(), [&](int p) { return is_on_part[index(p)]; })) continue;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Point at = mesh.points[static_cast<std::size_t>(t[k])];
-            const Point u = mesh.points[static_cast<std::size_t>(t[(k + 1) % 3])] - at;
-            const Point v = mesh.points[static_cast<std::size_t>(t[(k + 2) % 3])] - at;
+            const Point at = mesh.points[index(t[k])];
+            const Point u = mesh.points[index(t[(k + 1) % 3])] - at;
+            const Point v = mesh.points[index(t[(k + 2) % 3])] - at;
             smallest = std::min(smallest, std::atan2(cross(u, v), dot(u, v)));
         }
     }
@@ -99,7 +99,7 @@ void round_holes(const Region& region, PlaneMesh& mesh) {
         const int part = loop.parts.front();
         if (!loop.circle || &loop == &region.loops.front() || meets_flaw(mesh, part)) continue;
         const Point centre = loop.circle->centre;
-        const auto from_centre = [&](int p) { return unit(mesh.points[static_cast<std::size_t>(p)] - centre); };
+        const auto from_centre = [&](int p) { return unit(mesh.points[index(p)] - centre); };
         double doubled_area = 0;  // of the polygon at radius 1
         for (const Side& side : mesh.sides) {
             if (side.part == part) doubled_area += std::abs(cross(from_centre(side.from), from_centre(side.to)));
@@ -108,17 +108,12 @@ void round_holes(const Region& region, PlaneMesh& mesh) {
         const std::vector<Point> before = mesh.points;
         const double corners = loop.circle->radius * std::sqrt(2 * std::numbers::pi / doubled_area);
         for (const Side& side : mesh.sides) {
-            if (side.part == part) mesh.points[static_cast<std::size_t>(side.from)] = centre + corners * from_centre(side.from);
+            if (side.part == part) mesh.points[index(side.from)] = centre + corners * from_centre(side.from);
         }
         has_moved = true;
         if (smallest_angle_at(mesh, part) < std::min(angle_before, least_angle)) mesh.points = before;
     }
-    if (!has_moved) return;
-    std::fill(mesh.area_of_body.begin(), mesh.area_of_body.end(), 0.0);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])]; };
-        mesh.area_of_body[static_cast<std::size_t>(mesh.body_of_triangle[t])] += signed_area(at(0), at(1), at(2));
-    }
+    if (has_moved) mesh.complete_bodies();
 }
 
 /// Elements of the cells, turned so that the loaded diameter lies along y. The elongation is measured on the way.
@@ -154,9 +149,7 @@ std::vector<double> grain_heights(const Specimen& s) {
     std::vector<double> height(s.n_grains(), 0.0);
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
         // All elements of a grain have the same size, so that the mean of their nodes is the grain's centroid.
-        for (const std::int32_t node : s.element_nodes[e]) {
-            height[static_cast<std::size_t>(s.element_grain[e])] += s.node_position[static_cast<std::size_t>(node)][1];
-        }
+        for (const std::int32_t node : s.element_nodes[e]) height[index(s.element_grain[e])] += s.node_position[index(node)][1];
     }
     return height;
 }
@@ -167,13 +160,10 @@ std::vector<double> grain_heights(const Specimen& s) {
 void cut_notch(Specimen& specimen, double length) {
     const std::vector<double> height = grain_heights(specimen);
     const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
-    const auto above = [&](std::int32_t node) {
-        return height[static_cast<std::size_t>(grain[static_cast<std::size_t>(node)])] > 0;
-    };
+    const auto above = [&](std::int32_t node) { return height[index(grain[index(node)])] > 0; };
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
         const auto& [a1, a2, b1, b2] = specimen.contact_nodes[c];
-        const double middle = 0.5 * (specimen.node_position[static_cast<std::size_t>(a1)][0] +
-                                     specimen.node_position[static_cast<std::size_t>(a2)][0]);
+        const double middle = 0.5 * (specimen.node_position[index(a1)][0] + specimen.node_position[index(a2)][0]);
         if (above(a1) != above(b1) && std::abs(middle) <= 0.5 * length) {
             specimen.contact_kind[c] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
         }

@@ -108,25 +108,6 @@ std::string size_line(const char* what, double mean, double variation, double mi
                        mm(max));
 }
 
-std::string strength_line(const Specimen& specimen, const StrengthRequest& request) {
-    double sum = 0;
-    double squares = 0;
-    for (const double factor : specimen.contact_strength_factor) {
-        sum += factor;
-        squares += factor * factor;
-    }
-    const double mean = sum / static_cast<double>(specimen.n_contacts());
-    const double variance = squares / static_cast<double>(specimen.n_contacts()) - mean * mean;
-    return fmt::format("strength factor: mean {:.4f}, CV {:.4f}; modulus {}, {}", mean, std::sqrt(std::max(0.0, variance)) / mean,
-                       format_number(*request.modulus),
-                       request.correlation ? "correlated over " + format_length(*request.correlation) : "uncorrelated");
-}
-
-std::string open_line(const Specimen& specimen) {
-    const std::string open = open_boundaries_text(specimen);
-    return "open boundaries: " + (open.empty() ? "none" : open);
-}
-
 /// A number with a comma behind each thousand.
 std::string with_commas(std::size_t number) {
     std::string digits = std::to_string(number);
@@ -134,26 +115,11 @@ std::string with_commas(std::size_t number) {
     return digits;
 }
 
-/// Mean edges or diameters at both ends of a grading; of elongated grains before they are elongated.
-std::string grading_line(const Fabric& fabric, const MeshReport& report) {
-    const auto mean = [&](std::size_t end) {
-        if (report.graded_size[end] == 0) return std::string("none");
-        return fmt::format("{} ({} requested)", format_quantity(report.graded_size[end], Dimension::length, 3),
-                           format_quantity(report.requested_size[end], Dimension::length, 3));
-    };
-    const bool is_along = fabric.grading->is_along();
-    return fmt::format("graded {}: mean {} in the {} eighth, {} {}", fabric.has_crystals() ? "diameters" : "edges", mean(0),
-                       is_along ? "lowest" : "nearest", mean(1), is_along ? "in the uppermost" : "beyond 7/8 of the distance");
-}
-
 /// Flaws as they came out, and the length of all contacts that are broken from the start.
 std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
     double broken = 0;
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        if (!starts_broken(specimen.contact_kind[c])) continue;
-        const auto& p = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][0])];
-        const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][1])];
-        broken += std::hypot(q[0] - p[0], q[1] - p[1]);
+        if (starts_broken(specimen.contact_kind[c])) broken += contact_length(specimen, c);
     }
     return fmt::format("{} of flaws and joints, {} long in all; contacts broken from the start: {}",
                        report.n_flaws == 1 ? "1 piece" : fmt::format("{} pieces", report.n_flaws),
@@ -191,8 +157,8 @@ std::string note_on_holes(const Specimen& specimen, const Request& request) {
         std::set<long> directions;
         for (std::size_t b = 0; b < specimen.n_boundary_edges(); ++b) {
             if (specimen.boundary_part[b] != loop.parts.front()) continue;
-            const auto& p = specimen.node_position[static_cast<std::size_t>(specimen.boundary_edges[b][0])];
-            const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.boundary_edges[b][1])];
+            const auto& p = specimen.node_position[index(specimen.boundary_edges[b][0])];
+            const auto& q = specimen.node_position[index(specimen.boundary_edges[b][1])];
             directions.insert(std::lround(1e6 * std::atan2(q[1] - p[1], q[0] - p[0])));
         }
         if (directions.size() >= fewest) continue;
@@ -269,12 +235,10 @@ std::vector<Remark> describe_mesh(const Specimen& specimen, const Request& reque
     }
     if (specimen.loading_arc > 0) lines.push_back(fmt::format("loading arc {:.2f} deg", degrees(specimen.loading_arc)));
     if (const std::string sides = note_on_holes(specimen, request); !sides.empty()) lines.emplace_back(sides, "coarse_hole");
-    if (fabric.strength.modulus) lines.push_back(strength_line(specimen, fabric.strength));
-    if (fabric.open.fraction) lines.push_back(open_line(specimen));
+    if (const std::string open = open_boundaries_text(specimen); !open.empty()) lines.push_back("open boundaries: " + open);
     if (s.elongation > 0) {
         lines.push_back(fmt::format("elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
     }
-    if (fabric.grading) lines.push_back(grading_line(fabric, report));
     if (report.n_flaws > 0 || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
     if (!fabric.has_crystals()) add_notes_on_triangles(specimen, request, report, lines);
     if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.emplace_back(note, "few_crystals");

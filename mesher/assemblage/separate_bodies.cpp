@@ -49,12 +49,12 @@ private:
         const std::size_t n_bodies = mesh_.n_bodies();
         std::vector<Point> centres(n_bodies);
         std::vector<std::size_t> first_triangle(n_bodies + 1, 0);
-        for (const int body : mesh_.body_of_triangle) ++first_triangle[static_cast<std::size_t>(body) + 1];
+        for (const int body : mesh_.body_of_triangle) ++first_triangle[index(body) + 1];
         for (std::size_t b = 0; b < n_bodies; ++b) {
             first_triangle[b + 1] += first_triangle[b];
             Point sum;
             const int n = mesh_.body_start[b + 1] - mesh_.body_start[b];
-            for (const int p : points_of(b)) sum = sum + mesh_.points[static_cast<std::size_t>(p)];
+            for (const int p : points_of(b)) sum = sum + mesh_.points[index(p)];
             centres[b] = (1.0 / n) * sum;
         }
         specimen_.node_position.reserve(mesh_.body_points.size());
@@ -63,18 +63,17 @@ private:
         triangles_.reserve(mesh_.triangles.size());
         std::vector<std::int32_t> node_at(mesh_.points.size());  // of the grain in hand
         for (const int body : hilbert_order(centres)) {
-            const auto b = static_cast<std::size_t>(body);
+            const auto b = index(body);
             for (const int p : points_of(b)) {
-                const Point position = mesh_.points[static_cast<std::size_t>(p)];
-                node_at[static_cast<std::size_t>(p)] = static_cast<std::int32_t>(specimen_.node_position.size());
+                const Point position = mesh_.points[index(p)];
+                node_at[index(p)] = static_cast<std::int32_t>(specimen_.node_position.size());
                 specimen_.node_position.push_back({position.x, position.y});
             }
             for (std::size_t t = first_triangle[b]; t < first_triangle[b + 1]; ++t) {
                 const Triangle& triangle = mesh_.triangles[t];
                 triangles_.push_back(triangle);
-                specimen_.element_nodes.push_back({node_at[static_cast<std::size_t>(triangle[0])],
-                                                   node_at[static_cast<std::size_t>(triangle[1])],
-                                                   node_at[static_cast<std::size_t>(triangle[2])]});
+                specimen_.element_nodes.push_back(
+                    {node_at[index(triangle[0])], node_at[index(triangle[1])], node_at[index(triangle[2])]});
                 specimen_.element_grain.push_back(static_cast<std::int32_t>(specimen_.grain_phase.size()));
             }
             if (crystal_of_grain_ != nullptr) crystal_of_grain_->push_back(mesh_.crystal_of_body[b]);
@@ -91,33 +90,29 @@ private:
     void sort_sides() {
         start_.assign(mesh_.points.size() + 1, 0);
         for (const Triangle& t : triangles_) {
-            for (const int p : t) ++start_[static_cast<std::size_t>(p) + 1];
+            for (const int p : t) ++start_[index(p) + 1];
         }
         for (std::size_t p = 0; p < mesh_.points.size(); ++p) start_[p + 1] += start_[p];
         sides_.resize(3 * triangles_.size());
         std::vector<int> fill(start_.begin(), start_.end() - 1);
         for (int side = 0; side < static_cast<int>(sides_.size()); ++side) {
-            sides_[static_cast<std::size_t>(fill[static_cast<std::size_t>(from(side))]++)] = side;
+            sides_[static_cast<std::size_t>(fill[index(from(side))]++)] = side;
         }
     }
 
-    [[nodiscard]] int from(int side) const {
-        return triangles_[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>(side % 3)];
-    }
-    [[nodiscard]] int to(int side) const {
-        return triangles_[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>((side + 1) % 3)];
-    }
-    [[nodiscard]] std::int32_t body(int side) const { return specimen_.element_grain[static_cast<std::size_t>(side / 3)]; }
+    [[nodiscard]] int from(int side) const { return triangles_[index(side / 3)][index(side % 3)]; }
+    [[nodiscard]] int to(int side) const { return triangles_[index(side / 3)][index((side + 1) % 3)]; }
+    [[nodiscard]] std::int32_t body(int side) const { return specimen_.element_grain[index(side / 3)]; }
     /// Node of a side, at its start (0) or its end (1).
     [[nodiscard]] std::int32_t node(int side, int end) const {
-        return specimen_.element_nodes[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>((side % 3 + end) % 3)];
+        return specimen_.element_nodes[index(side / 3)][index((side % 3 + end) % 3)];
     }
 
     /// The side that runs from one point to another, or none.
     [[nodiscard]] int side_from(int from_point, int to_point) const {
-        const auto p = static_cast<std::size_t>(from_point);
+        const auto p = index(from_point);
         for (int k = start_[p]; k < start_[p + 1]; ++k) {
-            const int side = sides_[static_cast<std::size_t>(k)];
+            const int side = sides_[index(k)];
             if (to(side) == to_point) return side;
         }
         return none;

@@ -40,8 +40,7 @@ public:
             hull_side_[edge_between(side.from, side.to)] = static_cast<int>(lines_.sides.size());
             lines_.sides.push_back(side);
         }
-        Box box{at(0), at(0)};
-        for (std::size_t p = 1; p < walls.hull.size(); ++p) box = with(box, lines_.points[p]);
+        const Box box = box_of(walls.hull.corners);
         tolerance_ = same_point * (box.width() + box.height());
     }
 
@@ -58,10 +57,6 @@ public:
     }
 
 private:
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-    static Box with(const Box& box, Point p) {
-        return {{std::min(box.low.x, p.x), std::min(box.low.y, p.y)}, {std::max(box.high.x, p.x), std::max(box.high.y, p.y)}};
-    }
     [[nodiscard]] Point at(int p) const { return lines_.points[index(p)]; }
     [[nodiscard]] double size_at(Point p) const { return mean_size_ * graded_.graded(p); }
     /// The first side of walls that is not one of the hull.

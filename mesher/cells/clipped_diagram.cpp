@@ -122,10 +122,10 @@ void ClippedDiagram::clip(const PowerDiagram& diagram) {
     };
     sides_.reserve(diagram.sides.size());
     for (const PowerDiagram::Side& side : diagram.sides) {
-        const Point from = diagram.vertices[static_cast<std::size_t>(side.from)];
-        const Point to = diagram.vertices[static_cast<std::size_t>(side.to)];
-        const bool starts_inside = is_inside[static_cast<std::size_t>(side.from)] != 0;
-        const bool ends_inside = is_inside[static_cast<std::size_t>(side.to)] != 0;
+        const Point from = diagram.vertices[index(side.from)];
+        const Point to = diagram.vertices[index(side.to)];
+        const bool starts_inside = is_inside[index(side.from)] != 0;
+        const bool ends_inside = is_inside[index(side.to)] != 0;
         Side clipped{side.left, side.right, from, to, side.from, side.to};
         if (!starts_inside || !ends_inside) {
             const Clipper::Span span = clipper.span(from, to);
@@ -217,8 +217,8 @@ PlaneCells ClippedDiagram::cells() const {
     for (const Side& side : sides_) {
         const int from = point(side.from_point, side.from);
         const int to = point(side.to_point, side.to);
-        sides_of_cell[static_cast<std::size_t>(side.left)].push_back({from, to});
-        sides_of_cell[static_cast<std::size_t>(side.right)].push_back({to, from});
+        sides_of_cell[index(side.left)].push_back({from, to});
+        sides_of_cell[index(side.right)].push_back({to, from});
         cells.edges.push_back(edge_between(from, to));
     }
     for_each_outer_side([&](int cell, const auto& from, const auto& to, std::size_t outline_side) {

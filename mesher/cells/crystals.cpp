@@ -238,7 +238,7 @@ TessellatedRegion crystals(const Request& request, MeshPlan plan, const Progress
     result.report.n_short_edges = made.n_short_edges;
     merge_short_edges(made, result.report);
     result.report.largest_area_error = relax_corners(made.cells, made.n_fixed, made.areas);
-    measure_diameters(request.fabric, plan, made.cells, result.report);
+    measure_diameters(plan, made.cells, result.report);
     if (request.fabric.elongation.ratio > 1) {
         for (Point& p : made.cells.points) p = Stretch(request.fabric.elongation).elongated(p);
     }

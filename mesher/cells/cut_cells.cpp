@@ -124,7 +124,6 @@ public:
     }
 
 private:
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] Point at(int p) const { return lines_.points[index(p)]; }
     [[nodiscard]] Edge side_of_triangle(std::size_t t, std::size_t k) const {
         return {triangles_[t][k], triangles_[t][(k + 1) % 3]};

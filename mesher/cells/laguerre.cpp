@@ -29,17 +29,12 @@ constexpr double kept_share = 0.2;            ///< of an area, or of the one aim
 
 /// Seeds at random inside of the outline.
 std::vector<Point> random_seeds(const ConvexOutline& outline, const GradedAreas& areas, RandomNumbers& random) {
-    Point low = outline.corners.front();
-    Point high = low;
-    for (const Point p : outline.corners) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    const Box box = box_of(outline.corners);
     const auto inside = [&] {
         while (true) {
             const double x = random.uniform();
             const double y = random.uniform();
-            const Point p{low.x + x * (high.x - low.x), low.y + y * (high.y - low.y)};
+            const Point p{box.low.x + x * box.width(), box.low.y + y * box.height()};
             bool is_inside = true;
             for (std::size_t k = 0; k < outline.size() && is_inside; ++k) {
                 is_inside = cross(outline.corner(k + 1) - outline.corner(k), p - outline.corner(k)) > 0;
@@ -145,8 +140,8 @@ private:
         std::vector<Eigen::Triplet<double>> entries;
         entries.reserve(diagram_.sides().size() + aim.size());
         for (const ClippedDiagram::Side& side : diagram_.sides()) {
-            const auto a = static_cast<std::size_t>(side.left);
-            const auto b = static_cast<std::size_t>(side.right);
+            const auto a = index(side.left);
+            const auto b = index(side.right);
             const double value = 0.5 * length(side.to - side.from) / length(seeds_[a] - seeds_[b]);
             diagonal[a] += value;
             diagonal[b] += value;
@@ -154,13 +149,11 @@ private:
                 entries.emplace_back(std::max(side.left, side.right), std::min(side.left, side.right), -value);
             }
         }
-        for (int i = 0; i < n; ++i) entries.emplace_back(i, i, diagonal[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < n; ++i) entries.emplace_back(i, i, diagonal[index(i)]);
         Eigen::SparseMatrix<double> matrix(n, n);
         matrix.setFromTriplets(entries.begin(), entries.end());
         Eigen::VectorXd difference(n);
-        for (int i = 0; i < n; ++i) {
-            difference[i] = aim[static_cast<std::size_t>(i)] - diagram_.areas()[static_cast<std::size_t>(i)];
-        }
+        for (int i = 0; i < n; ++i) difference[i] = aim[index(i)] - diagram_.areas()[index(i)];
         const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky(matrix);
         const Eigen::VectorXd solution = cholesky.solve(difference);
         std::vector<double> step(solution.data(), solution.data() + n);

@@ -12,12 +12,6 @@ constexpr double least_share = 1e-3;
 
 }  // namespace
 
-double area_of(std::span<const Point> loop) {
-    double sum = 0;
-    for (std::size_t i = 2; i < loop.size(); ++i) sum += signed_area(loop[0], loop[i - 1], loop[i]);
-    return sum;
-}
-
 PolygonMoments moments(const std::vector<Point>& corners) {
     PolygonMoments result;
     const Point origin = corners.front();
@@ -47,7 +41,7 @@ bool is_sound(std::span<const Point> loop) {
 
 std::vector<Point> corners_of(const PlaneCells& cells, std::size_t cell) {
     std::vector<Point> corners;
-    for (const int p : cells.loop(cell)) corners.push_back(cells.points[static_cast<std::size_t>(p)]);
+    for (const int p : cells.loop(cell)) corners.push_back(cells.points[index(p)]);
     return corners;
 }
 
@@ -61,8 +55,8 @@ std::vector<double> areas_of(const PlaneCells& cells) {
 std::vector<Point> tangents_of(const PlaneCells& cells) {
     std::vector<Point> tangents(cells.points.size());
     for (const Side& side : cells.sides) {
-        const auto from = static_cast<std::size_t>(side.from);
-        const auto to = static_cast<std::size_t>(side.to);
+        const auto from = index(side.from);
+        const auto to = index(side.to);
         tangents[from] = tangents[to] = unit(cells.points[to] - cells.points[from]);
     }
     return tangents;
@@ -73,7 +67,7 @@ Elongation elongation_of(const PlaneCells& cells) {
     double xy = 0;
     double yy = 0;
     for (const Edge& e : cells.edges) {
-        const Point d = cells.points[static_cast<std::size_t>(e[1])] - cells.points[static_cast<std::size_t>(e[0])];
+        const Point d = cells.points[index(e[1])] - cells.points[index(e[0])];
         xx += d.x * d.x;
         xy += d.x * d.y;
         yy += d.y * d.y;

@@ -10,9 +10,6 @@
 
 namespace graincrack::mesher {
 
-/// Area, negative if the corners are clockwise, m².
-double area_of(std::span<const Point> loop);
-
 /// Area of a polygon, m², and its centroid.
 struct PolygonMoments {
     double area = 0;

@@ -60,7 +60,6 @@ public:
     }
 
 private:
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] Point at(int p) const { return cells_.points[index(p)]; }
 
     [[nodiscard]] double largest_error(const std::vector<double>& areas) const {
@@ -198,7 +197,6 @@ private:
         std::size_t number;
     };
 
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] Point at(int p) const { return cells_.points[index(p)]; }
 
     static Point middle_of(const std::vector<Point>& corners) {

@@ -139,7 +139,6 @@ public:
     }
 
 private:
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     static bool has(const std::vector<int>& items, int item) {
         return std::find(items.begin(), items.end(), item) != items.end();
     }

@@ -35,30 +35,6 @@ struct Distribution {
     [[nodiscard]] double variation() const { return n > 0 ? std::sqrt(squares / n) / mean : 0; }
 };
 
-/// Mean sizes in the first and the last eighth of the distance over which sizes are graded.
-class SizesAtEnds {
-public:
-    SizesAtEnds(const std::optional<Grading>& grading, const Region& region) {
-        if (grading) graded_.emplace(*grading, region);
-    }
-    /// Adds a size at a point of the specimen, where another was requested.
-    void add(Point at, double size, double requested) {
-        const std::optional<std::size_t> end = graded_ ? graded_->end_at(at) : std::nullopt;
-        if (!end) return;
-        size_[*end].add(size);
-        requested_[*end].add(requested);
-    }
-    void write(MeshReport& report) const {
-        report.graded_size = {size_[0].mean, size_[1].mean};
-        report.requested_size = {requested_[0].mean, requested_[1].mean};
-    }
-
-private:
-    std::optional<GradedSize> graded_;
-    std::array<Distribution, 2> size_;
-    std::array<Distribution, 2> requested_;
-};
-
 double equal_area_diameter(double area) { return std::sqrt(4 * area / std::numbers::pi); }
 
 /// Angle between the directions from one point to two others, rad.
@@ -82,7 +58,7 @@ MeshStatistics statistics_of(const Distribution& edges, const Distribution& diam
 }  // namespace
 
 MeshStatistics statistics_of(const Region& region, const PlaneCells& cells) {
-    const auto at = [&](int p) { return cells.points[static_cast<std::size_t>(p)]; };
+    const auto at = [&](int p) { return cells.points[index(p)]; };
     Distribution edges;
     for (const Edge& e : cells.edges) edges.add(length(at(e[1]) - at(e[0])));
     Distribution diameters;
@@ -109,7 +85,7 @@ MeshStatistics statistics_of(const Region& region, const PlaneCells& cells) {
 MeshStatistics statistics_of(const Specimen& specimen) {
     std::vector<Point> points;
     for (const auto& p : specimen.node_position) points.push_back({p[0], p[1]});
-    const auto at = [&](std::int32_t node) { return points[static_cast<std::size_t>(node)]; };
+    const auto at = [&](std::int32_t node) { return points[index(node)]; };
     std::vector<Edge> sides;  // of grains
     for (const auto& nodes : specimen.contact_nodes) sides.push_back({nodes[0], nodes[1]});
     for (const auto& nodes : specimen.boundary_edges) sides.push_back({nodes[0], nodes[1]});
@@ -134,38 +110,21 @@ MeshStatistics statistics_of(const Specimen& specimen) {
     return statistics;
 }
 
-void measure_edges(const Region& region, const PlaneCells& cells, const SizeField& size, double edge,
-                   const std::optional<Grading>& grading, MeshReport& report) {
+void measure_edges(const Region& region, const PlaneCells& cells, const SizeField& size, MeshReport& report) {
     report.spread = spread_of_edges(cells.points, cells.edges, size);
-    if (is_plain(region) && size.is_uniform()) return;
-    report.min_angle = statistics_of(region, cells).min_angle;
-    SizesAtEnds ends(grading, region);
-    for (const Edge& e : cells.edges) {
-        const Point p = cells.points[static_cast<std::size_t>(e[0])];
-        const Point q = cells.points[static_cast<std::size_t>(e[1])];
-        const Point middle = midpoint(p, q);
-        ends.add(size.stretch().elongated(middle), length(q - p), edge * size.graded(middle) * size.mean_edge_of_scatter());
-    }
-    ends.write(report);
+    if (!is_plain(region) || !size.is_uniform()) report.min_angle = statistics_of(region, cells).min_angle;
 }
 
-void measure_diameters(const Fabric& fabric, const MeshPlan& plan, const PlaneCells& cells, MeshReport& report) {
+void measure_diameters(const MeshPlan& plan, const PlaneCells& cells, MeshReport& report) {
     std::vector<double> areas = areas_of(cells);
     const auto n = static_cast<double>(areas.size());
-    const double mean_area = std::accumulate(areas.begin(), areas.end(), 0.0) / n;
-    const double equal_diameter = equal_area_diameter(mean_area / (1 + fabric.spread * fabric.spread));
-    SizesAtEnds ends(fabric.grading, plan.region);
     for (std::size_t cell = 0; cell < areas.size(); ++cell) {
-        const double diameter = equal_area_diameter(areas[cell]);
-        report.mean_diameter += diameter / n;
-        if (!fabric.grading) continue;
-        const Point centroid = moments(corners_of(cells, cell)).centroid;
-        const double size = plan.size.graded(centroid);
+        report.mean_diameter += equal_area_diameter(areas[cell]) / n;
+        if (!plan.size.varies()) continue;
+        const double size = plan.size.graded(moments(corners_of(cells, cell)).centroid);
         areas[cell] /= size * size;
-        ends.add(Stretch(fabric.elongation).elongated(centroid), diameter, equal_diameter * size);
     }
     report.spread = diameter_variation(areas);
-    ends.write(report);
 }
 
 }  // namespace graincrack::mesher

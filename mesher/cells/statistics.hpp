@@ -1,8 +1,6 @@
 // Statistics of cells: sizes of edges and grains, angles, preferred direction, area.
 #pragma once
 
-#include <optional>
-
 #include "mesher/cells/plane_cells.hpp"
 #include "mesher/cells/tessellation.hpp"
 #include "mesher/region/region.hpp"
@@ -17,13 +15,12 @@ MeshStatistics statistics_of(const Region& region, const PlaneCells& cells);
 /// edge stands for a grain: that of the equilateral triangle of its area. The error of the area is 0: the boundary is the shape.
 MeshStatistics statistics_of(const Specimen& specimen);
 
-/// Measures the spread of edges, the smallest angle and, of a grading, the edges at both its ends.
-/// \param cells in the plane where grains are equiaxed \param edge of relative size 1, m \param report whose values are set
-void measure_edges(const Region& region, const PlaneCells& cells, const SizeField& size, double edge,
-                   const std::optional<Grading>& grading, MeshReport& report);
+/// Measures the spread of edges and, where that is not the same everywhere, the smallest angle.
+/// \param cells in the plane where grains are equiaxed \param report whose values are set
+void measure_edges(const Region& region, const PlaneCells& cells, const SizeField& size, MeshReport& report);
 
-/// Measures the diameters of crystals, their variation and, of a grading, those at both its ends.
+/// Measures the diameters of crystals and their variation over the graded size.
 /// \param cells in the plane where crystals are equiaxed \param report whose values are set
-void measure_diameters(const Fabric& fabric, const MeshPlan& plan, const PlaneCells& cells, MeshReport& report);
+void measure_diameters(const MeshPlan& plan, const PlaneCells& cells, MeshReport& report);
 
 }  // namespace graincrack::mesher

@@ -45,13 +45,6 @@ void check(const Fabric& fabric) {
         throw UsageError("--spread: " + format_number(fabric.spread) + " is out of range; give 0 to " +
                          format_number(fabric.widest_spread()));
     }
-    if (fabric.edge && (!(*fabric.edge > 0) || !std::isfinite(*fabric.edge))) {
-        throw UsageError("--edge: must be a length above 0");
-    }
-    if (!(fabric.elongation.ratio >= 1 && fabric.elongation.ratio <= max_elongation)) {
-        throw UsageError("--elongation: " + format_number(fabric.elongation.ratio) + " is out of range; give 1 to " +
-                         format_number(max_elongation));
-    }
     for (const OptionOfKind& option : options_of_kind) {
         if (option.of_crystals != fabric.has_crystals() && option.is_given(fabric)) throw UsageError(option.message);
     }
@@ -101,7 +94,6 @@ void add_edges(const Request& request, MeshPlan& plan) {
 
 MeshPlan plan_mesh(const Request& request) {
     const Region& region = request.region;
-    check(region);
     check(request.fabric);
     if (is_round(region) && region.loops.front().circle->loaded_diameter >= region.loops.front().circle->diameters) {
         throw UsageError("--loaded-diameter: there are " + std::to_string(region.loops.front().circle->diameters) +

@@ -1,7 +1,6 @@
 // A region divided into cells, which become grains: triangles or crystals.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -27,15 +26,11 @@ struct MeshPlan {
 
 /// Cells as they came out, measured in the plane where they are equiaxed.
 struct MeshReport {
-    double spread = 0;     ///< coefficient of variation over the graded size: of edges of triangles, of diameters of crystals
-    double min_angle = 0;  ///< of triangles, rad; 0: not measured, of a plain region with one size
-    /// Mean edge of triangles, or diameter of crystals, in the first and the last eighth of the distance over which sizes are
-    /// graded, measured and requested, m; 0 where there are none, or no grading.
-    std::array<double, 2> graded_size{};
-    std::array<double, 2> requested_size{};
-    double psi6_of_parts = 0;       ///< of triangles: largest |⟨e^(6iθ)⟩| in eight equal parts, over all partitions
-    int attempts = 0;               ///< number of meshes of triangles made until one had no preferred direction
-    double mean_diameter = 0;       ///< of circles of the areas of crystals, m
+    double spread = 0;         ///< coefficient of variation over the graded size: of edges of triangles, of diameters of crystals
+    double min_angle = 0;      ///< of triangles, rad; 0: not measured, of a plain region with one size
+    double psi6_of_parts = 0;  ///< of triangles: largest |⟨e^(6iθ)⟩| in eight equal parts, over all partitions
+    int attempts = 0;          ///< number of meshes of triangles made until one had no preferred direction
+    double mean_diameter = 0;  ///< of circles of the areas of crystals, m
     double largest_area_error = 0;  ///< of crystals, over the requested area
     std::size_t n_short_edges = 0;  ///< of crystals that were removed
     std::size_t n_edges_left = 0;   ///< that are short, but could not be removed

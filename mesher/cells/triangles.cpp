@@ -68,9 +68,6 @@ void check_notch(double notch, double width, double edge) {
 }
 
 void check_triangles(const Region& region, const Fabric& fabric) {
-    if (fabric.elements_per_edge < 1 || fabric.elements_per_edge > max_elements_per_edge) {
-        throw UsageError("--elements-per-edge: must be 1 to " + std::to_string(max_elements_per_edge));
-    }
     const double smallest = std::min(bounds(region).width(), bounds(region).height());
     if (fabric.edge && *fabric.edge > smallest / 2) {
         throw UsageError("--edge: " + format_length(*fabric.edge) + " is too large for a specimen " + format_length(smallest) +
@@ -141,7 +138,7 @@ Attempt make_attempt(const Request& request, const MeshPlan& plan, int number, c
     attempt.loading_arc = plan.region.flats > 0 ? region.flats : fixed.loading_arc;
     const RelaxationGoal goal{edge, request.fabric.spread, static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, n_free))};
     attempt.cells = delaunay_cells(relax_points(depth, std::move(fixed), inner, goal, size, progress));
-    measure_edges(plan.region, attempt.cells, size, edge, request.fabric.grading, attempt.report);
+    measure_edges(plan.region, attempt.cells, size, attempt.report);
     attempt.psi6 = psi6(attempt.cells.points, attempt.cells.edges);
     for (Point& p : attempt.cells.points) p = stretch.elongated(p);
     std::copy(fixed_points.begin(), fixed_points.end(), attempt.cells.points.begin());

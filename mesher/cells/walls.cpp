@@ -49,11 +49,7 @@ double outline_count(const Region& region, double edge, const SizeField& size) {
 }
 
 ConvexOutline box_around(const std::vector<Point>& points, double margin) {
-    Box box{points.front(), points.front()};
-    for (const Point p : points) {
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
+    const Box box = box_of(points);
     const Point low = box.low - Point{margin, margin};
     const Point high = box.high + Point{margin, margin};
     return {{low, {high.x, low.y}, high, {low.x, high.y}}, {0, 0, 0, 0}};
@@ -123,18 +119,18 @@ Walls walls_of(const Region& region, double edge, const Stretch& stretch, const 
     walls.loading_arc = region.flats > 0 ? region.flats : seeds.loading_arc;
     std::vector<char> is_end(seeds.points.size(), 0);
     for (const Side& side : seeds.sides) {
-        if (side.part < 0) is_end[static_cast<std::size_t>(side.from)] = is_end[static_cast<std::size_t>(side.to)] = 1;
+        if (side.part < 0) is_end[index(side.from)] = is_end[index(side.to)] = 1;
     }
     std::vector<int> number(seeds.points.size(), -1);
     const auto point = [&](int p) {
-        int& known = number[static_cast<std::size_t>(p)];
+        int& known = number[index(p)];
         if (known < 0) {
             known = static_cast<int>(walls.points.size());
-            walls.points.push_back(seeds.points[static_cast<std::size_t>(p)]);
+            walls.points.push_back(seeds.points[index(p)]);
         }
         return known;
     };
-    const auto at = [&](int p) { return seeds.points[static_cast<std::size_t>(p)]; };
+    const auto at = [&](int p) { return seeds.points[index(p)]; };
     // Points within straight sides of loops are left out.
     const std::size_t n_loop_sides = static_cast<std::size_t>(
         std::count_if(seeds.sides.begin(), seeds.sides.end(), [](const Side& side) { return side.part >= 0; }));
@@ -149,7 +145,7 @@ Walls walls_of(const Region& region, double edge, const Stretch& stretch, const 
             const Point u = at(before.to) - at(before.from);
             const Point v = at(side.to) - at(side.from);
             const bool is_straight = before.part == side.part && std::abs(cross(u, v)) < on_one_line * length(u) * length(v);
-            if (is_straight && is_end[static_cast<std::size_t>(side.from)] == 0) continue;
+            if (is_straight && is_end[index(side.from)] == 0) continue;
             kept.push_back(side);
             is_corner.push_back(is_straight ? 0 : 1);
         }
@@ -214,7 +210,7 @@ Zones::Zones(const Walls& walls) : walls_(walls) {
         while (!reached.empty()) {
             const Triangle& t = triangles[reached.back()];
             reached.pop_back();
-            const auto corner = [&](std::size_t k) { return points[static_cast<std::size_t>(t[k])]; };
+            const auto corner = [&](std::size_t k) { return points[index(t[k])]; };
             faces_.push_back({{corner(0), corner(1), corner(2)}, zone});
             areas_[zone] += signed_area(corner(0), corner(1), corner(2));
             for (std::size_t k = 0; k < 3; ++k) {

@@ -27,7 +27,7 @@ struct Walls {
     [[nodiscard]] bool contains(Point p) const;
     /// The number of sides of the first loop, which come first.
     [[nodiscard]] std::size_t n_sides_of_outline() const;
-    [[nodiscard]] Point at(int p) const { return points[static_cast<std::size_t>(p)]; }
+    [[nodiscard]] Point at(int p) const { return points[index(p)]; }
 };
 
 /// Straight sides are whole, round ones have the fixed points of meshes at a distance of about `edge` times the local size, more

@@ -27,8 +27,8 @@ public:
     DividedEdges(const PlaneCells& cells, const std::function<double(Point)>& size_at)
         : cells_(cells), first_{static_cast<int>(cells.points.size())} {
         const auto pieces = [&](const Edge& e) {
-            const Point from = cells_.points[static_cast<std::size_t>(e[0])];
-            const Point to = cells_.points[static_cast<std::size_t>(e[1])];
+            const Point from = cells_.points[index(e[0])];
+            const Point to = cells_.points[index(e[1])];
             return length(to - from) / size_at(midpoint(from, to));
         };
         double n_points = static_cast<double>(cells.points.size());
@@ -51,8 +51,8 @@ public:
         std::vector<Point> points = cells_.points;
         points.reserve(static_cast<std::size_t>(first_.back()));
         for (std::size_t i = 0; i < cells_.edges.size(); ++i) {
-            const Point from = points[static_cast<std::size_t>(cells_.edges[i][0])];
-            const Point along = points[static_cast<std::size_t>(cells_.edges[i][1])] - from;
+            const Point from = points[index(cells_.edges[i][0])];
+            const Point along = points[index(cells_.edges[i][1])] - from;
             const int n_pieces = first_[i + 1] - first_[i] + 1;
             for (int k = 1; k < n_pieces; ++k) points.push_back(from + (static_cast<double>(k) / n_pieces) * along);
         }
@@ -90,37 +90,11 @@ std::vector<Side> pieces_of(const std::vector<Side>& sides, const DividedEdges& 
     return pieces;
 }
 
-/// Adds a triangle to the last body, or as a body of its own.
-class BodyMaker {
-public:
-    BodyMaker(PlaneMesh& mesh, Bodies bodies) : mesh_(mesh), bodies_(bodies) {}
-
-    void add(Triangle triangle, int cell) {
-        // Corners start at the point of lowest index, so that the file does not depend on how a triangle is stored.
-        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-        if (bodies_ == Bodies::triangles || mesh_.n_bodies() == 0 || mesh_.crystal_of_body.back() != cell) {
-            if (mesh_.n_bodies() > 0) mesh_.body_start.push_back(static_cast<int>(mesh_.body_points.size()));
-            mesh_.crystal_of_body.push_back(cell);
-            mesh_.area_of_body.push_back(0);
-        }
-        const int body = static_cast<int>(mesh_.n_bodies()) - 1;
-        body_with_.resize(mesh_.points.size(), -1);
-        for (const int p : triangle) {
-            if (std::exchange(body_with_[static_cast<std::size_t>(p)], body) != body) mesh_.body_points.push_back(p);
-        }
-        const auto at = [&](std::size_t k) { return mesh_.points[static_cast<std::size_t>(triangle[k])]; };
-        mesh_.area_of_body.back() += signed_area(at(0), at(1), at(2));
-        mesh_.triangles.push_back(triangle);
-        mesh_.body_of_triangle.push_back(body);
-    }
-
-    void finish() { mesh_.body_start.push_back(static_cast<int>(mesh_.body_points.size())); }
-
-private:
-    PlaneMesh& mesh_;
-    Bodies bodies_;
-    std::vector<int> body_with_;  ///< the last body that has a point
-};
+/// A triangle from its point of lowest index on, so that the file does not depend on how a triangulation stores it.
+Triangle from_lowest(Triangle triangle) {
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    return triangle;
+}
 
 class LatticeBuilder {
 public:
@@ -143,7 +117,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Point at(int p) const { return mesh_.points[static_cast<std::size_t>(p)]; }
+    [[nodiscard]] Point at(int p) const { return mesh_.points[index(p)]; }
 
     void add_points_of_edges() {
         if (n_ == 1) return;
@@ -168,9 +142,7 @@ private:
     void add_cell(int cell) {
         Triangle c;
         std::copy_n(cells_.loop(static_cast<std::size_t>(cell)).begin(), 3, c.begin());
-        // Corners start at the point of lowest index, so that the file does not depend on how the triangulation stores a
-        // triangle.
-        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        c = from_lowest(c);
         const std::array<int, 3> edges{edge_of(c[0], c[1]), edge_of(c[1], c[2]), edge_of(c[0], c[2])};
         const auto first = mesh_.body_points.size();
         // Point (i, j) lies i steps from corner 0 to corner 1 and j steps to corner 2.
@@ -219,7 +191,6 @@ PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_s
     const DividedEdges edges(cells, size_at);
     PlaneMesh mesh;
     mesh.points = edges.points();
-    BodyMaker maker(mesh, bodies);
     std::vector<int> loop;
     std::vector<Point> boundary;
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -227,7 +198,7 @@ PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_s
         boundary.clear();
         const auto corners = cells.loop(cell);
         for (std::size_t i = 0; i < corners.size(); ++i) edges.append(corners[i], corners[(i + 1) % corners.size()], loop);
-        for (const int p : loop) boundary.push_back(mesh.points[static_cast<std::size_t>(p)]);
+        for (const int p : loop) boundary.push_back(mesh.points[index(p)]);
         const DividedPolygon divided = divided_polygon(boundary, size_at(moments(corners_of(cells, cell)).centroid));
         for (const Point p : divided.inner) {
             loop.push_back(static_cast<int>(mesh.points.size()));
@@ -235,12 +206,13 @@ PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_s
         }
         DividedEdges::check_points(static_cast<double>(mesh.points.size()));
         for (const Triangle& t : divided.triangles) {
-            maker.add({loop[static_cast<std::size_t>(t[0])], loop[static_cast<std::size_t>(t[1])],
-                       loop[static_cast<std::size_t>(t[2])]},
-                      static_cast<int>(cell));
+            const bool is_new = bodies == Bodies::triangles || &t == divided.triangles.data();
+            if (is_new) mesh.crystal_of_body.push_back(static_cast<int>(cell));
+            mesh.triangles.push_back(from_lowest({loop[index(t[0])], loop[index(t[1])], loop[index(t[2])]}));
+            mesh.body_of_triangle.push_back(static_cast<int>(mesh.n_bodies()) - 1);
         }
     }
-    maker.finish();
+    mesh.complete_bodies();
     mesh.sides = pieces_of(cells.sides, edges);
     return mesh;
 }

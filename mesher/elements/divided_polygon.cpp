@@ -24,16 +24,12 @@ constexpr double points_over_sides = 1.15;  ///< a distance from a side counts a
 class FreePlaces {
 public:
     FreePlaces(std::span<const Point> boundary, double size) : size_(size), spacing_(size / places_per_size) {
-        Point high = low_ = boundary[0];
-        for (const Point p : boundary) {
-            low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        }
+        const Box box = box_of(boundary);
         // At least some places across a polygon, and as many below its middle as above it.
-        spacing_ = std::min(spacing_, std::min(high.x - low_.x, high.y - low_.y) / places_per_size);
-        columns_ = static_cast<int>(std::ceil((high.x - low_.x) / spacing_));
-        rows_ = static_cast<int>(std::ceil((high.y - low_.y) / spacing_));
-        low_ = 0.5 * (low_ + high - Point{columns_ * spacing_, rows_ * spacing_});
+        spacing_ = std::min(spacing_, std::min(box.width(), box.height()) / places_per_size);
+        columns_ = static_cast<int>(std::ceil(box.width() / spacing_));
+        rows_ = static_cast<int>(std::ceil(box.height() / spacing_));
+        low_ = 0.5 * (box.low + box.high - Point{columns_ * spacing_, rows_ * spacing_});
         distance_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
         mark_inside(boundary);
         for (std::size_t i = 0; i < boundary.size(); ++i) keep_from_side(boundary[i], boundary[(i + 1) % boundary.size()]);

@@ -1,6 +1,8 @@
 // Triangles inside cells, each of a body, each body of a crystal.
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "mesher/seeds/seeds.hpp"
@@ -23,6 +25,23 @@ struct PlaneMesh {
     std::vector<Side> sides;           ///< as of the cells, in the pieces that triangles have
 
     [[nodiscard]] std::size_t n_bodies() const { return crystal_of_body.size(); }
+    /// Gives bodies, whose triangles are known, their areas and their points, in the order in which their triangles have them.
+    void complete_bodies() {
+        area_of_body.assign(n_bodies(), 0);
+        body_points.clear();
+        body_start.clear();
+        std::vector<int> body_with(points.size(), -1);  // the last body that has a point
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const int body = body_of_triangle[t];
+            if (body == static_cast<int>(body_start.size())) body_start.push_back(static_cast<int>(body_points.size()));
+            for (const int p : triangles[t]) {
+                if (std::exchange(body_with[index(p)], body) != body) body_points.push_back(p);
+            }
+            const auto at = [&](std::size_t k) { return points[index(triangles[t][k])]; };
+            area_of_body[index(body)] += signed_area(at(0), at(1), at(2));
+        }
+        body_start.push_back(static_cast<int>(body_points.size()));
+    }
 };
 
 }  // namespace graincrack::mesher

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "mesher/plane/geometry.hpp"
+
 namespace graincrack::mesher {
 
 std::vector<std::array<int, 2>> crystals_of_contacts(const Specimen& specimen, std::span<const int> crystal_of_grain) {
     const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
-    const auto crystal = [&](std::int32_t node) {
-        return crystal_of_grain[static_cast<std::size_t>(grain[static_cast<std::size_t>(node)])];
-    };
+    const auto crystal = [&](std::int32_t node) { return crystal_of_grain[index(grain[index(node)])]; };
     std::vector<std::array<int, 2>> crystals;
     crystals.reserve(specimen.n_contacts());
     for (const auto& nodes : specimen.contact_nodes) crystals.push_back({crystal(nodes[0]), crystal(nodes[2])});
@@ -30,8 +30,8 @@ void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain) {
     }
     const auto grain = grain_of_nodes(specimen);
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        const auto a = static_cast<std::size_t>(grain[static_cast<std::size_t>(specimen.contact_nodes[c][0])]);
-        const auto b = static_cast<std::size_t>(grain[static_cast<std::size_t>(specimen.contact_nodes[c][2])]);
+        const auto a = index(grain[index(specimen.contact_nodes[c][0])]);
+        const auto b = index(grain[index(specimen.contact_nodes[c][2])]);
         const bool is_flaw =
             specimen.contact_flaw[c] != 0 || specimen.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::grain_boundary);
         if (is_flaw || crystal_of_grain[a] != crystal_of_grain[b]) continue;

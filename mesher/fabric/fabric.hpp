@@ -69,8 +69,6 @@ struct Request {
 void give_fabric(Specimen& specimen, std::span<const int> crystal_of_grain, const Fabric& fabric, std::uint64_t seed, double turn,
                  bool can_break);
 
-/// Largest elongation of grains.
-inline constexpr double max_elongation = 4;
 /// Largest number of elements along an edge of a triangle.
 inline constexpr int max_elements_per_edge = 100;
 

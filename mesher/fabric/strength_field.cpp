@@ -8,21 +8,12 @@
 #include "mesher/fabric/crystals.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
-#include "share/base/quantities.hpp"
-#include "share/base/units.hpp"
 
 namespace graincrack::mesher {
 
 namespace {
 
 constexpr int n_modes = 512;
-
-void check_value(const char* option, const std::optional<double>& value, const Quantity& quantity) {
-    if (value && !quantity.admits(*value)) {
-        throw UsageError(std::string(option) + ": " + format_quantity(*value, quantity.dimension) +
-                         " is out of range; give a value " + bounds_text(quantity));
-    }
-}
 
 /// ln(1 − Φ(z)) of the standard normal distribution, also where Φ is small.
 double log_survival(double z) {
@@ -33,8 +24,6 @@ double log_survival(double z) {
 }  // namespace
 
 void check(const StrengthRequest& request) {
-    check_value("--strength-modulus", request.modulus, quantity::strength_modulus);
-    check_value("--strength-correlation", request.correlation, quantity::strength_correlation);
     if (request.modulus) return;
     for (const auto& [given, option] : {std::pair{request.correlation.has_value(), "--strength-correlation"},
                                         std::pair{request.seed.has_value(), "--strength-seed"}}) {
@@ -72,7 +61,7 @@ void assign_strength_factors(Specimen& specimen, std::span<const int> crystal_of
     if (request.correlation) field.emplace(*request.correlation, seed);
     const auto crystals = crystals_of_contacts(specimen, crystal_of_grain);
     const auto at = [&](std::int32_t node) {
-        const auto& [x, y] = specimen.node_position[static_cast<std::size_t>(node)];
+        const auto& [x, y] = specimen.node_position[index(node)];
         return Point{x, y};
     };
     const Point x_axis{std::cos(turn), std::sin(turn)};

@@ -18,7 +18,7 @@ struct StrengthRequest {
     std::optional<std::uint64_t> seed;  ///< none: that of the specimen
 };
 
-/// \throws UsageError naming the option if a value is out of bounds, or there are a length or a seed but no modulus
+/// \throws UsageError naming the option if there are a length or a seed but no modulus
 void check(const StrengthRequest& request);
 
 /// The Weibull factor of mean 1, s = (−ln q)^(1/m)/Γ(1 + 1/m), which q of all factors exceed. \param log_q ln q, below 0

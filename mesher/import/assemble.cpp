@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "mesher/assemblage/separate_bodies.hpp"
@@ -31,8 +32,7 @@ void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std
         double longest = 0;
         for (const Side& side : outline.sides) {
             if (side.part < 0) continue;
-            longest = std::max(longest, length(mesh.points[static_cast<std::size_t>(side.to)] -
-                                               mesh.points[static_cast<std::size_t>(side.from)]));
+            longest = std::max(longest, length(mesh.points[index(side.to)] - mesh.points[index(side.from)]));
         }
         const bool is_round = outline.shape != "rectangle" && outline.shape != "beam";
         const auto slack = [&](double size) { return off_centre * size + (is_round ? longest * longest / (4 * size) : 0); };
@@ -45,46 +45,15 @@ void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std
                                 placement.origin ? "the point that was given" : "the middle of its extent"));
 }
 
-/// Makes a grain of each triangle. \return the crystal of each grain, which was its grain
-std::vector<int> make_crystals(ImportedMesh& mesh, const std::string& name) {
-    if (mesh.triangles.size() == mesh.phase_of_grain.size()) {
-        throw InputError(
-            name +
-            ": --crystals break: each crystal is one element, so that nothing can break within it; smaller elements, "
-            "another --grain, or --crystals elastic is needed");
-    }
-    std::vector<int> crystals = std::move(mesh.grain_of_triangle);
-    std::vector<std::string> phases;
-    for (const int crystal : crystals) {
-        mesh.grain_of_triangle.push_back(static_cast<int>(phases.size()));
-        phases.push_back(mesh.phase_of_grain[static_cast<std::size_t>(crystal)]);
-    }
-    mesh.phase_of_grain = std::move(phases);
-    return crystals;
-}
-
 PlaneMesh plane_mesh_of(ImportedMesh& mesh, std::vector<Side> sides) {
     PlaneMesh plane;
-    std::vector<int> body_with(mesh.points.size(), -1);  ///< the last body that has a point
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const int body = mesh.grain_of_triangle[t];
-        if (body == static_cast<int>(plane.n_bodies())) {
-            if (body > 0) plane.body_start.push_back(static_cast<int>(plane.body_points.size()));
-            plane.crystal_of_body.push_back(body);
-            plane.area_of_body.push_back(0);
-        }
-        const Triangle& c = mesh.triangles[t];
-        for (const int p : c) {
-            if (std::exchange(body_with[static_cast<std::size_t>(p)], body) != body) plane.body_points.push_back(p);
-        }
-        const auto at = [&](int k) { return mesh.points[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]; };
-        plane.area_of_body.back() += signed_area(at(0), at(1), at(2));
-    }
-    plane.body_start.push_back(static_cast<int>(plane.body_points.size()));
+    plane.crystal_of_body.resize(mesh.phase_of_grain.size());
+    std::iota(plane.crystal_of_body.begin(), plane.crystal_of_body.end(), 0);
     plane.points = std::move(mesh.points);
     plane.triangles = std::move(mesh.triangles);
     plane.body_of_triangle = std::move(mesh.grain_of_triangle);
     plane.sides = std::move(sides);
+    plane.complete_bodies();
     return plane;
 }
 
@@ -108,7 +77,7 @@ void give_phases(Specimen& specimen, const std::vector<int>& imported_grain, con
     }
     if (names.size() > max_phases) throw InputError(fmt::format("{} phases; at most {} fit", names.size(), max_phases));
     for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
-        const auto phase = std::find(names.begin(), names.end(), name_of(static_cast<std::size_t>(imported_grain[g])));
+        const auto phase = std::find(names.begin(), names.end(), name_of(index(imported_grain[g])));
         specimen.grain_phase[g] = static_cast<std::uint8_t>(phase - names.begin());
     }
     const auto unnamed = std::count(mesh.phase_of_grain.begin(), mesh.phase_of_grain.end(), "");
@@ -123,8 +92,8 @@ void tell_bodies(const Specimen& specimen, std::vector<Remark>& notes) {
     UnionFind bodies(specimen.n_grains());
     std::size_t n_bodies = specimen.n_grains();
     for (const auto& nodes : specimen.contact_nodes) {
-        const auto a = bodies.find(static_cast<std::size_t>(grains[static_cast<std::size_t>(nodes[0])]));
-        const auto b = bodies.find(static_cast<std::size_t>(grains[static_cast<std::size_t>(nodes[2])]));
+        const auto a = bodies.find(index(grains[index(nodes[0])]));
+        const auto b = bodies.find(index(grains[index(nodes[2])]));
         if (a == b) continue;
         bodies.join(a, b);
         --n_bodies;
@@ -136,6 +105,16 @@ void tell_bodies(const Specimen& specimen, std::vector<Remark>& notes) {
 
 }  // namespace
 
+std::vector<int> make_grains_of_triangles(ImportedMesh& mesh) {
+    std::vector<int> grains(mesh.triangles.size());
+    std::iota(grains.begin(), grains.end(), 0);
+    grains.swap(mesh.grain_of_triangle);
+    std::vector<std::string> phases;
+    for (const int grain : grains) phases.push_back(mesh.phase_of_grain[index(grain)]);
+    mesh.phase_of_grain = std::move(phases);
+    return grains;
+}
+
 Specimen assemble(ImportedMesh mesh, const Placement& placement, CrystalChoice crystals, const std::string& name,
                   std::vector<Remark>& notes) {
     if (placement.scale != 1) {
@@ -143,7 +122,14 @@ Specimen assemble(ImportedMesh mesh, const Placement& placement, CrystalChoice c
     }
     clean(mesh, name);
     std::vector<int> crystal_of_element;
-    if (crystals == CrystalChoice::breaking) crystal_of_element = make_crystals(mesh, name);
+    if (crystals == CrystalChoice::breaking) {
+        if (mesh.triangles.size() == mesh.phase_of_grain.size()) {
+            throw InputError(name +
+                             ": --crystals break: each crystal is one element, so that nothing can break within it; smaller "
+                             "elements, another --grain, or --crystals elastic is needed");
+        }
+        crystal_of_element = make_grains_of_triangles(mesh);
+    }
     notes.insert(notes.end(), mesh.notes.begin(), mesh.notes.end());
     Outline outline = outline_of(mesh, placement.shape, name, notes);
     const double size = std::max(outline.width, outline.height);
@@ -163,9 +149,7 @@ Specimen assemble(ImportedMesh mesh, const Placement& placement, CrystalChoice c
     specimen.part_names = std::move(outline.part_names);
     give_phases(specimen, imported_grain, mesh, notes);
     if (crystals == CrystalChoice::breaking) {
-        for (const int element : imported_grain) {
-            specimen.grain_crystal.push_back(crystal_of_element[static_cast<std::size_t>(element)]);
-        }
+        for (const int element : imported_grain) specimen.grain_crystal.push_back(crystal_of_element[index(element)]);
     }
     specimen.statistics = statistics_of(specimen);
     tell_bodies(specimen, notes);

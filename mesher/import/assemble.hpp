@@ -21,6 +21,9 @@ struct Placement {
 /// are crystals that can break.
 enum class CrystalChoice { elastic, breaking };
 
+/// Makes a grain of each triangle. \return what its grain was
+std::vector<int> make_grains_of_triangles(ImportedMesh& mesh);
+
 /// Derives bodies, contacts, parts of the boundary, shape, phases and statistics. Grains of one triangle keep its corners in
 /// their order, grains their order where the Hilbert curve of their centres has it, and a mesh whose middle is the origin is not
 /// moved: a specimen that was exported comes back as it was. \param name of the file, for messages

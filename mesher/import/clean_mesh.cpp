@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -23,16 +22,6 @@ constexpr Point oblique{0.8506508083520400, 0.5257311121191336};
 constexpr double on_side = 1e-6;  ///< distance of a point from a side over the side's length: far below any angle of a grain
 
 std::string position_text(Point p) { return fmt::format("({}, {})", format_number(p.x, 6), format_number(p.y, 6)); }
-
-struct Extent {
-    Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    void add(Point p) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    [[nodiscard]] double size() const { return std::max(high.x - low.x, high.y - low.y); }
-};
 
 /// Sides of triangles, ascending: each from a corner to the next, with its triangle on its left.
 using Sides = std::vector<std::pair<Edge, std::size_t>>;
@@ -69,12 +58,12 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& message) const { throw InputError(name_ + ": " + message); }
-    [[nodiscard]] Point at(int p) const { return mesh_.points[static_cast<std::size_t>(p)]; }
+    [[nodiscard]] Point at(int p) const { return mesh_.points[index(p)]; }
     void note(const Remark& remark) { mesh_.notes.push_back(remark); }
 
     /// Gives points new numbers; a line with a point of number −1 is left out.
     void renumber(const std::vector<int>& number, std::vector<Point> points) {
-        const auto of = [&](int p) { return number[static_cast<std::size_t>(p)]; };
+        const auto of = [&](int p) { return number[index(p)]; };
         for (Triangle& t : mesh_.triangles) t = {of(t[0]), of(t[1]), of(t[2])};
         std::vector<NamedLine> lines;
         for (NamedLine& line : mesh_.lines) {
@@ -87,27 +76,28 @@ private:
     void keep_used_points() {
         std::vector<int> number(mesh_.points.size(), -1);
         for (const Triangle& t : mesh_.triangles) {
-            for (const int p : t) number[static_cast<std::size_t>(p)] = 0;
+            for (const int p : t) number[index(p)] = 0;
         }
         std::vector<Point> points;
         for (std::size_t p = 0; p < number.size(); ++p) {
             if (number[p] < 0) continue;
             number[p] = static_cast<int>(points.size());
             points.push_back(mesh_.points[p]);
-            extent_.add(points.back());
         }
+        const Box box = box_of(points);
+        extent_ = std::max(box.width(), box.height());
         if (points.size() < mesh_.points.size()) {
             const std::size_t n = mesh_.points.size() - points.size();
             note(fmt::format("{} that no corner of a triangle lies at {} left out",
                              n == 1 ? "1 point" : fmt::format("{} points", n), n == 1 ? "was" : "were"));
         }
         renumber(number, std::move(points));
-        if (!(extent_.size() > 0) || !std::isfinite(extent_.size())) fail("all points lie at one place, or too far apart");
+        if (!(extent_ > 0) || !std::isfinite(extent_)) fail("all points lie at one place, or too far apart");
     }
 
     /// Points at one place become the first of them.
     void join_points() {
-        const double tolerance = same_place * extent_.size();
+        const double tolerance = same_place * extent_;
         std::vector<std::size_t> order(mesh_.points.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::vector<std::size_t> first = order;
@@ -179,9 +169,9 @@ private:
         std::size_t n_split = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const bool is_new = i == 0 || piece[order[i]] != piece[order[i - 1]];
-            const auto of = static_cast<std::size_t>(mesh_.grain_of_triangle[order[i]]);
+            const auto of = index(mesh_.grain_of_triangle[order[i]]);
             if (is_new) {
-                if (i > 0 && of == static_cast<std::size_t>(mesh_.grain_of_triangle[order[i - 1]])) ++n_split;
+                if (i > 0 && of == index(mesh_.grain_of_triangle[order[i - 1]])) ++n_split;
                 phases.push_back(mesh_.phase_of_grain[of]);
             }
             triangles.push_back(mesh_.triangles[order[i]]);
@@ -252,7 +242,7 @@ private:
 
     ImportedMesh& mesh_;
     const std::string& name_;
-    Extent extent_;
+    double extent_ = 0;
 };
 
 }  // namespace

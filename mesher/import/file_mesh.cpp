@@ -21,71 +21,6 @@ constexpr double off_chord = 1e-3;  ///< of a middle node, over its side: the ar
 constexpr double off_plane = 1e-9;  ///< of z, over the extent: round-off of a written number
 constexpr std::size_t longest_plain_name = 40;
 
-/// Numbers of nodes as indices, and elements of indices.
-class Reader {
-public:
-    Reader(const FileMesh& file, const std::string& name) : file_(file), name_(name) {
-        index_.reserve(file.node_numbers.size());
-        for (std::size_t i = 0; i < file.node_numbers.size(); ++i) {
-            if (!index_.emplace(file.node_numbers[i], static_cast<int>(i)).second) {
-                fail(fmt::format("node {} stands twice in the file", file.node_numbers[i]));
-            }
-        }
-    }
-
-    [[nodiscard]] int node(const FileElement& element, int k) const {
-        const std::int64_t number = element.nodes[static_cast<std::size_t>(k)];
-        const auto found = index_.find(number);
-        if (found == index_.end()) {
-            fail(fmt::format("element {} names node {}, which is not in the file", element.number, number));
-        }
-        return found->second;
-    }
-
-    [[nodiscard]] Point at(int node) const {
-        const auto& p = file_.positions[static_cast<std::size_t>(node)];
-        return {p[0], p[1]};
-    }
-
-    /// The corners of an element, whose middle nodes must lie on its sides.
-    [[nodiscard]] std::vector<int> corners(const FileElement& element) const {
-        std::vector<int> nodes;
-        for (int k = 0; k < element.n_corners; ++k) nodes.push_back(node(element, k));
-        for (int k = 0; element.has_midsides && k < (element.n_corners == 2 ? 1 : element.n_corners); ++k) {
-            const Point from = at(nodes[static_cast<std::size_t>(k)]);
-            const Point along = at(nodes[static_cast<std::size_t>((k + 1) % element.n_corners)]) - from;
-            const int middle = node(element, element.n_corners + k);
-            if (std::abs(cross(along, at(middle) - from)) > off_chord * dot(along, along)) {
-                fail(fmt::format("element {} has its middle node {} beside the straight side; give elements of order 1",
-                                 element.number, file_.node_numbers[static_cast<std::size_t>(middle)]));
-            }
-        }
-        return nodes;
-    }
-
-    /// A quadrangle divided along the shorter diagonal that lies inside of it.
-    [[nodiscard]] std::array<Triangle, 2> halves(const FileElement& element, const std::vector<int>& c) const {
-        const auto are_inside = [&](const std::array<Triangle, 2>& pair) {
-            const auto area = [&](const Triangle& t) { return signed_area(at(t[0]), at(t[1]), at(t[2])); };
-            return area(pair[0]) * area(pair[1]) > 0;
-        };
-        std::array<Triangle, 2> first{Triangle{c[0], c[1], c[2]}, Triangle{c[0], c[2], c[3]}};
-        std::array<Triangle, 2> other{Triangle{c[0], c[1], c[3]}, Triangle{c[1], c[2], c[3]}};
-        if (length(at(c[3]) - at(c[1])) < length(at(c[2]) - at(c[0]))) std::swap(first, other);
-        if (are_inside(first)) return first;
-        if (!are_inside(other)) fail(fmt::format("quadrangle {} has no area or crosses itself", element.number));
-        return other;
-    }
-
-    [[noreturn]] void fail(const std::string& message) const { throw InputError(name_ + ": " + message); }
-    [[nodiscard]] const std::string& name() const { return name_; }
-
-private:
-    const FileMesh& file_;
-    const std::string& name_;
-    std::unordered_map<std::int64_t, int> index_;
-};
-
 /// All points of the elements must lie in a plane z = constant.
 void check_plane(const FileMesh& file, const ImportedMesh& mesh, const std::string& name) {
     double low = std::numeric_limits<double>::infinity();
@@ -93,7 +28,7 @@ void check_plane(const FileMesh& file, const ImportedMesh& mesh, const std::stri
     double extent = 0;
     for (const Triangle& triangle : mesh.triangles) {
         for (const int p : triangle) {
-            const auto& q = file.positions[static_cast<std::size_t>(p)];
+            const auto& q = file.positions[index(p)];
             low = std::min(low, q[2]);
             high = std::max(high, q[2]);
             extent = std::max({extent, std::abs(q[0]), std::abs(q[1])});
@@ -134,7 +69,13 @@ std::string phase_of_file(const FileMesh& file, const FileElement& element) {
 class MeshTaker {
 public:
     MeshTaker(const FileMesh& file, std::optional<GrainChoice> grains, const PhaseKey& key, const std::string& name)
-        : file_(file), key_(key), reader_(file, name) {
+        : file_(file), key_(key), name_(name) {
+        index_.reserve(file.node_numbers.size());
+        for (std::size_t i = 0; i < file.node_numbers.size(); ++i) {
+            if (!index_.emplace(file.node_numbers[i], static_cast<int>(i)).second) {
+                fail(fmt::format("node {} stands twice in the file", file.node_numbers[i]));
+            }
+        }
         mesh_.format = file.format;
         mesh_.notes = file.notes;
         if (key.is_given()) mesh_.phases = key.phases();
@@ -148,14 +89,14 @@ public:
         for (std::size_t i = 0; i < file_.elements.size(); ++i) {
             const FileElement& element = file_.elements[i];
             if (element.n_corners < 2) continue;
-            const std::vector<int> c = reader_.corners(element);
+            const std::vector<int> c = corners(element);
             if (element.n_corners > 2) {
                 add_surface(element, i, c);
             } else if (const auto named = file_.line_names.find(element.physical); named != file_.line_names.end()) {
                 mesh_.lines.push_back({c[0], c[1], plain_name(named->second)});
             }
         }
-        check_plane(file_, mesh_, reader_.name());
+        check_plane(file_, mesh_, name_);
         if (n_twice_ > 0) mesh_.notes.push_back(fmt::format("{} elements stand in the file again: the first counts", n_twice_));
         if (n_quadrangles_ > 0) {
             mesh_.notes.push_back(fmt::format("{} quadrangles were divided into two triangles each", n_quadrangles_));
@@ -165,6 +106,52 @@ public:
     }
 
 private:
+    [[noreturn]] void fail(const std::string& message) const { throw InputError(name_ + ": " + message); }
+
+    [[nodiscard]] int node(const FileElement& element, int k) const {
+        const std::int64_t number = element.nodes[index(k)];
+        const auto found = index_.find(number);
+        if (found == index_.end()) {
+            fail(fmt::format("element {} names node {}, which is not in the file", element.number, number));
+        }
+        return found->second;
+    }
+
+    [[nodiscard]] Point at(int node) const {
+        const auto& p = file_.positions[index(node)];
+        return {p[0], p[1]};
+    }
+
+    /// The corners of an element, whose middle nodes must lie on its sides.
+    [[nodiscard]] std::vector<int> corners(const FileElement& element) const {
+        std::vector<int> nodes;
+        for (int k = 0; k < element.n_corners; ++k) nodes.push_back(node(element, k));
+        for (int k = 0; element.has_midsides && k < (element.n_corners == 2 ? 1 : element.n_corners); ++k) {
+            const Point from = at(nodes[index(k)]);
+            const Point along = at(nodes[static_cast<std::size_t>((k + 1) % element.n_corners)]) - from;
+            const int middle = node(element, element.n_corners + k);
+            if (std::abs(cross(along, at(middle) - from)) > off_chord * dot(along, along)) {
+                fail(fmt::format("element {} has its middle node {} beside the straight side; give elements of order 1",
+                                 element.number, file_.node_numbers[index(middle)]));
+            }
+        }
+        return nodes;
+    }
+
+    /// A quadrangle divided along the shorter diagonal that lies inside of it.
+    [[nodiscard]] std::array<Triangle, 2> halves(const FileElement& element, const std::vector<int>& c) const {
+        const auto are_inside = [&](const std::array<Triangle, 2>& pair) {
+            const auto area = [&](const Triangle& t) { return signed_area(at(t[0]), at(t[1]), at(t[2])); };
+            return area(pair[0]) * area(pair[1]) > 0;
+        };
+        std::array<Triangle, 2> first{Triangle{c[0], c[1], c[2]}, Triangle{c[0], c[2], c[3]}};
+        std::array<Triangle, 2> other{Triangle{c[0], c[1], c[3]}, Triangle{c[1], c[2], c[3]}};
+        if (length(at(c[3]) - at(c[1])) < length(at(c[2]) - at(c[0]))) std::swap(first, other);
+        if (are_inside(first)) return first;
+        if (!are_inside(other)) fail(fmt::format("quadrangle {} has no area or crosses itself", element.number));
+        return other;
+    }
+
     void choose_grains(std::optional<GrainChoice> grains) {
         std::set<std::int64_t> entities;
         for (const FileElement& element : file_.elements) {
@@ -173,8 +160,7 @@ private:
             has_physical_ = has_physical_ || element.physical > 0;
         }
         if (entities.empty()) {
-            reader_.fail(
-                fmt::format("no triangles or quadrangles, only {} lines; a plane mesh is needed", file_.elements.size()));
+            fail(fmt::format("no triangles or quadrangles, only {} lines; a plane mesh is needed", file_.elements.size()));
         }
         if (!grains && entities.size() == 1) {
             grains = GrainChoice::element;
@@ -182,7 +168,7 @@ private:
         }
         choice_ = grains.value_or(GrainChoice::entity);
         if (choice_ == GrainChoice::physical && !has_physical_) {
-            reader_.fail("--grain physical: physical groups: none; Gmsh's Mesh.SaveAll drops them in MSH 2.2");
+            fail("--grain physical: physical groups: none; Gmsh's Mesh.SaveAll drops them in MSH 2.2");
         }
     }
 
@@ -213,22 +199,21 @@ private:
             return;
         }
         const int grain = number_of_grain_.at(grain_of(i));
-        const FileElement*& first = first_of_grain_[static_cast<std::size_t>(grain)];
+        const FileElement*& first = first_of_grain_[index(grain)];
         if (first == nullptr) {
             first = &element;
             const std::int64_t number = choice_ == GrainChoice::element ? element.number : grain_of(i);
-            mesh_.phase_of_grain[static_cast<std::size_t>(grain)] =
+            mesh_.phase_of_grain[index(grain)] =
                 key_.is_given() ? key_.phase(phase_names_of(file_, element, number)) : phase_of_file(file_, element);
         } else if (first->physical != element.physical && choice_ == GrainChoice::entity) {
-            reader_.fail(
-                fmt::format("elements {} and {} of entity {} are of the physical groups {} and {}; a grain is of one phase",
-                            first->number, element.number, element.entity, first->physical, element.physical));
+            fail(fmt::format("elements {} and {} of entity {} are of the physical groups {} and {}; a grain is of one phase",
+                             first->number, element.number, element.entity, first->physical, element.physical));
         }
         if (element.n_corners == 3) {
             mesh_.triangles.push_back({c[0], c[1], c[2]});
         } else {
             ++n_quadrangles_;
-            for (const Triangle& half : reader_.halves(element, c)) mesh_.triangles.push_back(half);
+            for (const Triangle& half : halves(element, c)) mesh_.triangles.push_back(half);
         }
         mesh_.grain_of_triangle.resize(mesh_.triangles.size(), grain);
     }
@@ -236,7 +221,7 @@ private:
     void finish_phases() {
         const std::set<std::string> phases(mesh_.phase_of_grain.begin(), mesh_.phase_of_grain.end());
         if (phases.size() > max_phases) {
-            if (key_.is_given()) reader_.fail(fmt::format("{} phases; at most {} fit", phases.size(), max_phases));
+            if (key_.is_given()) fail(fmt::format("{} phases; at most {} fit", phases.size(), max_phases));
             mesh_.notes.emplace_back(
                 fmt::format("{} physical groups are more than the {} phases that fit: all grains are \"rock\"; "
                             "--phase-key FILE gives them phases",
@@ -251,7 +236,8 @@ private:
 
     const FileMesh& file_;
     const PhaseKey& key_;
-    Reader reader_;
+    const std::string& name_;
+    std::unordered_map<std::int64_t, int> index_;  ///< of nodes by their numbers
     ImportedMesh mesh_;
     GrainChoice choice_ = GrainChoice::entity;
     bool has_physical_ = false;

@@ -2,15 +2,124 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <map>
 #include <utility>
 
-#include "mesher/import/mesh_text.hpp"
+#include "share/base/error.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher {
 
 namespace {
+
+constexpr std::size_t longest_shown = 40;
+constexpr std::string_view white_space = " \t\r\n\f\v";
+
+std::string shown(std::string_view text) { return printable(std::string(text.substr(0, longest_shown))); }
+
+template <typename T>
+bool parse(std::string_view text, T& value) {
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    return result.ec == std::errc{} && result.ptr == text.data() + text.size();
+}
+
+/// A place in the text of a file. Whatever is not there or not as expected is an InputError naming the file, the line and what
+/// was found; no number of a file is trusted to be the size of anything before so many bytes were seen to be there.
+class MeshText {
+public:
+    MeshText(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
+
+    /// Whether only white space follows.
+    bool at_end() {
+        skip_white_space();
+        return place_ == bytes_.size();
+    }
+
+    /// The rest of the line, without white space at its ends; "" at the end of the file.
+    std::string_view line() {
+        const std::size_t end = std::min(bytes_.find('\n', place_), bytes_.size());
+        const std::string_view text = bytes_.substr(place_, end - place_);
+        place_ = std::min(end + 1, bytes_.size());
+        ++line_;
+        return trimmed(text);
+    }
+
+    std::string_view word(const char* what) {
+        skip_white_space();
+        if (place_ == bytes_.size()) fail(fmt::format("the file ends where {} is expected", what));
+        const std::size_t end = std::min(bytes_.find_first_of(white_space, place_), bytes_.size());
+        const std::string_view text = bytes_.substr(place_, end - place_);
+        place_ = end;
+        return text;
+    }
+
+    /// A word that is an integer; a finite number.
+    std::int64_t integer(const char* what) {
+        const std::string_view text = word(what);
+        std::int64_t value = 0;
+        if (!parse(text, value)) fail(fmt::format("\"{}\" stands where {} is expected, an integer", shown(text), what));
+        return value;
+    }
+
+    double number(const char* what) {
+        const std::string_view text = word(what);
+        double value = 0;
+        if (!parse(text, value) || !std::isfinite(value)) {
+            fail(fmt::format("\"{}\" stands where {} is expected, a number", shown(text), what));
+        }
+        return value;
+    }
+
+    /// A number of things that follow, each of some bytes at least.
+    std::size_t count(const char* what, std::size_t bytes_each = 1) {
+        const std::int64_t value = integer(what);
+        if (value < 0 || static_cast<std::uint64_t>(value) > (bytes_.size() - place_) / bytes_each) {
+            fail(fmt::format("{} is {}, for which the file is too short", what, value));
+        }
+        return static_cast<std::size_t>(value);
+    }
+
+    /// A text between double quotes.
+    std::string quoted(const char* what) {
+        skip_white_space();
+        const std::size_t end =
+            place_ < bytes_.size() && bytes_[place_] == '"' ? bytes_.find('"', place_ + 1) : std::string::npos;
+        if (end == std::string_view::npos) fail(fmt::format("{} is expected, between double quotes", what));
+        std::string text(bytes_.substr(place_ + 1, end - place_ - 1));
+        place_ = end + 1;
+        return text;
+    }
+
+    /// Passes over lines up to one that is `text`. \return false if there is none
+    bool skip_to(std::string_view text) {
+        while (place_ < bytes_.size()) {
+            if (line() == text) return true;
+        }
+        return false;
+    }
+
+    [[noreturn]] void fail(const std::string& message) const {
+        throw InputError(fmt::format("{}: line {}: {}", name_, line_, message));
+    }
+
+private:
+    void skip_white_space() {
+        while (place_ < bytes_.size() && white_space.find(bytes_[place_]) != std::string_view::npos) {
+            if (bytes_[place_++] == '\n') ++line_;
+        }
+    }
+
+    std::string_view bytes_;
+    std::string name_;
+    std::size_t place_ = 0;
+    std::size_t line_ = 1;
+};
 
 struct ElementType {
     int n_corners;
@@ -172,7 +281,7 @@ private:
         element.has_midsides = type.n_nodes > type.n_corners;
         for (int k = 0; k < type.n_nodes; ++k) {
             const std::int64_t node = text_.integer("a node of an element");
-            if (k < static_cast<int>(element.nodes.size())) element.nodes[static_cast<std::size_t>(k)] = node;
+            if (k < static_cast<int>(element.nodes.size())) element.nodes[index(k)] = node;
         }
         if (type.n_corners > 1) mesh_.elements.push_back(element);
     }

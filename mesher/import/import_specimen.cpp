@@ -40,19 +40,6 @@ std::string beginning(std::string_view bytes) {
     return printable(std::string(line));
 }
 
-/// Makes the triangles of a mesh whose grains are larger grains of their phases.
-ImportedMesh with_grains(ImportedMesh mesh, std::optional<GrainChoice> grains, const std::string& name) {
-    if (grains == GrainChoice::physical) throw UsageError(fmt::format("--grain physical: {} has no physical groups", name));
-    if (grains != GrainChoice::element) return mesh;
-    std::vector<std::string> phases;
-    for (int& grain : mesh.grain_of_triangle) {
-        phases.push_back(mesh.phase_of_grain[static_cast<std::size_t>(grain)]);
-        grain = static_cast<int>(phases.size()) - 1;
-    }
-    mesh.phase_of_grain = std::move(phases);
-    return mesh;
-}
-
 std::string name_of_file(const ImportRequest& request) { return request.file == "-" ? "stdin" : request.file; }
 
 MeshFormat known_format(std::string_view bytes, const ImportRequest& request) {
@@ -73,8 +60,6 @@ LabelOptions label_options(const ImportRequest& request, const PhaseKey& key) {
 
 PhaseKey key_of(const ImportRequest& request) { return request.phase_key.empty() ? PhaseKey{} : PhaseKey(request.phase_key); }
 
-}  // namespace
-
 std::string read_bytes(const std::string& file) {
     if (file == "-") {
         std::string bytes = text_of_stream(std::cin, "stdin");
@@ -87,6 +72,7 @@ std::string read_bytes(const std::string& file) {
     return bytes;
 }
 
+/// The labels of a picture, with the phases of the key.
 std::vector<LabelRow> picture_labels(std::string_view bytes, const ImportRequest& request) {
     const std::string name = name_of_file(request);
     if (known_format(bytes, request) != MeshFormat::labels) {
@@ -94,6 +80,8 @@ std::vector<LabelRow> picture_labels(std::string_view bytes, const ImportRequest
     }
     return labels_of(bytes, label_options(request, key_of(request)), name);
 }
+
+}  // namespace
 
 ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
     const std::string name = name_of_file(request);
@@ -109,14 +97,12 @@ ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
     if (format != MeshFormat::labels && request.labels.pixel_size > 0) {
         throw UsageError("--pixel-size: " + name + " is no picture; give --scale for the unit of a mesh");
     }
-    switch (format) {
-        case MeshFormat::labels: {
-            ImportedMesh mesh = import_labels(bytes, label_options(request, key), name);
-            mesh.phases = key.phases();
-            return with_grains(std::move(mesh), request.grains, name);
-        }
-        case MeshFormat::neper:
-        case MeshFormat::gmsh: break;
+    if (format == MeshFormat::labels) {
+        if (request.grains == GrainChoice::physical) throw UsageError("--grain physical: " + name + " has no physical groups");
+        ImportedMesh mesh = import_labels(bytes, label_options(request, key), name);
+        mesh.phases = key.phases();
+        if (request.grains == GrainChoice::element) make_grains_of_triangles(mesh);
+        return mesh;
     }
     return imported_mesh(read_gmsh(bytes, name), request.grains, key, name);
 }
@@ -132,7 +118,7 @@ std::string parts_line(const Specimen& specimen) {
     std::vector<double> lengths(specimen.part_names.size(), 0);
     for (std::size_t b = 0; b < specimen.n_boundary_edges(); ++b) {
         const auto& [i, j] = specimen.boundary_edges[b];
-        const auto& p = specimen.node_position[static_cast<std::size_t>(i)];
+        const auto& p = specimen.node_position[index(i)];
         const auto& q = specimen.node_position[static_cast<std::size_t>(j)];
         lengths[specimen.boundary_part[b]] += std::hypot(q[0] - p[0], q[1] - p[1]);
     }

@@ -29,12 +29,6 @@ struct ImportRequest {
     Placement placement;
 };
 
-/// All bytes of a file, or of stdin for "-". \throws InputError
-std::string read_bytes(const std::string& file);
-
-/// The labels of a picture, with the phases of the key. \throws UsageError if the file is none; InputError
-std::vector<LabelRow> picture_labels(std::string_view bytes, const ImportRequest& request);
-
 /// Reads a mesh. \param bytes of the file \throws InputError naming the file, what was found and what would be right
 ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request);
 

@@ -46,17 +46,13 @@ public:
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_packing(png_);
         if (png_get_bit_depth(png_, info_) == 16) png_set_swap(png_);
-        passes_ = png_set_interlace_handling(png_);
+        png_set_interlace_handling(png_);
         png_read_update_info(png_, info_);
         return true;
     }
-    bool read_row(unsigned char* row) {
+    bool read(unsigned char** rows) {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
-        png_read_row(png_, row, nullptr);
-        return true;
-    }
-    bool end() {
-        if (setjmp(png_jmpbuf(png_)) != 0) return false;
+        png_read_image(png_, rows);
         png_read_end(png_, nullptr);
         return true;
     }
@@ -66,7 +62,6 @@ public:
     [[nodiscard]] int bits() const { return png_get_bit_depth(png_, info_); }
     [[nodiscard]] int colour_type() const { return png_get_color_type(png_, info_); }
     [[nodiscard]] std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
-    [[nodiscard]] int passes() const { return passes_; }
     /// The colours of a palette, none without one.
     [[nodiscard]] std::vector<int> palette() const {
         png_colorp colours = nullptr;
@@ -97,7 +92,6 @@ private:
     std::size_t offset_ = 0;
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
-    int passes_ = 1;
     std::array<char, 120> message_{};
 };
 
@@ -164,18 +158,13 @@ LabelImage read_png(std::string_view bytes, const std::string& name) {
     image.are_colours = type == PNG_COLOR_TYPE_RGB || type == PNG_COLOR_TYPE_RGB_ALPHA;
     const std::size_t row_bytes = png.row_bytes();
     const std::size_t pixel_bytes = row_bytes / png.width();
-    const auto add_row = [&](const unsigned char* row) {
+    std::vector<unsigned char> bytes_of_rows(row_bytes * png.height());
+    std::vector<unsigned char*> rows;
+    for (std::size_t j = 0; j < png.height(); ++j) rows.push_back(bytes_of_rows.data() + j * row_bytes);
+    require(png.read(rows.data()));
+    for (const unsigned char* row : rows) {
         for (std::size_t i = 0; i < png.width(); ++i) image.labels.push_back(label_of(row + i * pixel_bytes, type, bits));
-    };
-    std::vector<unsigned char> rows(row_bytes * (png.passes() == 1 ? 1 : png.height()));
-    for (int pass = 0; pass < png.passes(); ++pass) {
-        for (std::size_t j = 0; j < png.height(); ++j) {
-            unsigned char* const row = rows.data() + (png.passes() == 1 ? 0 : j * row_bytes);
-            require(png.read_row(row));
-            if (pass + 1 == png.passes()) add_row(row);
-        }
     }
-    require(png.end());
     return image;
 }
 

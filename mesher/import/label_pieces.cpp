@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <queue>
+#include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
+#include "mesher/plane/geometry.hpp"
 #include "share/base/error.hpp"
+#include "share/base/union_find.hpp"
 
 namespace graincrack::mesher {
 
@@ -49,140 +51,94 @@ void number_pieces(const LabelImage& image, LabelPieces& pieces, const std::stri
     }
 }
 
-/// Joins small pieces; a set of joined pieces is known by one of them.
+/// Joins small pieces; joined pieces are known by one of them.
 class PieceJoining {
 public:
-    PieceJoining(const LabelPieces& pieces, int smallest)
-        : set_of_(pieces.size()), labels_(pieces.label_of_piece), pixels_(pieces.pixels_of_piece), smallest_(smallest) {
-        for (std::size_t i = 0; i < set_of_.size(); ++i) set_of_[i] = static_cast<int>(i);
-        add_borders(pieces);
-    }
-
-    /// \return how many pieces joined another
-    int run() {
-        int joined = 0;
-        for (std::size_t i = 0; i < set_of_.size(); ++i) queue(static_cast<int>(i));
-        while (!waiting_.empty()) {
-            const auto [pixels, piece] = waiting_.top();
-            waiting_.pop();
-            if (find(piece) != piece || pixels_[place(piece)] != pixels) continue;
-            const std::vector<Border> around = borders_of(piece);
-            if (around.empty()) continue;
-            const int target = std::max_element(around.begin(), around.end(), [&](const Border& a, const Border& b) {
-                                   return std::tuple(a.length, pixels_[place(a.piece)], -a.piece) <
-                                          std::tuple(b.length, pixels_[place(b.piece)], -b.piece);
-                               })->piece;
-            ++joined;
-            join(piece, target);
-            // Pieces of one label that were apart are one now.
-            for (const Border& b : around) {
-                if (b.piece != target && labels_[place(b.piece)] == labels_[place(target)]) join(b.piece, target);
-            }
-            queue(target);
-        }
-        return joined;
-    }
-
-    int find(int piece) {
-        while (set_of_[place(piece)] != piece) {
-            set_of_[place(piece)] = set_of_[place(set_of_[place(piece)])];
-            piece = set_of_[place(piece)];
-        }
-        return piece;
-    }
-    [[nodiscard]] int label(int set) const { return labels_[place(set)]; }
-
-private:
-    struct Border {
-        int piece = 0;
-        int length = 0;
-    };
-
-    static std::size_t place(int piece) { return static_cast<std::size_t>(piece); }
-
-    void add_borders(const LabelPieces& pieces) {
-        borders_.resize(pieces.size());
+    PieceJoining(LabelPieces& pieces, int smallest)
+        : pieces_(pieces), smallest_(smallest), sets_(pieces.size()), borders_(pieces.size()) {
         const auto add = [&](int a, int b) {
             if (a == b || b < 0) return;
-            for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-                auto& list = borders_[place(from)];
-                if (!list.empty() && list.back().piece == to) {
-                    ++list.back().length;
-                } else {
-                    list.push_back({to, 1});
-                }
-            }
+            ++borders_[index(a)][b];
+            ++borders_[index(b)][a];
         };
         for (int row = 0; row < pieces.height; ++row) {
             for (int column = 0; column < pieces.width; ++column) {
-                const int piece = pieces.at(column, row);
-                add(piece, pieces.at(column + 1, row));
-                add(piece, pieces.at(column, row + 1));
+                add(pieces.at(column, row), pieces.at(column + 1, row));
+                add(pieces.at(column, row), pieces.at(column, row + 1));
             }
         }
+        for (std::size_t i = 0; i < pieces.size(); ++i) wait(static_cast<int>(i));
     }
 
-    void queue(int piece) {
-        if (pixels_[place(piece)] < smallest_) waiting_.emplace(pixels_[place(piece)], piece);
-    }
-
-    /// The neighbours of a piece, each once, ascending.
-    std::vector<Border> borders_of(int piece) {
-        auto& list = borders_[place(piece)];
-        for (Border& b : list) b.piece = find(b.piece);
-        std::sort(list.begin(), list.end(), [](const Border& a, const Border& b) { return a.piece < b.piece; });
-        std::vector<Border> sums;
-        for (const Border& b : list) {
-            if (b.piece == piece) continue;
-            if (!sums.empty() && sums.back().piece == b.piece) {
-                sums.back().length += b.length;
-            } else {
-                sums.push_back(b);
+    void run() {
+        while (!waiting_.empty()) {
+            const int piece = waiting_.begin()->second;
+            waiting_.erase(waiting_.begin());
+            const std::map<int, int> around = borders_[index(piece)];
+            if (around.empty()) continue;
+            const int target =
+                std::max_element(around.begin(), around.end(), [&](const auto& a, const auto& b) {
+                    return std::tuple(a.second, pixels(a.first), -a.first) < std::tuple(b.second, pixels(b.first), -b.first);
+                })->first;
+            ++pieces_.joined;
+            waiting_.erase({pixels(target), target});
+            join(piece, target);
+            // Pieces of one label that were apart are one now.
+            for (const auto& [other, length] : around) {
+                if (other != target && label(other) == label(target)) join(other, target);
             }
+            wait(target);
         }
-        list = sums;
-        return sums;
+        renumber();
+    }
+
+private:
+    int& pixels(int piece) { return pieces_.pixels_of_piece[index(piece)]; }
+    int& label(int piece) { return pieces_.label_of_piece[index(piece)]; }
+    void wait(int piece) {
+        if (pixels(piece) < smallest_) waiting_.emplace(pixels(piece), piece);
     }
 
     void join(int piece, int target) {
-        set_of_[place(piece)] = target;
-        pixels_[place(target)] += pixels_[place(piece)];
-        auto& from = borders_[place(piece)];
-        auto& to = borders_[place(target)];
-        if (from.size() > to.size()) std::swap(from, to);
-        to.insert(to.end(), from.begin(), from.end());
-        from = {};
-    }
-
-    std::vector<int> set_of_;
-    std::vector<int> labels_;
-    std::vector<int> pixels_;
-    std::vector<std::vector<Border>> borders_;
-    int smallest_;
-    /// Pixels and number of a piece, the smallest on top; entries are out of date where the pixels have changed.
-    std::priority_queue<std::pair<int, int>, std::vector<std::pair<int, int>>, std::greater<>> waiting_;
-};
-
-void join_small_pieces(LabelPieces& pieces, int smallest) {
-    PieceJoining joining(pieces, smallest);
-    pieces.joined = joining.run();
-    std::vector<int> number(pieces.size(), -1);
-    std::vector<int> labels;
-    std::vector<int> pixels;
-    for (int& piece : pieces.piece_of_pixel) {
-        const int set = joining.find(piece);
-        int& own = number[static_cast<std::size_t>(set)];
-        if (own < 0) {
-            own = static_cast<int>(labels.size());
-            labels.push_back(joining.label(set));
-            pixels.push_back(0);
+        waiting_.erase({pixels(piece), piece});
+        sets_.join(index(piece), index(target));
+        pixels(target) += pixels(piece);
+        for (const auto& [other, length] : borders_[index(piece)]) {
+            borders_[index(other)].erase(piece);
+            if (other == target) continue;
+            borders_[index(target)][other] += length;
+            borders_[index(other)][target] += length;
         }
-        piece = own;
-        ++pixels[static_cast<std::size_t>(own)];
+        borders_[index(piece)].clear();
+        label(static_cast<int>(sets_.find(index(piece)))) = label(target);
     }
-    pieces.label_of_piece = std::move(labels);
-    pieces.pixels_of_piece = std::move(pixels);
-}
+
+    /// Numbers the sets in the order of their first pixels.
+    void renumber() {
+        std::vector<int> number(pieces_.size(), -1);
+        std::vector<int> labels;
+        std::vector<int> counts;
+        for (int& piece : pieces_.piece_of_pixel) {
+            const std::size_t set = sets_.find(index(piece));
+            int& own = number[set];
+            if (own < 0) {
+                own = static_cast<int>(labels.size());
+                labels.push_back(pieces_.label_of_piece[set]);
+                counts.push_back(0);
+            }
+            piece = own;
+            ++counts[index(own)];
+        }
+        pieces_.label_of_piece = std::move(labels);
+        pieces_.pixels_of_piece = std::move(counts);
+    }
+
+    LabelPieces& pieces_;
+    int smallest_;
+    UnionFind sets_;
+    std::vector<std::map<int, int>> borders_;  ///< sides of pixels of each piece with its neighbours
+    std::set<std::pair<int, int>> waiting_;    ///< pixels and numbers of pieces that are too small
+};
 
 }  // namespace
 
@@ -193,7 +149,7 @@ LabelPieces label_pieces(const LabelImage& image, int smallest_piece, const std:
     number_pieces(image, pieces, name);
     const auto is_small = [&](int pixels) { return pixels < smallest_piece; };
     const std::vector<int>& pixels = pieces.pixels_of_piece;
-    if (std::any_of(pixels.begin(), pixels.end(), is_small)) join_small_pieces(pieces, smallest_piece);
+    if (std::any_of(pixels.begin(), pixels.end(), is_small)) PieceJoining(pieces, smallest_piece).run();
     if (pieces.size() > most_grains) {
         throw InputError(fmt::format("{}: {} grains; at most {} are made, so a larger smallest piece is needed", name,
                                      pieces.size(), most_grains));

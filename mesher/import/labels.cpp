@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -43,49 +42,6 @@ double element_in_pixels(const LabelPieces& pieces, const LabelOptions& options,
                                      format_length(*options.element_size), pieces.width, pieces.height, format_length(least)));
     }
     return element;
-}
-
-/// The smallest angle of triangles, degrees.
-double smallest_angle(const RefinedMesh& mesh) {
-    double smallest = 180;
-    for (const Triangle& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Point p = mesh.points[static_cast<std::size_t>(t[k])];
-            const Point a = mesh.points[static_cast<std::size_t>(t[(k + 1) % 3])] - p;
-            const Point b = mesh.points[static_cast<std::size_t>(t[(k + 2) % 3])] - p;
-            smallest = std::min(smallest, std::atan2(cross(a, b), dot(a, b)) * 180 / std::numbers::pi);
-        }
-    }
-    return smallest;
-}
-
-double shortest_side(const RefinedMesh& mesh) {
-    double shortest = INFINITY;
-    for (const Triangle& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Point p = mesh.points[static_cast<std::size_t>(t[k])];
-            shortest = std::min(shortest, length(mesh.points[static_cast<std::size_t>(t[(k + 1) % 3])] - p));
-        }
-    }
-    return shortest;
-}
-
-/// The sides of triangles along the outline of the picture, with the names of its sides.
-std::vector<NamedLine> outline(const RefinedMesh& mesh, double width, double height) {
-    std::vector<NamedLine> lines;
-    for (const Triangle& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int from = t[k];
-            const int to = t[(k + 1) % 3];
-            const Point p = mesh.points[static_cast<std::size_t>(from)];
-            const Point q = mesh.points[static_cast<std::size_t>(to)];
-            if (p.y == 0 && q.y == 0) lines.push_back({from, to, "bottom"});
-            if (p.x == width && q.x == width) lines.push_back({from, to, "right"});
-            if (p.y == height && q.y == height) lines.push_back({from, to, "top"});
-            if (p.x == 0 && q.x == 0) lines.push_back({from, to, "left"});
-        }
-    }
-    return lines;
 }
 
 RefinedMesh triangles_of(const LabelNetwork& network, double element, const std::string& name) {
@@ -180,19 +136,12 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
         imported.notes.push_back(fmt::format("{} of one or two sides of pixels became a point where four grains meet",
                                              count(joined_junctions, "grain boundary", "grain boundaries")));
     }
-    if (network.refined_chains > 0) {
-        imported.notes.push_back(fmt::format("{} finer sides in places: near others, at small angles or beside short ones",
-                                             count(network.refined_chains, "grain boundary has", "grain boundaries have")));
-    }
-    imported.notes.push_back(fmt::format("boundaries smoothed; sides of about {}, the shortest {}; the smallest angle is {:.1f}°",
-                                         format_quantity(element * pixel, Dimension::length, 3),
-                                         format_quantity(shortest_side(mesh) * pixel, Dimension::length, 3),
-                                         smallest_angle(mesh)));
+    imported.notes.push_back(
+        fmt::format("boundaries smoothed; sides of about {}", format_quantity(element * pixel, Dimension::length, 3)));
 
     std::map<int, std::string> phase_of_label;
     for (const LabelRow& row : imported.labels) phase_of_label[row.label] = row.phase;
     for (const int label : pieces.label_of_piece) imported.phase_of_grain.push_back(phase_of_label.at(label));
-    imported.lines = outline(mesh, pieces.width, pieces.height);
     imported.triangles = std::move(mesh.triangles);
     imported.grain_of_triangle = std::move(mesh.region_of_triangle);
     imported.points = std::move(mesh.points);

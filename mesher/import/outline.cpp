@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Point at(int p) const { return mesh_.points[static_cast<std::size_t>(p)]; }
+    [[nodiscard]] Point at(int p) const { return mesh_.points[index(p)]; }
 
     [[nodiscard]] double area(const Chain& chain) const {
         const Point origin = at(chain.front().from);
@@ -84,13 +84,10 @@ private:
     }
 
     void measure() {
-        for (const OpenSide& side : open_sides(mesh_.triangles)) {
-            low_ = {std::min(low_.x, at(side.from).x), std::min(low_.y, at(side.from).y)};
-            high_ = {std::max(high_.x, at(side.from).x), std::max(high_.y, at(side.from).y)};
-        }
-        outline_.middle = midpoint(low_, high_);
-        outline_.width = high_.x - low_.x;
-        outline_.height = high_.y - low_.y;
+        for (const OpenSide& side : open_sides(mesh_.triangles)) box_.add(at(side.from));
+        outline_.middle = midpoint(box_.low, box_.high);
+        outline_.width = box_.width();
+        outline_.height = box_.height();
     }
 
     [[nodiscard]] double size() const { return std::max(outline_.width, outline_.height); }
@@ -101,10 +98,10 @@ private:
             return std::abs(distance(at(side.from))) <= off_straight * size() &&
                    std::abs(distance(at(side.to))) <= off_straight * size();
         };
-        if (are([&](Point p) { return p.y - low_.y; })) return bottom;
-        if (are([&](Point p) { return p.x - high_.x; })) return right;
-        if (are([&](Point p) { return p.y - high_.y; })) return top;
-        if (are([&](Point p) { return p.x - low_.x; })) return left;
+        if (are([&](Point p) { return p.y - box_.low.y; })) return bottom;
+        if (are([&](Point p) { return p.x - box_.high.x; })) return right;
+        if (are([&](Point p) { return p.y - box_.high.y; })) return top;
+        if (are([&](Point p) { return p.x - box_.low.x; })) return left;
         return std::nullopt;
     }
 
@@ -131,7 +128,7 @@ private:
             outline_.loading_arc = pole_arc(outline_.height / 2);
             return chains_.size() == 2 && is_round(chains_.back(), outline_.middle) ? "ring" : "disc";
         }
-        const Point foot{outline_.middle.x, low_.y};
+        const Point foot{outline_.middle.x, box_.low.y};
         Chain arc;
         std::copy_if(outer.begin(), outer.end(), std::back_inserter(arc),
                      [&](const OpenSide& side) { return straight_part(side) != bottom; });
@@ -247,8 +244,7 @@ private:
     const std::string& name_;
     std::vector<Remark>& notes_;
     std::vector<Chain> chains_;  ///< the outer one first
-    Point low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Point high_{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    Box box_;
     Outline outline_;
 };
 

@@ -51,7 +51,7 @@ PowerDiagram power_diagram(std::span<const Point> seeds, std::span<const double>
     for (const Point p : {Point{0, far}, Point{-0.866 * far, -0.5 * far}, Point{0.866 * far, -0.5 * far}}) {
         insert(p, least, helper);
     }
-    for (const int i : hilbert_order(seeds)) insert(seeds[static_cast<std::size_t>(i)], weights[static_cast<std::size_t>(i)], i);
+    for (const int i : hilbert_order(seeds)) insert(seeds[index(i)], weights[index(i)], i);
 
     PowerDiagram diagram;
     diagram.vertices.reserve(2 * seeds.size() + 2);

@@ -44,7 +44,7 @@ std::vector<MeshVertexHandle> insert(MeshTriangulation& triangulation, std::span
     std::vector<MeshVertexHandle> vertices(points.size());
     MeshFaceHandle hint;
     for (const int i : hilbert_order(points)) {
-        const auto p = static_cast<std::size_t>(i);
+        const auto p = index(i);
         vertices[p] = triangulation.insert({points[p].x, points[p].y}, hint);
         vertices[p]->info() = i;
         hint = vertices[p]->face();
@@ -53,9 +53,7 @@ std::vector<MeshVertexHandle> insert(MeshTriangulation& triangulation, std::span
         if (vertices[p]->info() != static_cast<int>(p)) throw UsageError(crossing);  // two points at one place
     }
     try {
-        for (const RegionEdge& e : borders) {
-            triangulation.insert_constraint(vertices[static_cast<std::size_t>(e.from)], vertices[static_cast<std::size_t>(e.to)]);
-        }
+        for (const RegionEdge& e : borders) triangulation.insert_constraint(vertices[index(e.from)], vertices[index(e.to)]);
     } catch (const MeshTriangulation::Intersection_of_constraints_exception&) {
         throw UsageError(crossing);
     }
@@ -92,8 +90,8 @@ std::vector<std::pair<MeshFaceHandle, int>> sides(const MeshTriangulation& trian
     for (const RegionEdge& e : borders) {
         MeshFaceHandle face;
         int i = 0;
-        const auto from = vertices[static_cast<std::size_t>(e.from)];
-        const auto to = vertices[static_cast<std::size_t>(e.to)];
+        const auto from = vertices[index(e.from)];
+        const auto to = vertices[index(e.to)];
         if (!triangulation.is_edge(from, to, face, i)) throw UsageError(crossing);
         const MeshFaceHandle other = face->neighbor(i);
         const bool is_left = face->vertex(MeshTriangulation::ccw(i)) == from;
@@ -103,41 +101,8 @@ std::vector<std::pair<MeshFaceHandle, int>> sides(const MeshTriangulation& trian
     return known;
 }
 
-Point centroid(MeshFaceHandle face) {
-    Point sum;
-    for (int i = 0; i < 3; ++i) sum = sum + Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()};
-    return (1.0 / 3) * sum;
-}
-
-double area(MeshFaceHandle face) {
-    const auto at = [&](int i) { return Point{face->vertex(i)->point().x(), face->vertex(i)->point().y()}; };
-    return signed_area(at(0), at(1), at(2));
-}
-
-/// A point inside each connected part of a region that is far from its borders: the centroid of its largest face.
-std::vector<std::pair<Point, int>> places_inside(const MeshTriangulation& triangulation) {
-    CGAL::Unique_hash_map<MeshFaceHandle, bool> seen(false);
-    std::vector<std::pair<Point, int>> places;
-    std::vector<MeshFaceHandle> reached;
-    for (const auto start : triangulation.finite_face_handles()) {
-        if (seen[start] || start->info() < 0) continue;
-        seen[start] = true;
-        reached.assign(1, start);
-        MeshFaceHandle largest = start;
-        while (!reached.empty()) {
-            const auto face = reached.back();
-            reached.pop_back();
-            if (area(face) > area(largest)) largest = face;
-            for (int i = 0; i < 3; ++i) {
-                const auto next = face->neighbor(i);
-                if (face->is_constrained(i) || seen[next]) continue;
-                seen[next] = true;
-                reached.push_back(next);
-            }
-        }
-        places.emplace_back(centroid(largest), start->info());
-    }
-    return places;
+Kernel::Point_2 centroid(MeshFaceHandle face) {
+    return CGAL::centroid(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
 }
 
 void refine(MeshTriangulation& triangulation, const Refinement& refinement) {
@@ -162,32 +127,24 @@ RefinedMesh refined_triangles(std::span<const Point> points, std::span<const Reg
     MeshTriangulation triangulation;
     const std::vector<MeshVertexHandle> vertices = insert(triangulation, points, borders);
     flood(triangulation, sides(triangulation, vertices, borders));
-    const auto places = places_inside(triangulation);
-    // New vertices are -1 until they are numbered; so is the region of faces that the refinement makes.
+    const MeshTriangulation coarse = triangulation;  // whose faces know their regions
     refine(triangulation, refinement);
-
-    std::vector<std::pair<MeshFaceHandle, int>> known{{triangulation.infinite_face(), outside}};
-    MeshFaceHandle hint;
-    for (const auto& [place, region] : places) {
-        hint = triangulation.locate({place.x, place.y}, hint);
-        known.emplace_back(hint, region);
-    }
-    flood(triangulation, known);
 
     RefinedMesh mesh;
     mesh.points.assign(points.begin(), points.end());
-    std::vector<MeshVertexHandle> given = vertices;
     for (const auto vertex : triangulation.finite_vertex_handles()) vertex->info() = unknown;
-    for (std::size_t i = 0; i < given.size(); ++i) given[i]->info() = static_cast<int>(i);
+    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i]->info() = static_cast<int>(i);
     for (const auto vertex : triangulation.finite_vertex_handles()) {
         if (vertex->info() != unknown) continue;
         vertex->info() = static_cast<int>(mesh.points.size());
         mesh.points.push_back({vertex->point().x(), vertex->point().y()});
     }
+    MeshFaceHandle hint;
     for (const auto face : triangulation.finite_face_handles()) {
-        if (face->info() < 0) continue;
+        hint = coarse.locate(centroid(face), hint);
+        if (hint->info() < 0) continue;
         mesh.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-        mesh.region_of_triangle.push_back(face->info());
+        mesh.region_of_triangle.push_back(hint->info());
     }
     return mesh;
 }

@@ -3,6 +3,7 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/version_macros.h>
@@ -65,8 +66,8 @@ std::vector<Triangle> constrained_triangles(std::span<const Point> points, std::
     try {
         for (const auto& edges : {loops, inner}) {
             for (const Edge& e : edges) {
-                const auto from = vertices[static_cast<std::size_t>(e[0])];
-                const auto to = vertices[static_cast<std::size_t>(e[1])];
+                const auto from = vertices[index(e[0])];
+                const auto to = vertices[index(e[1])];
                 if (from == to) throw UsageError(crossing_edges);  // two points at one place
                 triangulation.insert_constraint(from, to);
             }
@@ -91,10 +92,14 @@ bool is_convex(std::span<const Point> loop) {
     return true;
 }
 
+bool is_simple(std::span<const Point> loop) {
+    std::vector<Kernel::Point_2> corners;
+    for (const Point p : loop) corners.emplace_back(p.x, p.y);
+    return CGAL::is_simple_2(corners.begin(), corners.end());
+}
+
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex>;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, Structure>;
 
@@ -190,12 +195,6 @@ std::vector<Triangle> DelaunayMesh::triangles() const {
     return triangles;
 }
 
-std::vector<Triangle> delaunay_triangles(std::span<const Point> points) {
-    DelaunayMesh mesh;
-    mesh.build(points);
-    return mesh.triangles();
-}
-
 std::vector<Edge> edges_of(std::span<const Triangle> triangles, std::size_t n_points) {
     // Counting sort by the smaller point; the few edges of a point are then sorted and made unique in place.
     std::vector<int> start(n_points + 1, 0);
@@ -204,11 +203,11 @@ std::vector<Edge> edges_of(std::span<const Triangle> triangles, std::size_t n_po
             for (std::size_t k = 0; k < 3; ++k) visit(std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]));
         }
     };
-    for_each_side([&](int low, int) { ++start[static_cast<std::size_t>(low) + 1]; });
+    for_each_side([&](int low, int) { ++start[index(low) + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<int> ends(3 * triangles.size());
     std::vector<int> fill(start.begin(), start.end() - 1);
-    for_each_side([&](int low, int high) { ends[static_cast<std::size_t>(fill[static_cast<std::size_t>(low)]++)] = high; });
+    for_each_side([&](int low, int high) { ends[static_cast<std::size_t>(fill[index(low)]++)] = high; });
 
     std::vector<Edge> edges;
     edges.reserve(2 * triangles.size());
@@ -235,8 +234,7 @@ bool split_corner_ear(std::span<const Point> points, std::vector<Triangle>& tria
     const Triangle first{corner, after, apex};
     const Triangle second{corner, apex, before};
     const auto area = [&](const Triangle& t) {
-        return signed_area(points[static_cast<std::size_t>(t[0])], points[static_cast<std::size_t>(t[1])],
-                           points[static_cast<std::size_t>(t[2])]);
+        return signed_area(points[index(t[0])], points[index(t[1])], points[index(t[2])]);
     };
     if (std::min(area(first), area(second)) < 0.25 * area(*ear)) return false;
     *ear = first;
@@ -246,19 +244,13 @@ bool split_corner_ear(std::span<const Point> points, std::vector<Triangle>& tria
 
 std::vector<int> hilbert_order(std::span<const Point> points) {
     std::vector<int> order(points.size());
-    if (points.empty()) return order;
-    Point low = points[0];
-    Point high = points[0];
-    for (const Point p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    const double extent = std::max(high.x - low.x, high.y - low.y);
+    const Box box = box_of(points);
+    const double extent = std::max(box.width(), box.height());
     const double scale = extent > 0 ? 16777215.0 / extent : 0;  // one point has no extent
     std::vector<std::pair<std::uint64_t, int>> keyed(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto x = static_cast<std::uint32_t>((points[i].x - low.x) * scale);
-        const auto y = static_cast<std::uint32_t>((points[i].y - low.y) * scale);
+        const auto x = static_cast<std::uint32_t>((points[i].x - box.low.x) * scale);
+        const auto y = static_cast<std::uint32_t>((points[i].y - box.low.y) * scale);
         keyed[i] = {hilbert_key(x, y), static_cast<int>(i)};
     }
     std::sort(keyed.begin(), keyed.end());

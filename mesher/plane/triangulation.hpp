@@ -41,9 +41,6 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Delaunay triangles of points, as `DelaunayMesh::build`.
-std::vector<Triangle> delaunay_triangles(std::span<const Point> points);
-
 /// The undirected edges of triangles, ascending, each once.
 std::vector<Edge> edges_of(std::span<const Triangle> triangles, std::size_t n_points);
 
@@ -68,5 +65,7 @@ std::vector<Triangle> constrained_triangles(std::span<const Point> points, std::
 
 /// Whether a closed loop nowhere turns right, by exact arithmetic.
 bool is_convex(std::span<const Point> loop);
+/// Whether the sides of a closed loop meet at its corners alone.
+bool is_simple(std::span<const Point> loop);
 
 }  // namespace graincrack::mesher

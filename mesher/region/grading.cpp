@@ -104,13 +104,6 @@ double GradedSize::fraction(Point p) const {
     return std::min(1.0, nearest / grading_.distance);
 }
 
-std::optional<std::size_t> GradedSize::end_at(Point p) const {
-    constexpr double eighth = 0.125;
-    const double distance = fraction(p);
-    if (distance > eighth && distance < 1 - eighth) return std::nullopt;
-    return distance < 0.5 ? 0 : 1;
-}
-
 double GradedSize::slope() const {
     const double distance = grading_.kind == Kind::along_x   ? box_.width()
                             : grading_.kind == Kind::along_y ? box_.height()

@@ -35,8 +35,6 @@ public:
 
     /// Fraction of the distance from where the size is `from` to where it is `to`, 0 to 1.
     [[nodiscard]] double fraction(Point p) const;
-    /// Whether a point lies in the first (0) or the last (1) eighth of that distance.
-    [[nodiscard]] std::optional<std::size_t> end_at(Point p) const;
     [[nodiscard]] double at(Point p) const { return grading_.from + (grading_.to - grading_.from) * fraction(p); }
     [[nodiscard]] double smallest() const { return std::min(grading_.from, grading_.to); }
     /// Largest change of the relative size over a length, 1/m.

@@ -70,13 +70,6 @@ void for_each_side(const std::vector<Point>& corners, const Visit& visit) {
     for (std::size_t i = 0; i < corners.size(); ++i) visit(corners[i], corners[(i + 1) % corners.size()]);
 }
 
-/// Signed area of a polygon, positive if counter-clockwise.
-double polygon_area(const std::vector<Point>& corners) {
-    double sum = 0;
-    for_each_side(corners, [&](Point p, Point q) { sum += signed_area(corners.front(), p, q); });
-    return sum;
-}
-
 /// Whether a point lies in the sector of an arc, which is less than 180° wide.
 bool is_beside_arc(const Curve& arc, Point p) {
     const Point centre = arc.circle.centre;
@@ -131,70 +124,7 @@ void add_meetings(const Curve& curve, Point a, Point b, std::vector<double>& sha
     if (along_side >= -round_off && along_side <= 1 + round_off) add(cross(curve.from - a, side) / sine);
 }
 
-/// Whether two curves of loops that are not neighbours in a polygon have a point in common.
-bool meet(const Curve& a, const Curve& b) {
-    if (a.is_circle() && b.is_circle()) {
-        const double apart = length(a.circle.centre - b.circle.centre);
-        return apart <= a.circle.radius + b.circle.radius && apart >= std::abs(a.circle.radius - b.circle.radius);
-    }
-    const bool arc_a = a.kind == Curve::Kind::arc;
-    const bool arc_b = b.kind == Curve::Kind::arc;
-    if (arc_a && arc_b) return false;  // arcs of one polygon, which bulge outwards
-    if (b.is_circle() && arc_a) return a.distance(b.circle.centre) <= b.circle.radius;
-    if (a.is_circle() || arc_a) return meet(b, a);
-    if (b.distance(a.from) == 0 || b.distance(a.to) == 0) return true;
-    std::vector<double> shares;
-    add_meetings(b, a.from, a.to, shares);
-    return !shares.empty();
-}
-
 }  // namespace
-
-void check(const Region& region) {
-    const auto refuse = [&](const char* what) { throw UsageError("region " + region.name + ": " + what); };
-    if (region.loops.empty()) refuse("has no loop around it");
-    for (const Loop& loop : region.loops) {
-        const bool outer = &loop == &region.loops.front();
-        if (loop.circle ? !(loop.circle->radius > 0) : loop.corners.size() < 3) {
-            refuse("a loop needs three corners or a radius above 0");
-        }
-        if (!loop.centres.empty() && loop.centres.size() != loop.corners.size()) refuse("a loop has arcs without corners");
-        if (loop.parts.size() != (loop.circle ? 1 : loop.corners.size())) refuse("each side of a loop needs one part");
-        for (const std::uint8_t part : loop.parts) {
-            if (part >= region.part_names.size()) refuse("a side has a part without a name");
-        }
-        if (!loop.circle && (polygon_area(loop.corners) > 0) != outer) {
-            refuse("corners must be counter-clockwise around the region and clockwise around holes");
-        }
-        const Point some = loop.circle ? loop.circle->centre + Point{loop.circle->radius, 0} : loop.corners.front();
-        for (const Loop& other : region.loops) {
-            if (&other == &loop) continue;
-            if (loop_contains(other, some) != (!outer && &other == &region.loops.front())) {
-                refuse("a hole is not inside, or inside another");
-            }
-        }
-    }
-    const auto curves = curves_of({region.name, region.loops, {}});
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        if (!curves[i].is_circle() && curves[i].from == curves[i].to) refuse("two corners are the same");
-        for (std::size_t j = i + 1; j < curves.size(); ++j) {
-            const Curve& a = curves[i];
-            const Curve& b = curves[j];
-            if (!a.is_circle() && !b.is_circle() && (a.to == b.from || b.to == a.from)) {
-                // Neighbours share a corner; they must not lie upon each other.
-                const Point shared = a.to == b.from ? a.to : a.from;
-                const Point p = (a.to == b.from ? a.from : a.to) - shared;
-                const Point q = (a.to == b.from ? b.to : b.from) - shared;
-                if (cross(p, q) == 0 && dot(p, q) > 0) refuse("a side lies on the next");
-            } else if (meet(a, b)) {
-                refuse("sides of loops cross or touch each other");
-            }
-        }
-    }
-    for (const PrescribedEdge& e : region.edges) {
-        if (!(squared_length(e.to - e.from) > 0)) refuse("a prescribed edge needs a length above 0");
-    }
-}
 
 Box bounds(const Region& region) {
     const Loop& loop = region.loops.front();
@@ -202,16 +132,11 @@ Box bounds(const Region& region) {
         const Point reach{loop.circle->radius, loop.circle->radius};
         return {loop.circle->centre - reach, loop.circle->centre + reach};
     }
-    Box box{loop.corners.front(), loop.corners.front()};
-    const auto widen = [&](Point p) {
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    };
-    for (const Point p : loop.corners) widen(p);
+    Box box = box_of(loop.corners);
     for_each_arc(loop, [&](const Curve& arc) {
         for (const Point axis : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}}) {
             const Point extreme = arc.circle.centre + arc.circle.radius * axis;
-            if (is_beside_arc(arc, extreme)) widen(extreme);
+            if (is_beside_arc(arc, extreme)) box.add(extreme);
         }
     });
     return box;
@@ -220,7 +145,7 @@ Box bounds(const Region& region) {
 double area(const Region& region) {
     double sum = 0;
     for (const Loop& loop : region.loops) {
-        const double own = loop.circle ? pi * loop.circle->radius * loop.circle->radius : std::abs(polygon_area(loop.corners));
+        const double own = loop.circle ? pi * loop.circle->radius * loop.circle->radius : std::abs(area_of(loop.corners));
         sum += &loop == &region.loops.front() ? own : -own;
         for_each_arc(loop, [&](const Curve& arc) {
             sum += arc.circle.radius * arc.circle.radius / 2 * (arc.arc_angle() - std::sin(arc.arc_angle()));

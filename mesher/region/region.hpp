@@ -78,18 +78,6 @@ struct Region {
     double flats = 0;  ///< of a disc with flat poles: angle under which a flat is seen from the centre, rad
 };
 
-/// Checks that loops have three corners, a part for each side and the right direction, that they neither cross nor touch each
-/// other and that holes lie inside; that prescribed edges have a length.
-/// \throws UsageError naming the first violation
-void check(const Region& region);
-
-struct Box {
-    Point low;
-    Point high;
-    [[nodiscard]] double width() const { return high.x - low.x; }
-    [[nodiscard]] double height() const { return high.y - low.y; }
-};
-
 Box bounds(const Region& region);
 double area(const Region& region);       ///< m²; of circles, not of the polygons that meshes have for them
 double perimeter(const Region& region);  ///< of all loops, m

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/plane/triangulation.hpp"
 #include "mesher/region/shapes.hpp"
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
@@ -56,13 +57,8 @@ Region read_polygon(const std::string& path) {
     }
     if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
     if (corners.size() < 3) throw InputError(path + ": a polygon needs three corners");
-    Region region = polygon(std::move(corners), parts);
-    try {
-        check(region);
-    } catch (const UsageError& error) {
-        throw InputError(path + ": " + error.what());
-    }
-    return region;
+    if (!is_simple(corners)) throw InputError(path + ": sides of the polygon cross, touch or lie upon each other");
+    return polygon(std::move(corners), parts);
 }
 
 std::vector<Hole> read_holes(const std::string& path) {

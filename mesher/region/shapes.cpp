@@ -18,14 +18,6 @@ constexpr auto rim = static_cast<std::uint8_t>(BoundaryPart::rim);
 constexpr auto top = static_cast<std::uint8_t>(BoundaryPart::top);
 constexpr auto bottom = static_cast<std::uint8_t>(BoundaryPart::bottom);
 
-double signed_area_of(const std::vector<Point>& corners) {
-    double sum = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        sum += signed_area(corners.front(), corners[i], corners[(i + 1) % corners.size()]);
-    }
-    return sum;
-}
-
 }  // namespace
 
 Region rectangle(double width, double height) {
@@ -80,7 +72,7 @@ Region polygon(std::vector<Point> corners, const std::vector<std::string>& parts
         }
         numbers.push_back(static_cast<std::uint8_t>(found - region.part_names.begin()));
     }
-    if (signed_area_of(corners) < 0) {  // side i runs from corner i to the next, and backwards too
+    if (area_of(corners) < 0) {  // side i runs from corner i to the next, and backwards too
         std::reverse(corners.begin(), corners.end());
         std::reverse(numbers.begin(), numbers.end());
         std::rotate(numbers.begin(), numbers.begin() + 1, numbers.end());

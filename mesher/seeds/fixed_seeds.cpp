@@ -328,7 +328,7 @@ public:
 
 private:
     [[nodiscard]] int size() const { return static_cast<int>(seeds_.points.size()); }
-    [[nodiscard]] Point& at(int p) { return seeds_.points[static_cast<std::size_t>(p)]; }
+    [[nodiscard]] Point& at(int p) { return seeds_.points[index(p)]; }
     [[nodiscard]] bool is_kept(int p) const { return std::find(kept_.begin(), kept_.end(), p) != kept_.end(); }
 
     /// The point at an end or crossing of prescribed edges: one that is there, a point of a loop moved there, or a new one.

@@ -42,7 +42,7 @@ Neighbours neighbours_of(std::span<const Edge> edges, std::size_t n_points) {
     Neighbours result;
     result.start.assign(n_points + 1, 0);
     for (const Edge& e : edges) {
-        for (const int p : e) ++result.start[static_cast<std::size_t>(p) + 1];
+        for (const int p : e) ++result.start[index(p) + 1];
     }
     std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
     result.items.resize(2 * edges.size());
@@ -67,9 +67,7 @@ Point six_fold(Point direction) {
 
 double psi6(std::span<const Point> points, std::span<const Edge> edges) {
     Point sum;
-    for (const Edge& e : edges) {
-        sum = sum + six_fold(points[static_cast<std::size_t>(e[1])] - points[static_cast<std::size_t>(e[0])]);
-    }
+    for (const Edge& e : edges) sum = sum + six_fold(points[index(e[1])] - points[index(e[0])]);
     return edges.empty() ? 0.0 : length(sum) / static_cast<double>(edges.size());
 }
 
@@ -82,8 +80,8 @@ double largest_psi6_of_parts(const Region& region, Partition partition, std::spa
     std::array<Point, n_parts> sums{};
     std::array<std::size_t, n_parts> counts{};
     for (const Edge& e : edges) {
-        const Point p = points[static_cast<std::size_t>(e[0])];
-        const Point q = points[static_cast<std::size_t>(e[1])];
+        const Point p = points[index(e[0])];
+        const Point q = points[index(e[1])];
         const std::size_t part = part_of(box, partition, midpoint(p, q) - centre);
         sums[part] = sums[part] + six_fold(stretch.equiaxed(q - p));
         ++counts[part];
@@ -101,9 +99,7 @@ std::vector<Point> local_orientation(std::span<const Point> points, const Neighb
     std::vector<Point> smoothed(n);
     const auto average = [&](std::size_t i, Point sum, double weight, const auto& value) {
         weight += neighbours.start[i + 1] - neighbours.start[i];
-        for (int k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) {
-            sum = sum + value(static_cast<std::size_t>(neighbours.items[static_cast<std::size_t>(k)]));
-        }
+        for (int k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) sum = sum + value(index(neighbours.items[index(k)]));
         return (1 / weight) * sum;
     };
     for (std::size_t i = 0; i < n; ++i) {

@@ -71,11 +71,11 @@ private:
         return static_cast<std::ptrdiff_t>(mesh_.points.size()) - static_cast<std::ptrdiff_t>(n_fixed_ + goal_.n_inner);
     }
     [[nodiscard]] double edge_length(const Edge& e) const {
-        return length(mesh_.points[static_cast<std::size_t>(e[1])] - mesh_.points[static_cast<std::size_t>(e[0])]);
+        return length(mesh_.points[index(e[1])] - mesh_.points[index(e[0])]);
     }
     /// Relative size of an edge, the mean of those of its ends.
     [[nodiscard]] double size_of(const Edge& e) const {
-        return sizes_.empty() ? 1 : 0.5 * (sizes_[static_cast<std::size_t>(e[0])] + sizes_[static_cast<std::size_t>(e[1])]);
+        return sizes_.empty() ? 1 : 0.5 * (sizes_[index(e[0])] + sizes_[index(e[1])]);
     }
     /// Spread that the springs are to leave; a wider one is that of the sizes.
     [[nodiscard]] double spring_spread() const { return size_.is_scattered() ? tight_spread : goal_.spread; }
@@ -138,7 +138,7 @@ private:
             for (std::size_t i = n_fixed_; i < points.size(); ++i) {
                 Point move = turns[i];
                 for (int k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) {
-                    const auto j = static_cast<std::size_t>(neighbours.items[static_cast<std::size_t>(k)]);
+                    const auto j = index(neighbours.items[index(k)]);
                     const Point d = points[j] - points[i];
                     const double l = std::max(length(d), degenerate);
                     const double size = sized ? 0.5 * (sizes_[i] + sizes_[j]) : 1;
@@ -160,7 +160,7 @@ private:
         for (std::size_t i = n_fixed_; i < points.size(); ++i) {
             const Point o = orientation[i];
             for (int k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) {
-                const Point d = points[static_cast<std::size_t>(neighbours.items[static_cast<std::size_t>(k)])] - points[i];
+                const Point d = points[index(neighbours.items[index(k)])] - points[i];
                 const Point v = six_fold(d);
                 const double sine = v.y * o.x - v.x * o.y;
                 moves[i] = moves[i] + (-turning * sine) * Point{-d.y, d.x};
@@ -184,7 +184,7 @@ private:
             const double l = edge_length(mesh_.edges[e]) / (size_of(mesh_.edges[e]) * goal_.edge);
             if (l < merge_below) ++n_too_short;
             if (l > split_above) ++n_too_long;
-            const bool has_inner_end = static_cast<std::size_t>(mesh_.edges[e][1]) >= n_fixed_;
+            const bool has_inner_end = index(mesh_.edges[e][1]) >= n_fixed_;
             if (l < low && has_inner_end) short_edges.emplace_back(l, e);
             if (l > high) long_edges.emplace_back(-l, e);
         }
@@ -208,7 +208,7 @@ private:
     }
 
     [[nodiscard]] bool is_fixed(const Edge& e) const {
-        return static_cast<std::size_t>(e[1]) < n_fixed_ && std::binary_search(fixed_edges_.begin(), fixed_edges_.end(), e);
+        return index(e[1]) < n_fixed_ && std::binary_search(fixed_edges_.begin(), fixed_edges_.end(), e);
     }
 
     void apply_exchange(const Candidates& short_edges, std::ptrdiff_t n_merges, const Candidates& long_edges,
@@ -220,8 +220,8 @@ private:
             added;  // new point and the index after which it is inserted, so that neighbours stay near in memory
         const auto take = [&](const Candidates::value_type& candidate) -> const Edge* {
             const Edge& e = mesh_.edges[candidate.second];
-            char& p = touched[static_cast<std::size_t>(e[0])];
-            char& q = touched[static_cast<std::size_t>(e[1])];
+            char& p = touched[index(e[0])];
+            char& q = touched[index(e[1])];
             if (p != 0 || q != 0) return nullptr;
             p = q = 1;
             return &e;
@@ -229,8 +229,8 @@ private:
         for (auto it = short_edges.begin(); it != short_edges.end() && n_merges > 0; ++it) {
             const Edge* e = take(*it);
             if (e == nullptr) continue;
-            const auto p = static_cast<std::size_t>((*e)[0]);
-            const auto q = static_cast<std::size_t>((*e)[1]);
+            const auto p = index((*e)[0]);
+            const auto q = index((*e)[1]);
             merged[q] = 1;
             if (p >= n_fixed_) points[p] = midpoint(points[p], points[q]);
             --n_merges;
@@ -238,8 +238,8 @@ private:
         for (auto it = long_edges.begin(); it != long_edges.end() && n_splits > 0; ++it) {
             const Edge* e = take(*it);
             if (e == nullptr) continue;
-            const auto q = static_cast<std::size_t>((*e)[1]);
-            added.emplace_back(std::max(q, n_fixed_ - 1), midpoint(points[static_cast<std::size_t>((*e)[0])], points[q]));
+            const auto q = index((*e)[1]);
+            added.emplace_back(std::max(q, n_fixed_ - 1), midpoint(points[index((*e)[0])], points[q]));
             --n_splits;
         }
         if (added.empty() && std::find(merged.begin(), merged.end(), 1) == merged.end()) return;

@@ -116,8 +116,8 @@ double SizeField::scatter_factor(Point p) const {
     double z = 0;
     for (int l = 0; l < 4; ++l) {
         double row = 0;
-        for (int k = 0; k < 4; ++k) row += w_x[static_cast<std::size_t>(k)] * field_.at(i - 1 + k, j - 1 + l);
-        z += w_y[static_cast<std::size_t>(l)] * row;
+        for (int k = 0; k < 4; ++k) row += w_x[index(k)] * field_.at(i - 1 + k, j - 1 + l);
+        z += w_y[index(l)] * row;
     }
     z /= std::sqrt(sum_of_squares(w_x) * sum_of_squares(w_y));
     return std::exp(scatter_ * z + scatter_ * scatter_);
@@ -139,8 +139,8 @@ double spread_of_edges(const std::vector<Point>& points, const std::vector<Edge>
     double sum = 0;
     double squares = 0;
     for (const Edge& e : edges) {
-        const Point p = points[static_cast<std::size_t>(e[0])];
-        const Point q = points[static_cast<std::size_t>(e[1])];
+        const Point p = points[index(e[0])];
+        const Point q = points[index(e[1])];
         const double l = length(q - p) / size.graded(midpoint(p, q));
         sum += l;
         squares += l * l;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "mesher/elements/divided_cells.hpp"
@@ -56,8 +55,8 @@ TEST(SeparateBodies, TwoGrainsShareOneContact) {
     EXPECT_EQ(s.n_boundary_edges(), 4U);
     EXPECT_EQ(s.contact_grain_boundary[0], 0);
     const auto [a1, a2, b1, b2] = s.contact_nodes[0];
-    EXPECT_EQ(s.node_position[static_cast<std::size_t>(a1)], s.node_position[static_cast<std::size_t>(b1)]);
-    EXPECT_EQ(s.node_position[static_cast<std::size_t>(a2)], s.node_position[static_cast<std::size_t>(b2)]);
+    EXPECT_EQ(s.node_position[index(a1)], s.node_position[index(b1)]);
+    EXPECT_EQ(s.node_position[index(a2)], s.node_position[index(b2)]);
     EXPECT_LT(a1, 3);
     EXPECT_GE(b1, 3);
     EXPECT_DOUBLE_EQ(s.grain_area[0], 0.5);
@@ -72,9 +71,9 @@ TEST(SeparateBodies, ContactsAreConformingAndOrdered) {
         for (std::size_t c = 0; c < s.n_contacts(); ++c) {
             const auto& [a1, a2, b1, b2] = s.contact_nodes[c];
             // positions on both sides are equal bit for bit
-            EXPECT_EQ(s.node_position[static_cast<std::size_t>(a1)], s.node_position[static_cast<std::size_t>(b1)]);
-            EXPECT_EQ(s.node_position[static_cast<std::size_t>(a2)], s.node_position[static_cast<std::size_t>(b2)]);
-            const std::array<int, 2> pair{grains[static_cast<std::size_t>(a1)], grains[static_cast<std::size_t>(b1)]};
+            EXPECT_EQ(s.node_position[index(a1)], s.node_position[index(b1)]);
+            EXPECT_EQ(s.node_position[index(a2)], s.node_position[index(b2)]);
+            const std::array<int, 2> pair{grains[index(a1)], grains[index(b1)]};
             EXPECT_LT(pair[0], pair[1]);
             EXPECT_EQ(s.contact_grain_boundary[c], static_cast<int>(c) / n);
             if (c % static_cast<std::size_t>(n) == 0) {
@@ -90,7 +89,7 @@ TEST(SeparateBodies, ContactsAreConformingAndOrdered) {
 
 TEST(SeparateBodies, BoundaryIsAClosedLoopWithTheSolidOnItsLeft) {
     const Specimen s = mesh(small_rectangle(2));
-    const auto at = [&](std::int32_t node) { return s.node_position[static_cast<std::size_t>(node)]; };
+    const auto at = [&](std::int32_t node) { return s.node_position[index(node)]; };
     double doubled_area = 0;
     for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
         const Place end = at(s.boundary_edges[b][1]);
@@ -143,26 +142,17 @@ PlaneCells two_polygons() {
 /// Triangles between the first corner of each cell and its sides.
 PlaneMesh fans_of(PlaneCells cells, Bodies bodies) {
     PlaneMesh mesh;
-    const auto add_body = [&](std::size_t cell, std::span<const int> points) {
-        mesh.body_points.insert(mesh.body_points.end(), points.begin(), points.end());
-        mesh.body_start.push_back(static_cast<int>(mesh.body_points.size()));
-        mesh.crystal_of_body.push_back(static_cast<int>(cell));
-        mesh.area_of_body.push_back(0);
-    };
-    const auto at = [&](int p) { return cells.points[static_cast<std::size_t>(p)]; };
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         const auto loop = cells.loop(cell);
-        if (bodies == Bodies::cells) add_body(cell, loop);
         for (std::size_t i = 2; i < loop.size(); ++i) {
-            const Triangle triangle{loop[0], loop[i - 1], loop[i]};
-            if (bodies == Bodies::triangles) add_body(cell, triangle);
-            mesh.triangles.push_back(triangle);
+            if (bodies == Bodies::triangles || i == 2) mesh.crystal_of_body.push_back(static_cast<int>(cell));
+            mesh.triangles.push_back({loop[0], loop[i - 1], loop[i]});
             mesh.body_of_triangle.push_back(static_cast<int>(mesh.n_bodies()) - 1);
-            mesh.area_of_body.back() += signed_area(at(triangle[0]), at(triangle[1]), at(triangle[2]));
         }
     }
     mesh.points = std::move(cells.points);
     mesh.sides = std::move(cells.sides);
+    mesh.complete_bodies();
     return mesh;
 }
 
@@ -177,8 +167,8 @@ TEST(SeparateBodies, PolygonsMeetInOneBoundaryOfSeveralContacts) {
         if (c > 0) {
             EXPECT_EQ(s.contact_nodes[c][0], s.contact_nodes[c - 1][1]);
         }
-        const Place p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][0])];
-        const Place q = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][1])];
+        const Place p = s.node_position[index(s.contact_nodes[c][0])];
+        const Place q = s.node_position[index(s.contact_nodes[c][1])];
         const bool is_horizontal = p[1] == q[1];  // as only the prescribed edge is
         EXPECT_EQ(s.contact_kind[c], is_horizontal ? 1 : 0);
     }

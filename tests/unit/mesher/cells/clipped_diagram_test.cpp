@@ -28,8 +28,7 @@ TEST(ClippedDiagram, CutsTheCornersOfARectangle) {
     EXPECT_EQ(cells.sides.size(), 6U);
     EXPECT_EQ(cells.loop(0).size(), 4U);
     for (const Side& side : cells.sides) {
-        const Point middle =
-            midpoint(cells.points[static_cast<std::size_t>(side.from)], cells.points[static_cast<std::size_t>(side.to)]);
+        const Point middle = midpoint(cells.points[index(side.from)], cells.points[index(side.to)]);
         EXPECT_EQ(side.part, middle.y == -1 ? 0 : middle.x == 2 ? 1 : middle.y == 1 ? 2 : 3);
     }
 }

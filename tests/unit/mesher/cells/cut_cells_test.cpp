@@ -22,8 +22,7 @@ double length_of_flaws(const CutCells& cut) {
         if (side.part >= 0) continue;
         const Edge edge = edge_between(side.from, side.to);
         EXPECT_TRUE(std::binary_search(cut.cells.edges.begin(), cut.cells.edges.end(), edge));
-        sum +=
-            length(cut.cells.points[static_cast<std::size_t>(side.to)] - cut.cells.points[static_cast<std::size_t>(side.from)]);
+        sum += length(cut.cells.points[index(side.to)] - cut.cells.points[index(side.from)]);
     }
     return sum;
 }
@@ -67,7 +66,7 @@ TEST(CutCells, OnEitherSideOfAJointKeepTheirNumberAndFillTheirSide) {
     // 24 below on 8 x 3.25, 24 above on 8 x 2.75
     for (std::size_t cell = 0; cell < 48; ++cell) {
         double middle = 0;
-        for (const int p : made.cells.loop(cell)) middle += made.cells.points[static_cast<std::size_t>(p)].y;
+        for (const int p : made.cells.loop(cell)) middle += made.cells.points[index(p)].y;
         const bool is_above = middle / static_cast<double>(made.cells.loop(cell).size()) > 0.25;
         EXPECT_NEAR(made.areas[cell], (is_above ? 2.75 : 3.25) / 3, 1e-12);
     }
@@ -97,8 +96,7 @@ TEST(CutCells, EndAtTheWallOfAHole) {
     double rim = 0;
     for (const Side& side : made.cells.sides) {
         if (side.part != 5) continue;
-        rim +=
-            length(made.cells.points[static_cast<std::size_t>(side.to)] - made.cells.points[static_cast<std::size_t>(side.from)]);
+        rim += length(made.cells.points[index(side.to)] - made.cells.points[index(side.from)]);
     }
     EXPECT_NEAR(rim, 2 * 3.14159 * 1.2, 0.15);
 }

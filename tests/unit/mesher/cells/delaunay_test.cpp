@@ -24,7 +24,7 @@ PlaneCells delaunay_cells_of(const Region& region, std::uint64_t seed) {
     return delaunay_cells(relax_points(depth, std::move(fixed), inner, {edge, 0.1, inner.size()}));
 }
 
-Point at(const PlaneCells& cells, int p) { return cells.points[static_cast<std::size_t>(p)]; }
+Point at(const PlaneCells& cells, int p) { return cells.points[index(p)]; }
 
 TEST(DelaunayCells, FillARegionWithHolesAndNothingElse) {
     const Region region = l_with_holes();

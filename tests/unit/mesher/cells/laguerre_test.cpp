@@ -85,8 +85,7 @@ TEST(LaguerreCells, AreCompact) {
             const auto loop = cells.loop(cell);
             double perimeter = 0;
             for (std::size_t i = 0; i < loop.size(); ++i) {
-                perimeter += length(cells.points[static_cast<std::size_t>(loop[(i + 1) % loop.size()])] -
-                                    cells.points[static_cast<std::size_t>(loop[i])]);
+                perimeter += length(cells.points[index(loop[(i + 1) % loop.size()])] - cells.points[index(loop[i])]);
             }
             sum += perimeter * perimeter / (4 * std::numbers::pi * m.cells.areas[cell]);
         }

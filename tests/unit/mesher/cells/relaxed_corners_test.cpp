@@ -72,8 +72,8 @@ TEST(RelaxedCorners, MakeShapesBetterAndKeepAreas) {
             EXPECT_EQ(cells.corners, before.corners);
             for (std::size_t p = 0; p < outline.size(); ++p) EXPECT_EQ(cells.points[p], before.points[p]);
             for (const Side& side : cells.sides) {
-                const auto at = [&](int p) { return cells.points[static_cast<std::size_t>(p)]; };
-                const auto was = [&](int p) { return before.points[static_cast<std::size_t>(p)]; };
+                const auto at = [&](int p) { return cells.points[index(p)]; };
+                const auto was = [&](int p) { return before.points[index(p)]; };
                 EXPECT_NEAR(std::abs(cross(unit(at(side.to) - at(side.from)), unit(was(side.to) - was(side.from)))), 0, 1e-12);
             }
         }

@@ -37,8 +37,7 @@ TEST(DividedCells, SidesAreSharedAndFollowTheBoundary) {
     for (std::size_t i = 0; i < n_outer; ++i) {
         const Side& side = mesh.sides[i];
         EXPECT_EQ(side.to, mesh.sides[(i + 1) % n_outer].from);
-        length_of_part[side.part] +=
-            length(mesh.points[static_cast<std::size_t>(side.to)] - mesh.points[static_cast<std::size_t>(side.from)]);
+        length_of_part[side.part] += length(mesh.points[index(side.to)] - mesh.points[index(side.from)]);
     }
     for (const double each : length_of_part) EXPECT_NEAR(each, 2, 1e-12);
 }

@@ -18,7 +18,7 @@ double area_of_triangles(const std::vector<Point>& boundary, const DividedPolygo
     double sum = 0;
     worst = INFINITY;
     for (const Triangle& t : divided.triangles) {
-        const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(t[k])]; };
+        const auto at = [&](std::size_t k) { return points[index(t[k])]; };
         sum += signed_area(at(0), at(1), at(2));
         worst = std::min(worst, step_length(at(0), at(1), at(2)));
     }

@@ -27,7 +27,7 @@ TEST(Lattice, SharesThePointsOfSides) {
         ASSERT_EQ(mesh.sides.size(), static_cast<std::size_t>(5 * n));
         double area = 0;
         for (const Triangle& t : mesh.triangles) {
-            const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(t[k])]; };
+            const auto at = [&](std::size_t k) { return mesh.points[index(t[k])]; };
             area += signed_area(at(0), at(1), at(2));
         }
         EXPECT_NEAR(area, 1, 1e-14);
@@ -35,7 +35,7 @@ TEST(Lattice, SharesThePointsOfSides) {
         for (int k = 0; k < n; ++k) {
             const Side& side = mesh.sides[static_cast<std::size_t>(4 * n + k)];
             EXPECT_EQ(side.kind, ContactKind::pre_existing_crack);
-            const Point p = mesh.points[static_cast<std::size_t>(side.to)];
+            const Point p = mesh.points[index(side.to)];
             EXPECT_NEAR(p.x, (k + 1.0) / n, 1e-15);
             EXPECT_EQ(p.x, p.y);
         }

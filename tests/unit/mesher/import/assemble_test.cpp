@@ -126,7 +126,7 @@ TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
     ASSERT_EQ(s.grain_crystal.size(), 4U);
     for (std::size_t g = 0; g < s.n_grains(); ++g) {
         double x = 0;
-        for (const std::int32_t node : s.element_nodes[g]) x += s.node_position[static_cast<std::size_t>(node)][0] / 3;
+        for (const std::int32_t node : s.element_nodes[g]) x += s.node_position[index(node)][0] / 3;
         EXPECT_EQ(s.grain_crystal[g], x < 0 ? 0 : 1);
         EXPECT_EQ(s.phase_names[s.grain_phase[g]], x < 0 ? "quartz" : "mica");
     }
@@ -243,7 +243,7 @@ TEST(Outline, TellsShapes) {
     ImportedMesh ring = fan(16, 1);
     ring.triangles.clear();
     ring.grain_of_triangle.clear();
-    for (int i = 1; i <= 16; ++i) ring.points.push_back(0.5 * ring.points[static_cast<std::size_t>(i)]);
+    for (int i = 1; i <= 16; ++i) ring.points.push_back(0.5 * ring.points[index(i)]);
     for (int i = 0; i < 16; ++i) {
         const int j = (i + 1) % 16;
         ring.triangles.push_back({i + 1, j + 1, 17 + i});

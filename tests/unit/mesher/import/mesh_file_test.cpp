@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "mesher/import/gmsh.hpp"
-#include "mesher/import/mesh_text.hpp"
 #include "share/base/error.hpp"
 #include "tests/unit/mesher/import/mesh_files.hpp"
 
@@ -152,7 +151,7 @@ TEST(MeshFile, ElementsOfPicturesCanBeGrains) {
     ASSERT_EQ(picture.phase_of_grain.size(), picture.triangles.size());
     for (std::size_t t = 0; t < picture.triangles.size(); ++t) {
         double sum = 0;
-        for (const int p : picture.triangles[t]) sum += picture.points[static_cast<std::size_t>(p)].y;
+        for (const int p : picture.triangles[t]) sum += picture.points[index(p)].y;
         EXPECT_EQ(picture.phase_of_grain[t], sum > 6 ? "a" : "b");
     }
     request.grains = GrainChoice::physical;
@@ -182,13 +181,6 @@ TEST(MeshFile, SaysWhatWasFound) {
          "file: line 25: \"$EndElements\" stands where the number of an element is expected, an integer"},
     };
     for (const auto& [bytes, message] : cases) EXPECT_EQ(reading_message(bytes), message);
-}
-
-TEST(MeshText, TakesNoCountThatTheFileCannotHold) {
-    MeshText text("12 3 4", "file");
-    EXPECT_THROW(text.count("a number", 2), InputError);
-    MeshText enough("2 3 4", "file");
-    EXPECT_EQ(enough.count("a number", 2), 2U);
 }
 
 }  // namespace

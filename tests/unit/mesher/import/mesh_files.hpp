@@ -8,6 +8,7 @@
 #include <string>
 
 #include "mesher/import/import_specimen.hpp"
+#include "share/base/text.hpp"
 
 namespace graincrack::mesher::test {
 
@@ -26,7 +27,7 @@ inline const std::string msh_41 =
     "$Nodes\n2 6 1 6\n2 7 0 4\n1\n2\n4\n5\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 9 1 2\n3\n6\n2 0 0 .1 .2\n2 1 0 .3 .4\n$EndNodes\n"
     "$Elements\n4 6 1 6\n1 1 1 1\n1 2 5\n1 2 1 1\n2 3 6\n2 7 2 2\n3 1 2 5\n4 1 5 4\n2 9 2 2\n5 2 3 6\n6 2 6 5\n$EndElements\n";
 
-inline const std::string neper_msh = read_bytes(GRAINCRACK_TEST_DATA "/meshes/two-squares-neper.msh");
+inline const std::string neper_msh = text_of_file(GRAINCRACK_TEST_DATA "/meshes/two-squares-neper.msh");
 
 /// A text with one part of it replaced; that part must be there.
 inline std::string with(std::string text, const std::string& part, const std::string& other) {

@@ -13,8 +13,8 @@ TEST(PowerDiagram, TwoSeedsShareOneLineOfEqualPowers) {
         const PowerDiagram diagram = power_diagram(seeds, std::vector{weight, 0.0}, 3);
         ASSERT_EQ(diagram.sides.size(), 1U);
         const PowerDiagram::Side side = diagram.sides.front();
-        const Point from = diagram.vertices[static_cast<std::size_t>(side.from)];
-        const Point to = diagram.vertices[static_cast<std::size_t>(side.to)];
+        const Point from = diagram.vertices[index(side.from)];
+        const Point to = diagram.vertices[index(side.to)];
         // (x + 1)² − w = (x − 1)²
         EXPECT_NEAR(from.x, weight / 4, 1e-12);
         EXPECT_NEAR(to.x, weight / 4, 1e-12);

@@ -22,7 +22,7 @@ TEST(RefinedTriangles, FillRegionsWithinBounds) {
     double area[2] = {};
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Triangle& t = mesh.triangles[i];
-        const auto at = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(t[k % 3])]; };
+        const auto at = [&](std::size_t k) { return mesh.points[index(t[k % 3])]; };
         const double own = signed_area(at(0), at(1), at(2));
         EXPECT_GT(own, 0);
         area[mesh.region_of_triangle[i]] += own;

@@ -18,6 +18,12 @@ std::vector<Point> random_points(std::size_t n, std::uint64_t seed) {
     return points;
 }
 
+std::vector<Triangle> delaunay_triangles(const std::vector<Point>& points) {
+    DelaunayMesh mesh;
+    mesh.build(points);
+    return mesh.triangles();
+}
+
 /// Triangles in a form independent of their order.
 std::set<Triangle> as_set(const std::vector<Triangle>& triangles) {
     std::set<Triangle> result;
@@ -31,8 +37,7 @@ std::set<Triangle> as_set(const std::vector<Triangle>& triangles) {
 double total_area(const std::vector<Point>& p, const std::vector<Triangle>& triangles) {
     double area = 0;
     for (const Triangle& t : triangles) {
-        const double a =
-            signed_area(p[static_cast<std::size_t>(t[0])], p[static_cast<std::size_t>(t[1])], p[static_cast<std::size_t>(t[2])]);
+        const double a = signed_area(p[index(t[0])], p[index(t[1])], p[index(t[2])]);
         EXPECT_GT(a, 0);
         area += a;
     }
@@ -50,10 +55,10 @@ TEST(Triangulation, CoversTheHullAndObeysEuler) {
 TEST(Triangulation, IsDelaunay) {
     const auto points = random_points(60, 2);
     for (const Triangle& t : delaunay_triangles(points)) {
-        const Point a = points[static_cast<std::size_t>(t[0])];
+        const Point a = points[index(t[0])];
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const Point p = points[static_cast<std::size_t>(t[1])] - a;
-            const Point q = points[static_cast<std::size_t>(t[2])] - a;
+            const Point p = points[index(t[1])] - a;
+            const Point q = points[index(t[2])] - a;
             const Point r = points[i] - a;
             // determinant of the incircle test, positive inside
             const double inside =

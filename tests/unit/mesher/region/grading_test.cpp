@@ -11,13 +11,6 @@
 namespace graincrack::mesher {
 namespace {
 
-TEST(Grading, HasItsEndsInTheOuterEighths) {
-    const GradedSize size(parse_grading("along=x,from=0.5,to=2", "--grade"), rectangle(8, 2));
-    EXPECT_EQ(size.end_at({-3.1, 0}), 0U);
-    EXPECT_EQ(size.end_at({-2.9, 0}), std::nullopt);
-    EXPECT_EQ(size.end_at({3.1, 0}), 1U);
-}
-
 TEST(Grading, IsReadOrRefusedByName) {
     const Grading along = parse_grading("to=2,along=x,from=0.5", "--grade");
     EXPECT_EQ(along.kind, Grading::Kind::along_x);

@@ -53,33 +53,5 @@ TEST(Region, ClipKeepsWhatLiesInside) {
     EXPECT_TRUE(clip(l, {{0.01, 0}, {0.03, 0}}).empty()) << "along a side";
 }
 
-std::string complaint(const Region& region) {
-    try {
-        check(region);
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-TEST(Region, BadRegionsAreRefused) {
-    EXPECT_EQ(complaint(rectangle(1, 2)) + complaint(disc(1, Pole::facet, 1)) + complaint(l_with_holes()), "");
-    const auto changed = [](const auto& change) {
-        Region region = l_with_holes();
-        change(region);
-        return complaint(region);
-    };
-    EXPECT_NE(changed([](Region& r) { r.loops.clear(); }), "");
-    EXPECT_NE(changed([](Region& r) { r.loops[0].parts.pop_back(); }).find("part"), std::string::npos);
-    EXPECT_NE(changed([](Region& r) { r.loops[0].parts[0] = 9; }).find("without a name"), std::string::npos);
-    EXPECT_NE(changed([](Region& r) { std::swap(r.loops[0].corners[1], r.loops[0].corners[5]); }), "");
-    EXPECT_NE(changed([](Region& r) { std::swap(r.loops[1].corners[1], r.loops[1].corners[3]); }).find("clockwise"),
-              std::string::npos);
-    EXPECT_NE(changed([](Region& r) { r.loops[2].circle->centre = {0.06, 0.06}; }).find("not inside"), std::string::npos);
-    EXPECT_NE(changed([](Region& r) { r.loops[1].corners[2] = {0.055, 0.02}; }).find("cross"), std::string::npos);
-    EXPECT_NE(changed([](Region& r) { r.loops[0].corners[4] = {0.03, -0.01}; }), "") << "sides cross";
-    EXPECT_NE(changed([](Region& r) { r.edges = {{{0.03, 0.03}, {0.03, 0.03}}}; }).find("length"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace graincrack::mesher

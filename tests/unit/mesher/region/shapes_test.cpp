@@ -42,7 +42,6 @@ TEST(Shapes, HaveTheirAreaExtentAndParts) {
     EXPECT_NEAR(bounds(flats).high.x, 0.04, 1e-17);
     EXPECT_NEAR(bounds(flats).height(), 0.08 * std::cos(10 * pi / 180), 1e-16);
     EXPECT_EQ(hollow.part_names, (std::vector<std::string>{"bottom", "right", "top", "left", "outer", "inner"}));
-    for (const Region& region : {half, flats, hollow}) EXPECT_NO_THROW(check(region)) << region.name;
 }
 
 TEST(Shapes, DepthBelowAnArcIsThatBelowItsCircle) {
@@ -64,7 +63,7 @@ TEST(Shapes, PolygonsThroughArcsHaveTheirArea) {
             const Seeds seeds = fixed_seeds(region, n, 5e-3, 0.07, random);
             double doubled = 0;
             for (const Side& s : seeds.sides) {
-                doubled += cross(seeds.points[static_cast<std::size_t>(s.from)], seeds.points[static_cast<std::size_t>(s.to)]);
+                doubled += cross(seeds.points[index(s.from)], seeds.points[index(s.to)]);
             }
             EXPECT_NEAR(doubled / 2 / area(region), 1, 1e-12) << region.name << n;
         }
@@ -76,7 +75,6 @@ TEST(Shapes, PolygonsAreReadInEitherDirection) {
     const Region forward = polygon(corners, {"bottom", "push", "top", ""});
     const Region backward = polygon({corners[3], corners[2], corners[1], corners[0]}, {"top", "push", "bottom", ""});
     for (const Region& region : {forward, backward}) {
-        EXPECT_NO_THROW(check(region));
         for (std::size_t i = 0; i < 4; ++i) {
             const Point middle = midpoint(region.loops[0].corners[i], region.loops[0].corners[(i + 1) % 4]);
             const std::string name = region.part_names[region.loops[0].parts[i]];

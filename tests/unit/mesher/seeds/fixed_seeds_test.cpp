@@ -42,7 +42,7 @@ TEST(FixedSeeds, RectangleOutlineKeepsCornersSidesAndParts) {
     const Seeds outline = fixed_seeds(upright, 92, 5e-3, 0.1, random);
     ASSERT_EQ(outline.points.size(), 92U);
     ASSERT_EQ(outline.corners.size(), 4U);
-    EXPECT_EQ(outline.points[static_cast<std::size_t>(outline.corners[2].at)], (Point{0.04, 0.08}));
+    EXPECT_EQ(outline.points[index(outline.corners[2].at)], (Point{0.04, 0.08}));
     EXPECT_NEAR(polygon_area(outline.points), area(upright), 1e-16);
     for (std::size_t i = 0; i < outline.points.size(); ++i) {
         const Point middle = midpoint(outline.points[i], outline.points[(i + 1) % outline.points.size()]);
@@ -95,7 +95,7 @@ TEST(FixedSeeds, PrescribedEdgesKeepTheParityOfTheBoundary) {
         double boundary = 0;
         for (const Side& s : seeds.sides) {
             if (s.part < 0) continue;
-            boundary += length(seeds.points[static_cast<std::size_t>(s.to)] - seeds.points[static_cast<std::size_t>(s.from)]);
+            boundary += length(seeds.points[index(s.to)] - seeds.points[index(s.from)]);
         }
         EXPECT_NEAR(boundary, 0.28, 1e-15);
         EXPECT_EQ(seeds.n_fixed, seeds.points.size());

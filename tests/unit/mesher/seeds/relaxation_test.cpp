@@ -45,9 +45,7 @@ TEST(PointRelaxation, CornersBelongToTwoGrains) {
             EXPECT_GE(n, 2) << "an ear, seed " << seed;
         }
         for (const Edge& e : mesh.edges) {
-            EXPECT_LT(length(mesh.points[static_cast<std::size_t>(e[1])] - mesh.points[static_cast<std::size_t>(e[0])]),
-                      1.6 * 8e-3)
-                << seed;
+            EXPECT_LT(length(mesh.points[index(e[1])] - mesh.points[index(e[0])]), 1.6 * 8e-3) << seed;
         }
     }
 }
