@@ -13,14 +13,7 @@ namespace {
 using test::all_laws;
 using test::ContactWalk;
 using test::SmallRun;
-
-/// Contacts weak enough for the cohesion of `cohesive-frictional` to soften under compression.
-ContactParameters weak() {
-    Material material = test::augig_granite();
-    material.contact.cohesion = 14 * test::MPa;
-    material.contact.mode_ii_fracture_energy = 330;
-    return contact_parameters(material, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i, 0});
-}
+using test::weak_contact;
 
 /// D at which z(D) of `combined` is `remaining`, by bisection.
 double damage_of_combined(double remaining) {
@@ -76,11 +69,11 @@ void expect_marks_at(const ContactLaw& law, const ContactMotion& direction, cons
 }
 
 TEST(BrokenPoint, PureOpeningPassesTheMarksWhereTheClosedFormSays) {
-    for (const ContactLaw& law : all_laws(weak())) expect_marks_at(law, {1, 0}, opening_where);
+    for (const ContactLaw& law : all_laws(weak_contact())) expect_marks_at(law, {1, 0}, opening_where);
 }
 
 TEST(BrokenPoint, PureSlidingPassesTheMarksWhereTheClosedFormSays) {
-    for (const ContactLaw& law : all_laws(weak())) {
+    for (const ContactLaw& law : all_laws(weak_contact())) {
         expect_marks_at(law, {0, 1}, sliding_where);
         expect_marks_at(law, {0, -1}, sliding_where);
     }
@@ -88,7 +81,7 @@ TEST(BrokenPoint, PureSlidingPassesTheMarksWhereTheClosedFormSays) {
 
 // In pure opening a point can bear what remains, times its peak.
 TEST(BrokenPoint, TheTractionIsWhatRemainsOfThePeak) {
-    for (const ContactLaw& law : all_laws(weak())) {
+    for (const ContactLaw& law : all_laws(weak_contact())) {
         SCOPED_TRACE(name_of(law.variant));
         ContactWalk walk(law);
         EXPECT_EQ(remaining_cohesion(law, walk.history()), 1);
@@ -103,7 +96,7 @@ TEST(BrokenPoint, TheTractionIsWhatRemainsOfThePeak) {
 
 // What a broken contact bears by its residual cohesion and friction is no cohesion that it could lose.
 TEST(BrokenPoint, ResidualCohesionIsThatOfABrokenPoint) {
-    ContactParameters c = weak();
+    ContactParameters c = weak_contact();
     c.residual_cohesion = 5 * test::MPa;
     const ContactLaw law = make_contact_law(c, LawVariant::coulomb_slip);
     ContactWalk walk(law);
@@ -113,20 +106,20 @@ TEST(BrokenPoint, ResidualCohesionIsThatOfABrokenPoint) {
 }
 
 TEST(BrokenPoint, PreExistingCracksAreBroken) {
-    for (const ContactLaw& law : all_laws(weak())) EXPECT_EQ(remaining_cohesion(law, broken_contact()), 0);
+    for (const ContactLaw& law : all_laws(weak_contact())) EXPECT_EQ(remaining_cohesion(law, broken_contact()), 0);
 }
 
 /// A grid that platens compress until it has failed, step by step. After each step the law is asked what remains of the
 /// points that have failed or lost cohesion in it.
 void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
     SCOPED_TRACE(name_of(variant));
-    SmallRun run(test::jittered_grid(8, 16, 0.04, 0.08, 0.25), make_contact_law(weak(), variant));
+    SmallRun run(test::jittered_grid(8, 16, 0.04, 0.08, 0.25), make_contact_law(weak_contact(), variant));
     LoadingRequest loading;
     loading.platen_friction = 0.1;
     loading.max_strain = 0.05;
     run.assemblage.vector_target = target;
     run.parameters.damping = 0.8;
-    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, weak()), 0.7);
+    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, weak_contact()), 0.7);
     run.begin();
     constexpr double speed = 2;                                  // m/s
     std::vector<std::size_t> expected(run.state.failed.size());  // marks passed

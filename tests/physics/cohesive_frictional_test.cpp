@@ -19,14 +19,8 @@ using test::expect_close;
 using test::integral;
 using test::MPa;
 using test::verify;
+using test::weak_contact;
 
-/// Contacts as weak as a strength that depends on pressure lets them be: cc 14 MPa.
-ContactParameters weak_frictional(double mode_ii_fracture_energy = 330) {
-    Material material = test::augig_granite();
-    material.contact.cohesion = 14 * MPa;
-    material.contact.mode_ii_fracture_energy = mode_ii_fracture_energy;
-    return contact_parameters(material, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i, 0});
-}
 ContactLaw frictional_law(const ContactParameters& c) { return make_contact_law(c, LawVariant::cohesive_frictional); }
 /// Sliding at which a closed point has lost its cohesion: half of it times cc is G_II less what lies under the curve up to the
 /// peak beyond the triangle, δcs (1 + 2 [G_II/(cc δcs) − (e − 2)]).
@@ -42,7 +36,7 @@ ContactHistory pressed(const ContactLaw& law, double pressure) {
 
 TEST(CohesiveFrictional, SlidingHasTheAreaGII) {
     for (const double energy : {70.0, 330.0, 1000.0}) {
-        const ContactParameters c = weak_frictional(energy);
+        const ContactParameters c = weak_contact(energy);
         const ContactLaw law = frictional_law(c);
         ContactWalk walk(law, pressed(law, 0));
         const auto shear = [&](double s) { return walk.to({-1e-30, s}).shear; };
@@ -56,7 +50,7 @@ TEST(CohesiveFrictional, SlidingHasTheAreaGII) {
 }
 
 TEST(CohesiveFrictional, OpeningHasTheAreaGf) {
-    const ContactParameters c = weak_frictional();
+    const ContactParameters c = weak_contact();
     const ContactLaw law = frictional_law(c);
     ContactWalk walk(law);
     const auto normal = [&](double o) { return walk.to({o, 0}).normal; };
@@ -71,7 +65,7 @@ TEST(CohesiveFrictional, OpeningHasTheAreaGf) {
 
 // With a residual friction angle friction weakens as cohesion does.
 TEST(CohesiveFrictional, FrictionWeakensWithCohesion) {
-    ContactParameters c = weak_frictional();
+    ContactParameters c = weak_contact();
     c.residual_friction_angle = 30 * test::degree;
     const ContactLaw law = frictional_law(c);
     const double pressure = 20 * MPa;
@@ -94,11 +88,11 @@ TEST(CohesiveFrictional, FrictionWeakensWithCohesion) {
 
 // Below the energy of the way to the peak nothing softens: under pressure the law is `consistent`.
 TEST(CohesiveFrictional, SuddenLossIsTheLimitOfSmallEnergies) {
-    const double least = (std::numbers::e - 2) * weak_frictional().cohesion * weak_frictional().critical_sliding;
-    const ContactParameters c = weak_frictional(0.9 * least);
+    const double least = (std::numbers::e - 2) * weak_contact().cohesion * weak_contact().critical_sliding;
+    const ContactParameters c = weak_contact(0.9 * least);
     const ContactLaw law = frictional_law(c);
     EXPECT_FALSE(law.softens_in_shear);
-    EXPECT_TRUE(frictional_law(weak_frictional(1.1 * least)).softens_in_shear);
+    EXPECT_TRUE(frictional_law(weak_contact(1.1 * least)).softens_in_shear);
     const ContactLaw consistent = make_contact_law(c, LawVariant::consistent);
     for (const double pressure : {5.0, 50.0}) {
         ContactWalk here(law, pressed(law, pressure * MPa));

@@ -131,20 +131,11 @@ TEST(Minerals, APulseIsSharedAtTheBoundaryOfTwoMinerals) {
         run.state.velocity[i].x = -1e-9 * speed * shape(x + 0.5 * speed * run.parameters.time_step);
     }
     run.begin();
-    const auto stress_of = [&](std::size_t e) {
-        const auto [n0, n1, n2] = run.assemblage.element_nodes[e];
-        const PlaneElasticity c = run.assemblage.elasticity[e];
-        const TriangleState t = triangle_state(
-            run.assemblage.element_geometry[e], c,
-            run.state.displacement[static_cast<std::size_t>(n1)] - run.state.displacement[static_cast<std::size_t>(n0)],
-            run.state.displacement[static_cast<std::size_t>(n2)] - run.state.displacement[static_cast<std::size_t>(n0)]);
-        return triangle_stress(c, t)[0];
-    };
     run.steps(static_cast<std::int64_t>(0.17 / speed / run.parameters.time_step));  // 70 mm behind the boundary
     double transmitted = 0;
     double reflected = 0;
     for (std::size_t e = 0; e < run.assemblage.element_nodes.size(); ++e) {
-        const double stress = stress_of(e);
+        const double stress = element_stress(run.assemblage, e, run.state)[0];
         const bool is_quartz = run.specimen.element_grain[e] == 0;
         double& largest = is_quartz ? reflected : transmitted;
         largest = std::abs(stress) > std::abs(largest) ? stress : largest;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/blocks.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/program_run.hpp"
 #include "tests/support/verify.hpp"
@@ -22,20 +23,6 @@ using test::verify;
 
 constexpr double gravity_on_earth = 9.81;
 const Rock rock_of_programs = test::augig_granite().rock;
-
-/// Mean velocity of the nodes of the upper half.
-Vector2 velocity_of_upper_half(const test::SmallRun& run) {
-    Vector2 sum;
-    double mass = 0;
-    for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
-        const auto& grain = run.assemblage.surface.grain_of_node;
-        if (grain[i] == grain.back()) {
-            sum += run.assemblage.mass[i] * run.state.velocity[i];
-            mass += run.assemblage.mass[i];
-        }
-    }
-    return (1 / mass) * sum;
-}
 
 /// Two blocks on each other, cut by a crack.
 Specimen two_blocks(int nx, int ny, double width, double height) {
@@ -184,7 +171,7 @@ double acceleration_down(double slope, double friction) {
     const auto speed_after = [&](double duration) {
         const double end = block.run.state.time + duration;
         while (block.run.state.time < end) block.run.steps(10, loading);
-        return velocity_of_upper_half(block.run).x;
+        return test::mean_of_grain(block.run, block.run.state.velocity, 1).x;
     };
     const double before = speed_after(0.3e-3);
     const double begin = block.run.state.time;

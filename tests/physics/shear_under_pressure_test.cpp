@@ -52,11 +52,7 @@ Sheared combined_row(double pressure) {
 }
 /// Cohesion falls on a line while friction rises on one; the strength is where friction reaches its limit.
 Sheared frictional_row(double energy, double pressure) {
-    Material material = test::augig_granite();
-    material.contact.cohesion = 14 * MPa;
-    material.contact.mode_ii_fracture_energy = energy;
-    const ContactParameters c =
-        contact_parameters(material, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i, 0});
+    const ContactParameters c = test::weak_contact(energy);
     const ContactLaw law = make_contact_law(c, LawVariant::cohesive_frictional);
     const double softening = 2 * (energy / c.cohesion - (std::numbers::e - 2) * c.critical_sliding);
     const double limit = pressure * law.tan_phi;

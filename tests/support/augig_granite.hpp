@@ -25,6 +25,13 @@ inline ContactParameters augig_contact(PlaneCondition plane = PlaneCondition::st
                                        FractureEnergyChoice::Kind energy = FractureEnergyChoice::Kind::mixed) {
     return contact_parameters(augig_granite(), plane, FractureEnergyChoice{energy, 0});
 }
+/// Contacts of 14 MPa, as weak as a strength that depends on pressure lets them be: their cohesion softens under compression.
+inline ContactParameters weak_contact(double mode_ii_fracture_energy = 330) {
+    Material material = augig_granite();
+    material.contact.cohesion = 14 * MPa;
+    material.contact.mode_ii_fracture_energy = mode_ii_fracture_energy;
+    return contact_parameters(material, PlaneCondition::strain, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i, 0});
+}
 
 /// All strengths times `factor`, all fracture energies times its square: similar curves.
 inline ContactParameters scaled_contact(ContactParameters c, double factor) {
