@@ -67,8 +67,6 @@ void add_seeds(RowBuilder& row, const std::optional<SeedEnvelopes>& seeds) {
     row.add("whole_seeds", static_cast<std::int64_t>(seeds ? seeds->seeds : 0));
     row.add_sample("seed_cohesion", unit::megapascal, seeds ? std::optional(seeds->cohesion) : std::nullopt);
     row.add_sample("seed_friction_angle", unit::degree, seeds ? std::optional(seeds->friction_angle) : std::nullopt);
-    row.add_sample("seed_hoek_brown_sigma_ci", unit::megapascal, seeds ? seeds->sigma_ci : std::nullopt);
-    row.add_sample("seed_hoek_brown_mi", unit::none, seeds ? seeds->mi : std::nullopt);
 }
 
 void add_first_yield(RowBuilder& row, const EnvelopeAt& at) {
@@ -147,8 +145,6 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     row.add("r_squared", envelope.line.r_squared);
     add_hoek_brown(row, "hoek_brown", envelope.hoek_brown);
     row.add_interval("curvature", unit::per_megapascal, envelope.curvature);
-    row.add("curvature_sign",
-            envelope.curvature ? Cell(std::string(envelope.curvature->value < 0 ? "concave" : "convex")) : Cell());
     add_tension(row, envelope, tests);
     add_seeds(row, fit_seed_envelopes(tests));
     add_first_yield(row, fit_envelope_at_first_yield(tests));

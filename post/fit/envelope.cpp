@@ -270,26 +270,15 @@ EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {
 }
 
 std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests) {
-    const auto seeds = whole_seeds(tests);
-    if (seeds.size() < 2) return std::nullopt;
     std::vector<double> cohesion;
     std::vector<double> friction_angle;
-    std::vector<double> sigma_ci;
-    std::vector<double> mi;
-    for (const EnvelopeTests& own : seeds) {
-        const Envelope envelope = fit_envelope(own.confining(), own.strength());
-        cohesion.push_back(envelope.cohesion.value);
-        friction_angle.push_back(envelope.friction_angle.value);
-        if (!envelope.hoek_brown) continue;
-        sigma_ci.push_back(envelope.hoek_brown->sigma_ci.value);
-        mi.push_back(envelope.hoek_brown->mi.value);
+    for (const EnvelopeTests& own : whole_seeds(tests)) {
+        const MohrCoulomb line = fit_mohr_coulomb(own.confining(), own.strength());
+        cohesion.push_back(line.cohesion);
+        friction_angle.push_back(line.friction_angle);
     }
-    SeedEnvelopes result{seeds.size(), sample(cohesion), sample(friction_angle), std::nullopt, std::nullopt};
-    if (mi.size() == seeds.size()) {
-        result.sigma_ci = sample(sigma_ci);
-        result.mi = sample(mi);
-    }
-    return result;
+    if (cohesion.size() < 2) return std::nullopt;
+    return SeedEnvelopes{cohesion.size(), sample(cohesion), sample(friction_angle)};
 }
 
 void add_envelope_options(OptionSet set, EnvelopeOptions& options) {

@@ -112,14 +112,12 @@ struct EnvelopeAt {
 };
 EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests);
 
-/// Each seed with tests at all pressures of the set gives C, φ, σci and mi of its own; samples over these seeds. Empty with
-/// fewer than two such seeds; σci and mi are empty where a seed gives none.
+/// Each seed with tests at all pressures of the set gives C and φ of its own; samples over these seeds. Empty with fewer than two
+/// such seeds.
 struct SeedEnvelopes {
     std::size_t seeds = 0;
     Sample cohesion;
     Sample friction_angle;
-    std::optional<Sample> sigma_ci;
-    std::optional<Sample> mi;
 };
 std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests);
 

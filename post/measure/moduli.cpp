@@ -50,10 +50,6 @@ struct ModuliRow {
     [[nodiscard]] Cell threshold(const Stress& stress) const {
         return thresholds ? Cell(std::invoke(stress, *thresholds)) : Cell();
     }
-    [[nodiscard]] Cell note() const {
-        return thresholds ? Cell("plane " + plane + ": thresholds by 2D strains do not compare with laboratory ones directly")
-                          : Cell();
-    }
     [[nodiscard]] std::string caveat() const { return measured ? warning(*measured, peak_kind) : ""; }
 };
 
@@ -126,7 +122,6 @@ Columns<ModuliRow> all_columns() {
     append_thresholds(columns, "pseudo_3d", &AllThresholds::pseudo_3d);
     columns.push_back({"crack_initiation_count", megapascal,
                        [](const R& r) { return r.threshold(&AllThresholds::initiation_by_count); }, further});
-    columns.push_back({"threshold_note", none, [](const R& r) { return r.note(); }, further});
     columns.push_back({"warning", none, [](const R& r) { return r.caveat(); }, further});
     constexpr std::array damages{"10", "50", "90"};
     for (std::size_t i = 0; i < damages.size(); ++i) {

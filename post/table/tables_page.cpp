@@ -14,7 +14,7 @@ extern const char* const tables_page;  // made of share/doc/tables.md
 namespace {
 
 /// The unit that ends the name of a column; "" of a pure number or a word, also where it is that of a number in the name, as of
-/// runs_at_1_percent.
+/// specimens_for_3_percent.
 std::string unit_of(const std::string& name) {
     std::string longest;
     using namespace graincrack::unit;
