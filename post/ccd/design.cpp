@@ -2,24 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "post/statistics/statistics.hpp"
+#include "post/table/table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack::ccd {
 
 Assignment parse_assignment(const std::string& text, const std::string& option, const std::string& form) {
-    const auto refuse = [&] { throw UsageError(option + " " + text + ": " + form + " is needed"); };
     const auto [name, numbers] = key_and_value(text, option, form);
     Assignment out{name, {}};
     for (const std::string_view number : split(numbers, ':')) {
-        double value = 0;
-        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-        if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(value)) refuse();
-        out.values.push_back(value);
+        const auto value = parse_number(std::string(number));
+        if (!value || !std::isfinite(*value)) throw UsageError(option + " " + text + ": " + form + " is needed");
+        out.values.push_back(*value);
     }
     return out;
 }
@@ -68,43 +66,37 @@ Factor quantity_of(const TableFile& table, const std::string& coded_name, const 
     return {coded_name, -1, 1};
 }
 
-std::vector<std::vector<double>> transposed(const std::vector<std::vector<double>>& columns) {
-    std::vector<std::vector<double>> rows(columns[0].size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        for (const auto& column : columns) rows[i].push_back(column[i]);
-    }
-    return rows;
-}
-
 }  // namespace
 
 Runs read_runs(const TableFile& table, const std::vector<Factor>& given) {
     Runs runs;
-    std::vector<std::vector<double>> columns;
-    for (std::size_t k = 1; table.has(fmt::format("x{}", k)); ++k) {
-        const std::string name = fmt::format("x{}", k);
-        columns.push_back(table.numbers(name));
-        if (given.empty()) runs.factors.push_back(quantity_of(table, name, columns.back()));
+    runs.coded.resize(table.n_rows());
+    const auto add = [&runs](const std::vector<double>& column) {
+        for (std::size_t i = 0; i < column.size(); ++i) runs.coded[i].push_back(column[i]);
+    };
+    std::size_t n_factors = 0;
+    for (std::string name = "x1"; table.has(name); name = fmt::format("x{}", n_factors + 1)) {
+        const std::vector<double> column = table.numbers(name);
+        add(column);
+        ++n_factors;
+        if (given.empty()) runs.factors.push_back(quantity_of(table, name, column));
     }
-    if (columns.empty()) {
-        for (const Factor& factor : given) {
-            columns.push_back(table.numbers(factor.name));
-            for (double& value : columns.back()) value = factor.coded(value);
-        }
+    for (const Factor& factor : n_factors == 0 ? given : std::vector<Factor>()) {
+        std::vector<double> column = table.numbers(factor.name);
+        for (double& value : column) value = factor.coded(value);
+        add(column);
+        ++n_factors;
     }
-    if (columns.empty()) {
+    if (n_factors == 0) {
         throw InputError(table.name() +
                          ": no columns x1, x2, …; a table as ccd design writes it, or --factor NAME=LOW:HIGH for "
                          "its columns, is needed");
     }
-    if (!given.empty()) {
-        if (given.size() != columns.size()) {
-            throw UsageError(
-                fmt::format("--factor: {} given, {} has {}; give each or none", given.size(), table.name(), columns.size()));
-        }
-        runs.factors = given;
+    if (given.empty()) return runs;
+    if (given.size() != n_factors) {
+        throw UsageError(fmt::format("--factor: {} given, {} has {}; give each or none", given.size(), table.name(), n_factors));
     }
-    runs.coded = transposed(columns);
+    runs.factors = given;
     return runs;
 }
 

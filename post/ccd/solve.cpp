@@ -216,9 +216,7 @@ std::vector<Optimum> solve(const std::vector<LinearModel>& models, const std::ve
         found.push_back({end, -objective(end)});
     }
     if (found.empty()) return found;
-    const double best = std::ranges::max_element(found, [](const auto& a, const auto& b) {
-                            return a.desirability < b.desirability;
-                        })->desirability;
+    const double best = std::ranges::max_element(found, {}, &Optimum::desirability)->desirability;
     std::erase_if(found, [&](const Optimum& o) { return o.desirability < best - 1e-6; });
     std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return norm(a.coded) < norm(b.coded); });
     std::vector<Optimum> distinct;

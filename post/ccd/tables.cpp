@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/options/option_set.hpp"
 
@@ -112,46 +113,6 @@ std::optional<RegionExtent> extent_of(const Problem& problem) {
     return extent;
 }
 
-std::vector<std::string> solution_columns(const Problem& problem) {
-    std::vector<std::string> columns{"optimum"};
-    for (std::size_t k = 0; k < problem.runs.factors.size(); ++k) columns.push_back(fmt::format("x{}", k + 1));
-    for (const Factor& factor : problem.runs.factors) {
-        for (const char* end : {"", "_region_low", "_region_high"}) columns.push_back(factor.name + end);
-    }
-    for (const char* name : {"desirability", "region_share_of_design", "region_reaches_edge", "free_factors"}) {
-        columns.emplace_back(name);
-    }
-    for (const Goal& goal : problem.goals) {
-        for (const char* end : {"", "_confidence_low", "_confidence_high", "_prediction_low", "_prediction_high"}) {
-            columns.push_back(goal.response + end);
-        }
-    }
-    return columns;
-}
-
-std::vector<Cell> solution_row(const Problem& problem, std::size_t index, const std::optional<RegionExtent>& extent) {
-    const Optimum& optimum = problem.optima[index];
-    std::vector<Cell> row{static_cast<std::int64_t>(index + 1)};
-    for (const double x : optimum.coded) row.emplace_back(x);
-    for (std::size_t k = 0; k < optimum.coded.size(); ++k) {
-        const Factor& factor = problem.runs.factors[k];
-        row.emplace_back(factor.value(optimum.coded[k]));
-        row.push_back(extent ? Cell(factor.value(extent->low[k])) : Cell());
-        row.push_back(extent ? Cell(factor.value(extent->high[k])) : Cell());
-    }
-    row.emplace_back(optimum.desirability);
-    row.push_back(extent ? Cell(extent->share) : Cell());
-    row.push_back(extent ? Cell(std::string(extent->reaches_edge ? "yes" : "no")) : Cell());
-    row.emplace_back(static_cast<std::int64_t>(optimum.free_factors));
-    for (const LinearModel& model : problem.models) {
-        const Estimate mean = model.confidence(optimum.coded);
-        const Estimate single = model.prediction(optimum.coded);
-        row.emplace_back(mean.value);
-        for (const auto& end : {mean.low, mean.high, single.low, single.high}) row.push_back(end);
-    }
-    return row;
-}
-
 std::vector<Goal> parse_goals(const GoalOptions& options) {
     std::vector<Goal> goals;
     for (const auto& text : options.targets) goals.push_back(parse_goal(text, Goal::Kind::target, "--target"));
@@ -235,8 +196,36 @@ Problem solve_problem(const std::string& file, const SolveOptions& options) {
 void write_solution(std::ostream& out, const std::string& file, const SolveOptions& options, TableFormat format) {
     const Problem problem = solve_problem(file, options);
     const std::optional<RegionExtent> extent = extent_of(problem);
-    TableWriter table(out, solution_columns(problem), format);
-    for (std::size_t i = 0; i < problem.optima.size(); ++i) table.row(solution_row(problem, i, extent));
+    Columns<Optimum> columns;
+    const auto add = [&columns](const std::string& name, const std::function<Cell(const Optimum&)>& value) {
+        columns.push_back({name, unit::none, value});
+    };
+    add("optimum", [&](const Optimum& o) { return 1 + (&o - problem.optima.data()); });
+    for (std::size_t k = 0; k < problem.runs.factors.size(); ++k) {
+        add(fmt::format("x{}", k + 1), [k](const Optimum& o) { return o.coded[k]; });
+    }
+    for (std::size_t k = 0; k < problem.runs.factors.size(); ++k) {
+        const Factor& factor = problem.runs.factors[k];
+        add(factor.name, [&factor, k](const Optimum& o) { return factor.value(o.coded[k]); });
+        for (const auto& [end, bounds] : {std::pair{"_region_low", &RegionExtent::low}, {"_region_high", &RegionExtent::high}}) {
+            const Cell bound = extent ? Cell(factor.value(((*extent).*bounds)[k])) : Cell();
+            add(factor.name + end, [bound](const Optimum&) { return bound; });
+        }
+    }
+    add("desirability", [](const Optimum& o) { return o.desirability; });
+    add("region_share_of_design", [&](const Optimum&) { return extent ? Cell(extent->share) : Cell(); });
+    add("region_reaches_edge", [&](const Optimum&) { return extent ? Cell(extent->reaches_edge ? "yes" : "no") : Cell(); });
+    add("free_factors", [](const Optimum& o) { return o.free_factors; });
+    for (std::size_t i = 0; i < problem.goals.size(); ++i) {
+        const std::string& name = problem.goals[i].response;
+        const LinearModel& model = problem.models[i];
+        add(name, [&model](const Optimum& o) { return model.value(o.coded); });
+        add(name + "_confidence_low", [&model](const Optimum& o) { return model.confidence(o.coded).low; });
+        add(name + "_confidence_high", [&model](const Optimum& o) { return model.confidence(o.coded).high; });
+        add(name + "_prediction_low", [&model](const Optimum& o) { return model.prediction(o.coded).low; });
+        add(name + "_prediction_high", [&model](const Optimum& o) { return model.prediction(o.coded).high; });
+    }
+    write_table(out, columns, problem.optima, format);
 }
 
 }  // namespace graincrack::ccd

@@ -23,6 +23,12 @@ double power_of(double value, int power) {
     return product;
 }
 
+/// About their mean.
+double sum_of_squares(const std::vector<double>& values) {
+    const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+    return (all - all.mean()).square().sum();
+}
+
 /// Residuals that runs have when each is predicted without itself.
 double sum_of_deleted(const Eigen::VectorXd& residuals, const Eigen::VectorXd& leverages) {
     return (residuals.array() / (1 - leverages.array()).max(1e-9)).square().sum();
@@ -151,12 +157,7 @@ Eigen::VectorXd LinearModel::sample(const Eigen::VectorXd& normal) const {
     return factor.transpositionsP().transpose() * (factor.matrixL() * scaled);
 }
 
-double LinearModel::total_sum() const {
-    const double mean = std::accumulate(response.begin(), response.end(), 0.0) / static_cast<double>(response.size());
-    double sum = 0;
-    for (const double y : response) sum += (y - mean) * (y - mean);
-    return sum;
-}
+double LinearModel::total_sum() const { return sum_of_squares(response); }
 
 double LinearModel::press() const { return sum_of_deleted(residuals, leverages); }
 
@@ -229,8 +230,7 @@ std::optional<LackOfFit> LinearModel::lack_of_fit() const {
     for (std::size_t i = 0; i < factors.size(); ++i) repeats[factors[i]].push_back(response[i]);
     LackOfFit test;
     for (const auto& [at, own] : repeats) {
-        const double mean = std::accumulate(own.begin(), own.end(), 0.0) / static_cast<double>(own.size());
-        for (const double value : own) test.pure_error_sum += (value - mean) * (value - mean);
+        test.pure_error_sum += sum_of_squares(own);
         test.pure_error_freedom += static_cast<int>(own.size()) - 1;
     }
     test.freedom = freedom - test.pure_error_freedom;

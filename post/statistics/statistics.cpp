@@ -29,25 +29,17 @@ Sample sample(std::span<const double> values) {
     return s;
 }
 
-std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y, std::span<const double> weights) {
+std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y) {
     const std::size_t n = x.size();
     if (n < 2 || std::ranges::all_of(x, [&](double value) { return value == x[0]; })) return std::nullopt;
     Line line;
-    gsl_fit_wlinear(x.data(), 1, weights.data(), 1, y.data(), 1, n, &line.intercept, &line.slope, &line.intercept_variance,
-                    &line.covariance, &line.slope_variance, &line.residual_sum);
+    gsl_fit_linear(x.data(), 1, y.data(), 1, n, &line.intercept, &line.slope, &line.intercept_variance, &line.covariance,
+                   &line.slope_variance, &line.residual_sum);
     line.freedom = static_cast<int>(n) - 2;
-    // GSL takes the weights for true variances; only their ratios are meant here.
-    const double unit = line.freedom > 0 ? line.residual_sum / line.freedom : 0;
-    line.intercept_variance *= unit;
-    line.slope_variance *= unit;
-    line.covariance *= unit;
-    const double total = gsl_stats_wtss(weights.data(), 1, y.data(), 1, n);
+    if (line.freedom == 0) line.intercept_variance = line.covariance = line.slope_variance = 0;
+    const double total = gsl_stats_tss(y.data(), 1, n);
     line.r_squared = total > 0 ? 1 - line.residual_sum / total : 1;
     return line;
-}
-
-std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y) {
-    return fit_line(x, y, std::vector<double>(x.size(), 1.0));
 }
 
 double rank_correlation(std::span<const double> x, std::span<const double> y) {

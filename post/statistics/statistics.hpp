@@ -35,7 +35,7 @@ struct Line {
     double intercept_variance = 0;
     double slope_variance = 0;
     double covariance = 0;
-    double residual_sum = 0;  ///< Σ of weighted squared distances from the line
+    double residual_sum = 0;  ///< Σ of squared distances from the line
     double r_squared = 0;     ///< 1 if all y are equal
     int freedom = 0;          ///< points − 2
     [[nodiscard]] Estimate intercept_estimate() const { return estimate(intercept, intercept_variance, freedom); }
@@ -43,8 +43,6 @@ struct Line {
 };
 /// Empty unless there are two different x.
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y);
-/// The same with a weight 1/variance for each point; variances come from the weights' ratios and the scatter.
-std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y, std::span<const double> weights);
 
 /// Spearman's rank correlation; ties by mean ranks. NaN if all values of one are equal. \pre equally many, two or more
 double rank_correlation(std::span<const double> x, std::span<const double> y);
