@@ -511,9 +511,7 @@ Decision decide(const Problem& problem, const FindRun& find) {
     } catch (const RunsMissing&) {
         decision.reason = decision.requested.front().reason + calibration.first_guess();
     } catch (const Ended& end) {
-        decision.ending = end.ending;
-        decision.reason = end.reason;
-        decision.next = end.next;
+        static_cast<Ended&>(decision) = end;
     }
     return std::move(decision);
 }

@@ -19,10 +19,7 @@ struct Step {
     std::string result;
 };
 
-struct Decision {
-    Ending ending = Ending::requested;
-    std::string reason;                   ///< one sentence: which target, by how much
-    std::string next;                     ///< what to do next
+struct Decision : Ended {
     std::vector<RequestedRun> requested;  ///< none twice, none that is finished
     Point point;                          ///< calibrated, else the nearest so far
     std::optional<Fit> fit;

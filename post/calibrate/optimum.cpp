@@ -100,8 +100,7 @@ DesignPoint minimise(const LeastSquares& problem, const Box& box, DesignPoint po
 
 DesignPoint minimise_everywhere(const LeastSquares& problem, const Box& box, const DesignPoint& first) {
     std::vector<DesignPoint> starts = sobol_points(box, 0, 64);
-    std::partial_sort(starts.begin(), starts.begin() + 3, starts.end(),
-                      [&](const DesignPoint& a, const DesignPoint& b) { return problem.sum(a) < problem.sum(b); });
+    std::ranges::partial_sort(starts, starts.begin() + 3, {}, [&](const DesignPoint& point) { return problem.sum(point); });
     starts.resize(3);
     starts.insert(starts.begin(), box.nearest(first));
     DesignPoint best;

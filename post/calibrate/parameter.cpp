@@ -206,6 +206,14 @@ void require_sound(Parameter& p, const std::string& where) {
     if (!(p.first >= p.low && p.first <= p.high)) p.first = p.value(0);
 }
 
+/// Of a value of each parameter.
+DesignPoint coordinates_of(const std::vector<Parameter>& parameters, double Parameter::*value) {
+    return DesignPoint::NullaryExpr(static_cast<Eigen::Index>(parameters.size()), [&](Eigen::Index k) {
+        const Parameter& p = parameters[static_cast<std::size_t>(k)];
+        return p.coordinate(p.*value);
+    });
+}
+
 }  // namespace
 
 Box box_between(const DesignPoint& low, const DesignPoint& high) { return {0.5 * (low + high), 0.5 * (high - low)}; }
@@ -284,24 +292,10 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
 }
 
 Box limits_of(const std::vector<Parameter>& parameters) {
-    const auto n = static_cast<Eigen::Index>(parameters.size());
-    DesignPoint low(n);
-    DesignPoint high(n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-        const Parameter& p = parameters[static_cast<std::size_t>(k)];
-        low(k) = p.coordinate(p.least);
-        high(k) = p.coordinate(p.most);
-    }
-    return box_between(low, high);
+    return box_between(coordinates_of(parameters, &Parameter::least), coordinates_of(parameters, &Parameter::most));
 }
 
-DesignPoint first_guess(const std::vector<Parameter>& parameters) {
-    DesignPoint point(static_cast<Eigen::Index>(parameters.size()));
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-        point(static_cast<Eigen::Index>(k)) = parameters[k].coordinate(parameters[k].first);
-    }
-    return point;
-}
+DesignPoint first_guess(const std::vector<Parameter>& parameters) { return coordinates_of(parameters, &Parameter::first); }
 
 Point point_at(const std::vector<Parameter>& parameters, const DesignPoint& at) {
     Point point;

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <utility>
+#include <variant>
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
@@ -25,52 +26,36 @@ constexpr Quantity corrections{"corrections", Dimension::one, 0, 9, "number of c
 constexpr Quantity grains{"grains", Dimension::one, 2, 1e7, "number of grains of a specimen"};
 constexpr Quantity share{"share", Dimension::one, 0.05, 0.95, "share of tests"};
 
-/// A key of [study]: its quantity, and where its values go.
+/// A key of [study]: its quantity, and where its value goes, or its values.
 struct StudyKey {
     Quantity quantity;
-    std::function<void(const std::vector<double>&)> set;
-    bool several = false;
+    std::variant<double*, std::size_t*, std::optional<double>*, std::vector<double>*> to;
+    bool is_of_grains = false;  ///< replaces the grain size of the material's fabric
 };
 
 std::map<std::string, StudyKey> study_keys(Study& study) {
-    const auto number = [](double& to) { return [&to](const std::vector<double>& v) { to = v[0]; }; };
-    const auto count = [](std::size_t& to) {
-        return [&to](const std::vector<double>& v) { to = static_cast<std::size_t>(v[0]); };
-    };
-    // A grain size of the study replaces that of the material's fabric.
-    const auto grains_of = [&study](double& to) {
-        return [&study, &to](const std::vector<double>& v) {
-            to = v[0];
-            study.specimens.grain_size.reset();
-        };
-    };
-    const auto edge = [&study](const std::vector<double>& v) {
-        study.specimens.edge = v[0];
-        study.specimens.grain_size.reset();
-    };
-    return {{"width", {quantity::width, number(study.specimens.width)}},
-            {"height", {quantity::height, number(study.specimens.height)}},
-            {"diameter", {quantity::diameter, number(study.specimens.diameter)}},
-            {"half_disc_diameter",
-             {quantity::diameter, [&study](const std::vector<double>& v) { study.specimens.bend_size = v[0]; }}},
-            {"grains", {grains, grains_of(study.specimens.grains)}},
-            {"disc_grains", {grains, grains_of(study.specimens.disc_grains)}},
-            {"mean_edge", {quantity::mean_edge, edge}},
-            {"max_strain", {quantity::max_strain, number(study.max_strain)}},
-            {"rate_tolerance", {quantity::rate_tolerance, number(study.rate_tolerance)}},
-            {"confining_pressure", {quantity::confining_pressure, number(study.confining_pressure)}},
-            {"predicted_pressures",
-             {quantity::confining_pressure, [&study](const std::vector<double>& v) { study.predicted_pressures = v; }, true}},
-            {"elastic_specimens", {specimens, count(study.elastic)}},
-            {"points", {points, count(study.points)}},
-            {"discs", {discs, count(study.discs)}},
-            {"moves", {designs, count(study.moves)}},
-            {"corrections", {corrections, count(study.corrections)}},
-            {"zooms", {designs, count(study.zooms)}},
-            {"confirmation_discs", {specimens, count(study.confirmation_discs)}},
-            {"confirmation_rectangles", {specimens, count(study.confirmation_rectangles)}},
-            {"predicted_specimens", {specimens, count(study.predicted)}},
-            {"first_peak_share", {share, number(study.first_peak_fraction)}}};
+    Specimens& made = study.specimens;
+    return {{"width", {quantity::width, &made.width}},
+            {"height", {quantity::height, &made.height}},
+            {"diameter", {quantity::diameter, &made.diameter}},
+            {"half_disc_diameter", {quantity::diameter, &made.bend_size}},
+            {"grains", {grains, &made.grains, true}},
+            {"disc_grains", {grains, &made.disc_grains, true}},
+            {"mean_edge", {quantity::mean_edge, &made.edge, true}},
+            {"max_strain", {quantity::max_strain, &study.max_strain}},
+            {"rate_tolerance", {quantity::rate_tolerance, &study.rate_tolerance}},
+            {"confining_pressure", {quantity::confining_pressure, &study.confining_pressure}},
+            {"predicted_pressures", {quantity::confining_pressure, &study.predicted_pressures}},
+            {"elastic_specimens", {specimens, &study.elastic}},
+            {"points", {points, &study.points}},
+            {"discs", {discs, &study.discs}},
+            {"moves", {designs, &study.moves}},
+            {"corrections", {corrections, &study.corrections}},
+            {"zooms", {designs, &study.zooms}},
+            {"confirmation_discs", {specimens, &study.confirmation_discs}},
+            {"confirmation_rectangles", {specimens, &study.confirmation_rectangles}},
+            {"predicted_specimens", {specimens, &study.predicted}},
+            {"first_peak_share", {share, &study.first_peak_fraction}}};
 }
 
 /// Fowler, Noll & Vo's hash (FNV-1a) in 32 bits.
@@ -218,8 +203,8 @@ Study read_study(const Material& rock, const TomlFile& file, const std::vector<s
     const auto ucs = rock.laboratory_value("compressive_strength");
     const auto e = rock.laboratory_value("young_modulus");
     if (ucs && e) study.max_strain = rounded(0.015 * (*ucs / *e) / (122e6 / 25.8e9), 2);
-    auto keys = study_keys(study);
-    const auto known_key = [&](const std::string& name, const std::string& where) -> StudyKey& {
+    const auto keys = study_keys(study);
+    const auto known_key = [&](const std::string& name, const std::string& where) -> const StudyKey& {
         const auto key = keys.find(name);
         if (key != keys.end()) return key->second;
         std::vector<std::string> known;
@@ -227,11 +212,16 @@ Study read_study(const Material& rock, const TomlFile& file, const std::vector<s
         throw UsageError(
             fmt::format("{}: unknown key{}; known are {}", where, did_you_mean(name, known), fmt::join(known, ", ")));
     };
-    const auto set = [&](StudyKey& key, const std::vector<std::string>& texts, const std::string& where) {
-        if (texts.empty() || (texts.size() > 1 && !key.several)) throw UsageError(where + ": one value is needed");
+    const auto set = [&](const StudyKey& key, const std::vector<std::string>& texts, const std::string& where) {
+        auto* const* const several = std::get_if<std::vector<double>*>(&key.to);
+        if (texts.empty() || (texts.size() > 1 && several == nullptr)) throw UsageError(where + ": one value is needed");
         std::vector<double> values;
         for (const std::string& text : texts) values.push_back(parse_quantity(text, key.quantity, where));
-        key.set(values);
+        if (several != nullptr) **several = values;
+        if (auto* const* const to = std::get_if<double*>(&key.to)) **to = values[0];
+        if (auto* const* const to = std::get_if<std::size_t*>(&key.to)) **to = static_cast<std::size_t>(values[0]);
+        if (auto* const* const to = std::get_if<std::optional<double>*>(&key.to)) **to = values[0];
+        if (key.is_of_grains) study.specimens.grain_size.reset();
     };
     for (const TomlEntry& entry : file.entries) {
         if (entry.section != std::vector<std::string>{"study"}) continue;

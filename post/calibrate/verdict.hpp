@@ -80,8 +80,8 @@ auto* find_of(Ones& all, const Target& target) {
 
 /// A calibration that has ended; `decide` throws and catches it.
 struct Ended {
-    Ending ending;
-    std::string reason;  ///< which target, by how much
+    Ending ending = Ending::requested;
+    std::string reason;  ///< one sentence: which target, by how much
     std::string next;    ///< what to do next
 };
 /// How a calibration ends whose outcomes are known. \param all holds the boxes of all designs
