@@ -162,9 +162,8 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
         property.half_interval_of_one = half_interval_of_one(*material, property.target);
         calibrate::set_toughness_test(property.target, *material);
     }
-    std::ranges::stable_sort(all, [](const LaboratoryProperty& a, const LaboratoryProperty& b) {
-        return std::pair(order_of(a.target.property), a.target.confining_pressure) <
-               std::pair(order_of(b.target.property), b.target.confining_pressure);
+    std::ranges::stable_sort(all, {}, [](const LaboratoryProperty& each) {
+        return std::pair(order_of(each.target.property), each.target.confining_pressure);
     });
     return all;
 }

@@ -3,45 +3,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "post/measure/strength.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
+#include "post/statistics/statistics.hpp"
 #include "share/file/equilibrium.hpp"
 
 namespace graincrack {
 
-namespace {
-
-void object_to_end(std::vector<Caveat>& found, const RunData& run) {
-    if (run.header.loading() == Loading::program) return;  // its stages need no peak
-    const Strength strength = measure_strength(run);
-    if (strength.strength) return;
-    const std::string when =
-        strength.peak_kind == "cap" ? "by the strain limit" : "before it was stopped (" + run.header.stop_reason + ")";
-    found.push_back({"did_not_fail", did_not_fail,
-                     fmt::format("{} {}: its largest stress, {:.4g} MPa, is no strength", did_not_fail, when,
-                                 strength.largest.stress * 1e-6)});
-}
-
-void object_to_damping(std::vector<Caveat>& found, const RunHeader& header) {
-    if (!(header.damping_load > trusted_damping_load)) return;
-    found.push_back(
-        {"damping_load", "damping carries load",
-         fmt::format(
-             "damping carries {:.2g} % of the load; where grains slide, the strength is too high by several times this share",
-             100 * header.damping_load)});
-}
-
-}  // namespace
-
 std::vector<Caveat> caveats_of(const RunData& run, const std::optional<BrazilianSplit>& split) {
+    const RunHeader& header = run.header;
     std::vector<Caveat> found;
     if (split) found = split->caveats;
-    object_to_end(found, run);
-    const std::string equilibrium = equilibrium_warning(run.header, run.history);
+    if (header.loading() != Loading::program) {  // whose stages need no peak
+        const Strength strength = measure_strength(run);
+        const std::string when =
+            strength.peak_kind == "cap" ? "by the strain limit" : "before it was stopped (" + header.stop_reason + ")";
+        if (!strength.strength) {
+            found.push_back({"did_not_fail", did_not_fail,
+                             fmt::format("{} {}: its largest stress, {:.4g} MPa, is no strength", did_not_fail, when,
+                                         strength.largest.stress * 1e-6)});
+        }
+    }
+    const std::string equilibrium = equilibrium_warning(header, run.history);
     if (!equilibrium.empty()) found.push_back({"equilibrium", "far from equilibrium", equilibrium});
-    object_to_damping(found, run.header);
+    if (header.damping_load > trusted_damping_load) {
+        found.push_back({"damping_load", "damping carries load",
+                         fmt::format("damping carries {:.2g} % of the load; where grains slide, the strength is too high by "
+                                     "several times this share",
+                                     100 * header.damping_load)});
+    }
     return found;
 }
 
@@ -58,26 +51,17 @@ std::string note_line(const Caveat& caveat) {
 
 CaveatCount::Group& CaveatCount::group(const RunData& run) {
     const std::string label = series_label(run);
-    const auto found = std::ranges::find_if(groups_, [&](const Group& g) { return g.label == label; });
-    if (found != groups_.end()) return *found;
-    groups_.push_back({label, 0, {}, 0, 0});
-    return groups_.back();
+    const auto found = std::ranges::find(groups_, label, &Group::label);
+    return found != groups_.end() ? *found : groups_.emplace_back(Group{label, 0, {}, {}});
 }
 
 void CaveatCount::add(const RunData& run, const std::vector<Caveat>& caveats) {
     Group& own = group(run);
     ++own.runs;
-    if (const auto strength = measure_strength(run).reported()) {
-        ++own.failed;
-        own.sum += *strength;
-    }
+    if (const auto strength = measure_strength(run).reported()) own.strengths.push_back(*strength);
     for (const Caveat& caveat : caveats) {
         const auto known = std::ranges::find_if(own.kinds, [&](const auto& kind) { return kind.first == caveat.kind; });
-        if (known == own.kinds.end()) {
-            own.kinds.emplace_back(caveat.kind, 1);
-        } else {
-            ++known->second;
-        }
+        ++(known != own.kinds.end() ? *known : own.kinds.emplace_back(caveat.kind, 0)).second;
     }
     const ComparedSettings traits = compared_settings(run);
     const bool known =
@@ -97,20 +81,18 @@ std::vector<std::string> CaveatCount::lines() const {
     return lines;
 }
 
-std::optional<double> CaveatCount::mean_of(const std::string& test) const {
-    const std::string label = series_label(test, 0);
-    const auto found = std::ranges::find_if(groups_, [&](const Group& g) { return g.label == label; });
-    const bool has_mean = found != groups_.end() && found->failed > 0;
-    return has_mean ? std::optional(found->sum / static_cast<double>(found->failed)) : std::nullopt;
+double CaveatCount::mean_of(const std::string& test) const {
+    const auto found = std::ranges::find(groups_, series_label(test, 0), &Group::label);
+    return found != groups_.end() ? sample(found->strengths).mean.value : NAN;
 }
 
 std::string CaveatCount::tension_line() const {
-    const std::optional<double> brazilian = mean_of("brazilian");
-    const std::optional<double> direct = mean_of("tension");
-    if (!brazilian || !direct || !(*direct > *brazilian) || rocks_.size() > 1) return "";
+    const double brazilian = mean_of("brazilian");
+    const double direct = mean_of("tension");
+    if (!(direct > brazilian) || rocks_.size() > 1) return "";
     return fmt::format(
         "direct tension is {:.2f} times the Brazilian strength; in rock it is 0.7 to 0.9 times (Perras & Diederichs 2014)",
-        *direct / *brazilian);
+        direct / brazilian);
 }
 
 std::vector<RunData> read_doubted_runs(const std::vector<std::string>& paths, CaveatCount& count, const std::string& command,

@@ -35,11 +35,10 @@ private:
         std::string label;  ///< of the test
         std::size_t runs = 0;
         std::vector<std::pair<std::string, std::size_t>> kinds;  ///< with the number of runs, in their order
-        double sum = 0;                                          ///< of the strengths, Pa
-        std::size_t failed = 0;                                  ///< runs that have one
+        std::vector<double> strengths;                           ///< of the runs that have one, Pa
     };
     Group& group(const RunData& run);
-    [[nodiscard]] std::optional<double> mean_of(const std::string& test) const;
+    [[nodiscard]] double mean_of(const std::string& test) const;  ///< strength, Pa; NaN without one
     std::vector<Group> groups_;
     std::vector<ComparedSettings> rocks_;  ///< the first of each material and fabric
 };

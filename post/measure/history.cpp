@@ -24,6 +24,27 @@ std::vector<std::string> history_columns(const History& history) {
     return columns;
 }
 
+/// The table of a history that grows.
+class HistoryTable {
+public:
+    HistoryTable(std::ostream& out, TableFormat format, const History& history) : table_(out, history_columns(history), format) {}
+    /// Writes the rows that are new.
+    void add(const History& history) {
+        for (; written_ < history.size(); ++written_) {
+            std::vector<Cell> cells;
+            for (std::size_t c = 0; c < history.n_columns(); ++c) {
+                const double value = history.columns[c][written_];
+                cells.push_back(c == static_cast<std::size_t>(HistoryColumn::step) ? count_cell(value) : Cell(value));
+            }
+            table_.row(cells);
+        }
+    }
+
+private:
+    TableWriter table_;
+    std::size_t written_ = 0;
+};
+
 std::vector<char> bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -43,22 +64,9 @@ std::optional<History> peek(const std::string& part) {
 
 }  // namespace
 
-HistoryTable::HistoryTable(std::ostream& out, TableFormat format, const History& history)
-    : table_(out, history_columns(history), format) {}
-
-void HistoryTable::row(const History& history, std::size_t index) {
-    std::vector<Cell> cells;
-    for (std::size_t c = 0; c < history.n_columns(); ++c) {
-        const double value = history.columns[c][index];
-        cells.push_back(c == static_cast<std::size_t>(HistoryColumn::step) ? count_cell(value) : Cell(value));
-    }
-    table_.row(cells);
-}
-
 void write_history(std::ostream& out, const RunReader& run, TableFormat format) {
     const History history = run.history();
-    HistoryTable table(out, format, history);
-    for (std::size_t i = 0; i < history.size(); ++i) table.row(history, i);
+    HistoryTable(out, format, history).add(history);
 }
 
 void follow_history(std::ostream& out, const std::string& name, TableFormat format, std::chrono::milliseconds pause) {
@@ -66,10 +74,9 @@ void follow_history(std::ostream& out, const std::string& name, TableFormat form
     const auto there = [](const std::string& file) { return std::filesystem::exists(file); };
     if (!there(name) && !there(part)) throw InputError(name + ": no such file, nor " + part + " of a run in progress");
     std::optional<HistoryTable> table;
-    std::size_t written = 0;
     const auto write = [&](const History& history) {
         if (!table && history.size() > 0) table.emplace(out, format, history);
-        for (; written < history.size(); ++written) table->row(history, written);
+        if (table) table->add(history);
         out.flush();
     };
     // A file NAME beside NAME.part is an older run that is about to be replaced: NAME.part is read first.

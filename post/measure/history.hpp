@@ -11,15 +11,6 @@
 namespace graincrack {
 
 /// Every column of /history, names with SI units, tension positive as in the file.
-class HistoryTable {
-public:
-    HistoryTable(std::ostream& out, TableFormat format, const History& history);
-    void row(const History& history, std::size_t index);
-
-private:
-    TableWriter table_;
-};
-
 void write_history(std::ostream& out, const RunReader& run, TableFormat format);
 
 /// Writes the rows of a run as they appear, and ends when the run does. A run in progress is NAME.part until it is finished;

@@ -87,14 +87,10 @@ const std::vector<Property>& all_properties() {
 }
 
 std::size_t order_of(const Property& property) {
-    const auto& rows = all_properties();
-    const auto row = std::ranges::find_if(rows, [&](const Property& each) { return each.name == property.name; });
-    return static_cast<std::size_t>(row - rows.begin());
+    return static_cast<std::size_t>(std::ranges::find(all_properties(), property.name, &Property::name) -
+                                    all_properties().begin());
 }
 
-const Property& property_named(const std::string& name) {
-    const auto& rows = all_properties();
-    return *std::ranges::find_if(rows, [&](const Property& row) { return row.name == name; });
-}
+const Property& property_named(const std::string& name) { return *std::ranges::find(all_properties(), name, &Property::name); }
 
 }  // namespace graincrack

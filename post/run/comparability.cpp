@@ -275,10 +275,8 @@ std::vector<ComparableGroup> comparable_groups(const RunList& runs, const Settin
     const auto settings = all_settings(runs);
     std::vector<std::size_t> by_size(runs.size());
     std::iota(by_size.begin(), by_size.end(), std::size_t{0});
-    std::ranges::stable_sort(by_size, [&](std::size_t i, std::size_t k) {
-        const SpecimenSummary &a = runs[i]->specimen, &b = runs[k]->specimen;
-        return std::pair(a.grain_diameter, a.area) < std::pair(b.grain_diameter, b.area);
-    });
+    std::ranges::stable_sort(by_size, {},
+                             [&](std::size_t i) { return std::pair(runs[i]->specimen.grain_diameter, runs[i]->specimen.area); });
     std::vector<ComparableGroup> groups;
     for (const std::size_t i : by_size) {
         const auto holds = [&](const ComparableGroup& group) {
@@ -294,7 +292,7 @@ std::vector<ComparableGroup> comparable_groups(const RunList& runs, const Settin
     }
     for (ComparableGroup& group : groups) std::ranges::sort(group.runs);
     const auto order = [&](const ComparableGroup& group) { return std::pair(table_order(*runs[group.runs[0]]), group.runs[0]); };
-    std::ranges::sort(groups, [&](const ComparableGroup& a, const ComparableGroup& b) { return order(a) < order(b); });
+    std::ranges::sort(groups, {}, order);
     RunList firsts;
     for (const ComparableGroup& group : groups) firsts.push_back(runs[group.runs[0]]);
     SettingGroups all = except;

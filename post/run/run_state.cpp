@@ -74,8 +74,8 @@ std::size_t choose_frame(const RunReader& run, const std::string& word, const st
     const std::vector<double> times = run.frame_times();
     if (times.empty()) throw InputError(run.name() + ": has no frames; run the solver with --frames 1 or more");
     const auto nearest = [&](double wanted) {
-        const auto closer = [wanted](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); };
-        return static_cast<std::size_t>(std::ranges::min_element(times, closer) - times.begin());
+        const auto off = [wanted](double each) { return std::abs(each - wanted); };
+        return static_cast<std::size_t>(std::ranges::min_element(times, {}, off) - times.begin());
     };
     if (time) return nearest(*time);
     if (word == "last") return times.size() - 1;
