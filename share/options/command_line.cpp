@@ -9,9 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -20,7 +18,6 @@
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "share/file/provenance.hpp"
-#include "share/options/completion.hpp"
 #include "share/options/configuration_file.hpp"
 #include "share/options/description.hpp"
 
@@ -228,14 +225,11 @@ const CLI::Option* first_option(const Call& call, const std::function<bool(const
 }
 
 std::string missing_message(const Call& call) {
-    for (const CLI::App* each : running(call.app)) {
-        for (const CLI::Option* option : each->get_options()) {
-            if (!option->get_required() || option->count() > 0) continue;
-            return fmt::format("{}: missing; give the {}", shown_name(*option), option->get_description());
-        }
-        if (each->get_subcommands().size() < each->get_require_subcommand_min()) return subcommand_message(*each, "");
-    }
-    return "";
+    const CLI::Option* missing =
+        first_option(call, [](const auto& option) { return option.get_required() && option.count() == 0; });
+    if (missing != nullptr) return fmt::format("{}: missing; give the {}", shown_name(*missing), missing->get_description());
+    const CLI::App& last = *running(call.app).back();
+    return last.get_require_subcommand_min() > 0 ? subcommand_message(last, "") : "";
 }
 
 /// An option with more values than it takes, or one at the end of the command line without its value.
@@ -392,12 +386,6 @@ CommandLine::CommandLine(const std::string& tool, const std::string& description
            "--describe",
            [&app, written] { throw CLI::CallForVersion(description_of(app, written ? written() : WrittenRows()), 0); },
            "print all commands and options, and the columns and datasets that are written, as JSON and exit")
-        ->configurable(false);
-    app.add_option_function<std::string>(
-           "--completion",
-           [&app](const std::string& shell) { throw CLI::CallForVersion(completion_script(describe(app), shell), 0); },
-           "print a script that completes command lines and exit")
-        ->type_name("bash|zsh")
         ->configurable(false);
     app.config_formatter(std::make_shared<ConfigurationFile>(app));
     app.allow_config_extras(CLI::config_extras_mode::error);

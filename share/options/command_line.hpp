@@ -74,7 +74,7 @@ public:
 
     /// Parses; turns every error that CLI11 finds into one UsageError line (also for unknown configuration keys) that names the
     /// option and, if the value was not on the command line, its origin. Returns false if the call was answered already (--help,
-    /// --help-all, --version, --describe, --completion, --print-config, which needs no required options).
+    /// --help-all, --version, --describe, --print-config, which needs no required options).
     /// \param complete called once all options are read; it may call `replace_default`
     bool parse(int argc, const char* const* argv, const std::function<void()>& complete = {});
     /// Shows another value as that which an option of the subcommand that runs has unless it is given; the caller sets its

@@ -17,7 +17,7 @@ from . import programs
 from .files import GraincrackError, Output, Run, Specimen, Table, material_of
 
 # Options that are answered before a command runs, and that of each function.
-_NONE_OF_A_FUNCTION = {"help", "help-all", "version", "completion", "describe", "events", "quiet"}
+_NONE_OF_A_FUNCTION = {"help", "help-all", "version", "describe", "events", "quiet"}
 _MADE_BY = {"graincrack-mesh": Specimen.made, "graincrack-solve": Run.made, "graincrack-post": Output}
 
 
