@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 #include "solver/arithmetic/simd.hpp"
 #include "solver/detection/node_edge_contact.hpp"
@@ -31,12 +30,12 @@ struct Lanes {
 };
 
 void gather(const Assemblage& a, const State& s, double time_step, Range contacts, Lanes& b) {
-    const std::array<std::int32_t, 3>* const nodes = &s.contact_pairs.active.nodes[contacts.begin];
+    const ActiveContacts& active = s.contact_pairs.active;
     const Vector2* const position = a.position.data();
     const Vector2* const displacement = s.displacement.data();
     const Vector2* const velocity = s.velocity.data();
     for (std::int32_t i = 0; i < contacts.size(); ++i) {
-        const auto [node, first, second] = nodes[i];
+        const auto [node, first, second] = active.nodes[contacts.begin + i];
         const Vector2 on_first = position[first] + displacement[first];
         const Vector2 along = (position[second] + displacement[second]) - on_first;
         const Vector2 from_first = (position[node] + displacement[node]) - on_first;
@@ -50,17 +49,18 @@ void gather(const Assemblage& a, const State& s, double time_step, Range contact
         b.first_y[i] = time_step * velocity[first].y;
         b.second_x[i] = time_step * velocity[second].x;
         b.second_y[i] = time_step * velocity[second].y;
+        const NodeEdgeContact& contact = s.contact_pairs.contacts[active.pair[contacts.begin + i]];
+        b.live[i] = contact.active ? 1 : 0;
+        b.area[i] = contact.area;
+        b.initial_overlap[i] = contact.initial_overlap;
+        b.overlap[i] = contact.overlap;
+        b.elastic_slip[i] = contact.elastic_slip;
+        const FrictionLaw& law = active.laws[contacts.begin + i];
+        b.normal_stiffness[i] = law.normal_stiffness;
+        b.shear_stiffness[i] = law.shear_stiffness;
+        b.cohesion[i] = law.cohesion;
+        b.tan_friction[i] = law.tan_friction;
     }
-    const ActiveContacts& active = s.contact_pairs.active;
-    std::copy_n(&active.live[contacts.begin], contacts.size(), b.live);
-    std::copy_n(&active.area[contacts.begin], contacts.size(), b.area);
-    std::copy_n(&active.initial_overlap[contacts.begin], contacts.size(), b.initial_overlap);
-    std::copy_n(&active.overlap[contacts.begin], contacts.size(), b.overlap);
-    std::copy_n(&active.elastic_slip[contacts.begin], contacts.size(), b.elastic_slip);
-    std::copy_n(&active.normal_stiffness[contacts.begin], contacts.size(), b.normal_stiffness);
-    std::copy_n(&active.shear_stiffness[contacts.begin], contacts.size(), b.shear_stiffness);
-    std::copy_n(&active.cohesion[contacts.begin], contacts.size(), b.cohesion);
-    std::copy_n(&active.tan_friction[contacts.begin], contacts.size(), b.tan_friction);
 }
 
 GRAINCRACK_INLINE void find_geometry(std::int32_t count, Lanes& b) {
@@ -101,27 +101,21 @@ GRAINCRACK_INLINE void move(std::int32_t count, Lanes& b) {
     }
 }
 
-void scatter(Range contacts, const Lanes& b, ActiveContacts& active) {
-    std::copy_n(b.live, contacts.size(), &active.live[contacts.begin]);
-    std::copy_n(b.initial_overlap, contacts.size(), &active.initial_overlap[contacts.begin]);
-    std::copy_n(b.overlap, contacts.size(), &active.overlap[contacts.begin]);
-    std::copy_n(b.elastic_slip, contacts.size(), &active.elastic_slip[contacts.begin]);
-    std::copy_n(b.release_correction, contacts.size(), &active.release_correction[contacts.begin]);
-    std::copy_n(b.place, contacts.size(), &active.place[contacts.begin]);
-    Vector2* const forces = &active.forces[3 * static_cast<std::size_t>(contacts.begin)];
+void scatter(Range contacts, const Lanes& b, ContactPairList& list) {
     for (std::int32_t i = 0; i < contacts.size(); ++i) {
-        for (std::int32_t k = 0; k < 3; ++k) {
-            forces[3 * i + k] = {b.force_x[k][i], b.force_y[k][i]};
-        }
+        const std::int32_t pair = list.active.pair[contacts.begin + i];
+        list.contacts[pair] = {b.live[i] != 0,    b.place[i] < 0.5,       b.area[i], b.initial_overlap[i], b.overlap[i],
+                               b.elastic_slip[i], b.release_correction[i]};
+        Vector2* const forces = &list.forces[3 * static_cast<std::size_t>(pair)];
+        for (std::int32_t k = 0; k < 3; ++k) forces[k] = {b.force_x[k][i], b.force_y[k][i]};
     }
 }
 
 }  // namespace
 
 void move_active_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, State& s) {
-    ActiveContacts& active = s.contact_pairs.active;
     const std::int32_t begin = s.contact_pairs.first_watched(chunk);
-    const std::int32_t end = begin + active.count[chunk];
+    const std::int32_t end = begin + s.contact_pairs.active.count[chunk];
     Lanes b;
     for (std::int32_t at = begin; at < end; at += max_contacts) {
         const Range contacts{at, std::min(at + max_contacts, end)};
@@ -130,21 +124,8 @@ void move_active_contacts(const Assemblage& a, const StepParameters& parameters,
             find_geometry(contacts.size(), b);
             move(contacts.size(), b);
         });
-        scatter(contacts, b, active);
+        scatter(contacts, b, s.contact_pairs);
         s.contact_pairs.friction[s.contact_pairs.node_chunks[chunk]] += sum_values_by_lanes(contacts.size(), b.friction);
-    }
-}
-
-void store_active(std::int32_t chunk, ContactPairList& list) {
-    const ActiveContacts& active = list.active;
-    const std::int32_t begin = list.first_watched(chunk);
-    for (std::int32_t i = begin; i < begin + active.count[chunk]; ++i) {
-        const auto pair = static_cast<std::size_t>(active.pair[i]);
-        const bool near_first = active.place[i] < 0.5;
-        list.contacts[pair] = {active.live[i] != 0,         near_first,        active.area[i],
-                               active.initial_overlap[i],   active.overlap[i], active.elastic_slip[i],
-                               active.release_correction[i]};
-        std::copy_n(&active.forces[3 * static_cast<std::size_t>(i)], 3, &list.forces[3 * pair]);
     }
 }
 
@@ -152,23 +133,10 @@ void append_active(const Assemblage& a, const ContactLaws& laws, std::int32_t ch
     ActiveContacts& active = list.active;
     const std::int32_t at = list.first_watched(chunk) + active.count[chunk]++;
     const auto& [first, second] = a.surface.edges[list.pairs[index].edge].nodes;
-    const NodeEdgeContact& contact = list.contacts[index];
     active.changed[chunk] = active.changed[chunk] != 0 || active.pair[at] != index ? 1 : 0;
     active.pair[at] = index;
     active.nodes[at] = {list.pairs[index].node, first, second};
-    active.live[at] = contact.active ? 1 : 0;
-    active.area[at] = contact.area;
-    active.initial_overlap[at] = contact.initial_overlap;
-    active.overlap[at] = contact.overlap;
-    active.elastic_slip[at] = contact.elastic_slip;
-    active.release_correction[at] = contact.release_correction;
-    active.place[at] = contact.near_first ? 0 : 1;
-    const FrictionLaw law = friction_law(a, laws, list.pairs[index]);
-    active.normal_stiffness[at] = law.normal_stiffness;
-    active.shear_stiffness[at] = law.shear_stiffness;
-    active.cohesion[at] = law.cohesion;
-    active.tan_friction[at] = law.tan_friction;
-    std::copy_n(&list.forces[3 * static_cast<std::size_t>(index)], 3, &active.forces[3 * static_cast<std::size_t>(at)]);
+    active.laws[at] = friction_law(a, laws, list.pairs[index]);
 }
 
 std::vector<double> energy_of_active_contacts(const Assemblage& a, const ContactLaws& laws, const ContactPairList& list) {
@@ -192,12 +160,7 @@ void clear_active(ContactPairList& list) {
     const std::size_t n = list.watched.size();
     active.pair.assign(n, -1);
     active.nodes.resize(n);
-    for (auto* values :
-         {&active.live, &active.area, &active.initial_overlap, &active.overlap, &active.elastic_slip, &active.release_correction,
-          &active.place, &active.normal_stiffness, &active.shear_stiffness, &active.cohesion, &active.tan_friction}) {
-        values->resize(n);
-    }
-    active.forces.resize(3 * n);
+    active.laws.resize(n);
     active.count.assign(list.chunks.size(), 0);
     active.changed.assign(list.chunks.size(), 0);
 }
@@ -232,7 +195,7 @@ void index_node_forces(const Assemblage& a, ContactPairList& list) {
     const ActiveContacts& active = list.active;
     const auto for_forces = [&](auto&& act) {
         list.for_active([&](std::int32_t i) {
-            for (std::int32_t k = 0; k < 3; ++k) act(active.nodes[i][k], 3 * i + k);
+            for (std::int32_t k = 0; k < 3; ++k) act(active.nodes[i][k], 3 * active.pair[i] + k);
         });
     };
     list.node_forces.clear();

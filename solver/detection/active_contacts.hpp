@@ -13,9 +13,6 @@ namespace graincrack {
 /// Moves the active contacts of a chunk to the present displacements: their forces, friction into the sums.
 void move_active_contacts(const Assemblage& assemblage, const StepParameters& parameters, std::int32_t chunk, State& state);
 
-/// Writes the active contacts of a chunk into the list.
-void store_active(std::int32_t chunk, ContactPairList& list);
-
 /// Makes the contacts of the list active ones, after an update or where a run continues from a saved state.
 void load_active(const Assemblage& assemblage, const ContactLaws& laws, ContactPairList& list);
 

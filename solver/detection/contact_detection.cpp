@@ -30,8 +30,8 @@ constexpr double sin_corner = 0.05;
 
 /// Memory of a thread, kept from chunk to chunk.
 struct Scratch {
-    PairGeometries geometry;           ///< of the chunk's watched pairs
-    std::vector<std::int32_t> active;  ///< of the pairs of a node, those in contact
+    std::vector<PairGeometry> geometry;  ///< of the chunk's watched pairs
+    std::vector<std::int32_t> active;    ///< of the pairs of a node, those in contact
 };
 
 /// Data of detection in a chunk of watched pairs.
@@ -51,7 +51,6 @@ struct NodePairs {
     std::int32_t chunk_begin;  ///< where the pairs of the chunk begin there
 
     [[nodiscard]] std::int32_t size() const { return in_watched.size(); }
-    [[nodiscard]] std::int32_t index_in_chunk(std::int32_t i) const { return in_watched.begin - chunk_begin + i; }
     [[nodiscard]] std::int32_t index_in_list(std::int32_t i) const {
         return data.state.contact_pairs.watched[in_watched.begin + i];
     }
@@ -62,8 +61,10 @@ struct NodePairs {
         return &data.state.contact_pairs.forces[3 * static_cast<std::size_t>(index_in_list(i))];
     }
     [[nodiscard]] std::int32_t node() const { return pair(0).node; }
-    [[nodiscard]] PairGeometry geometry(std::int32_t i) const { return data.scratch.geometry[index_in_chunk(i)]; }
-    [[nodiscard]] double depth(std::int32_t i) const { return data.scratch.geometry.depth(index_in_chunk(i)); }
+    [[nodiscard]] const PairGeometry& geometry(std::int32_t i) const {
+        return data.scratch.geometry[in_watched.begin - chunk_begin + i];
+    }
+    [[nodiscard]] double depth(std::int32_t i) const { return geometry(i).depth; }
 };
 
 /// True if a node is over an edge lengthened by `extension` (of its length) at either end.
@@ -231,14 +232,15 @@ struct RequestedArea {
     double fraction = 1;
 };
 
-/// Calls `visit` with the index of each active contact that has not ended and the two nodes whose area it occupies: its own, and
+/// Calls `visit` with the pair of each active contact that has not ended and the two nodes whose area it occupies: its own, and
 /// the nearer end of its edge.
 template <class Visit>
 void for_occupied(const ContactPairList& list, Visit&& visit) {
     list.for_active([&](std::int32_t i) {
-        if (list.active.live[i] != 0) {
+        const std::int32_t pair = list.active.pair[i];
+        if (list.contacts[pair].active) {
             const auto& [node, first, second] = list.active.nodes[i];
-            visit(i, node, list.active.place[i] < 0.5 ? first : second);
+            visit(pair, node, list.contacts[pair].near_first ? first : second);
         }
     });
 }
@@ -263,16 +265,16 @@ void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& param
     ContactPairList& list = s.contact_pairs;
     std::vector<NewContact> contacts;
     std::unordered_map<std::int32_t, RequestedArea> requested;
-    for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
-        if (list.active.area[i] != area_not_found) return;
-        contacts.push_back({i, list.pairs[list.active.pair[i]], {node, end}, a.surface.tributary[node]});
+    for_occupied(list, [&](std::int32_t pair, std::int32_t node, std::int32_t end) {
+        if (list.contacts[pair].area != area_not_found) return;
+        contacts.push_back({pair, {node, end}, a.surface.tributary[node]});
         for (const std::int32_t occupied : contacts.back().occupied) requested[occupied].requested += contacts.back().area;
     });
     if (contacts.empty() && !s.ghosts) return;
-    for_occupied(list, [&](std::int32_t i, std::int32_t node, std::int32_t end) {
+    for_occupied(list, [&](std::int32_t pair, std::int32_t node, std::int32_t end) {
         for (const std::int32_t occupied : {node, end}) {
             const auto found = requested.find(occupied);
-            if (found != requested.end()) found->second.occupied += list.active.area[i];
+            if (found != requested.end()) found->second.occupied += list.contacts[pair].area;
         }
     });
     for (auto& [node, area] : requested) area.fraction = available_area(a, list, node, area.occupied) / area.requested;
@@ -292,20 +294,18 @@ void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& param
         contact.area *= std::max(fraction, min_area);
     }
     limit_new_areas(a, parameters, contacts, s);
-    for (const NewContact& contact : contacts) {
-        list.active.area[contact.active] = list.contacts[list.active.pair[contact.active]].area = contact.area;
-    }
+    for (const NewContact& contact : contacts) list.contacts[contact.pair].area = contact.area;
 }
 
 void detect_contacts(const Assemblage& a, const StepParameters& parameters, std::int32_t chunk, State& s) {
     ContactPairList& list = s.contact_pairs;
     const Range groups = list.chunks[chunk];
     const std::int32_t begin = list.first_watched(chunk);
-    const std::int32_t count = list.watched_groups[groups.end - 1].end - begin;
-    store_active(chunk, list);  // what continues is decided in the list
+    const std::int32_t end = list.watched_groups[groups.end - 1].end;
     static thread_local Scratch scratch;
     ChunkData data{a, parameters, s, scratch, chunk};
-    scratch.geometry.find(a, s, count, [&](std::int32_t i) { return list.watched[begin + i]; });
+    scratch.geometry.clear();
+    for (std::int32_t i = begin; i < end; ++i) scratch.geometry.push_back(pair_geometry(a, s, list.pairs[list.watched[i]]));
     const auto for_nodes = [&](auto&& act) {
         for (std::int32_t i = groups.begin; i < groups.end; ++i) {
             NodePairs pairs{data, list.watched_groups[i], begin};
@@ -317,7 +317,6 @@ void detect_contacts(const Assemblage& a, const StepParameters& parameters, std:
     list.active.changed[chunk] = 0;
     for_nodes(continue_contacts);
     move_active_contacts(a, parameters, chunk, s);
-    store_active(chunk, list);  // a contact that has just ended is no obstacle to a new one
     for_nodes(begin_contacts);  // after the move: a new contact begins without a force at the present displacements
     list.active.changed[chunk] = list.active.changed[chunk] != 0 || list.active.count[chunk] != count_before ? 1 : 0;
     list.friction[list.node_chunks[chunk]] += data.friction;

@@ -15,7 +15,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "solver/arithmetic/simd.hpp"
 #include "solver/arithmetic/vector2.hpp"

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -46,8 +45,6 @@ constexpr double safety_factor_p95 = 2;
 /// Steps between two updates.
 constexpr std::int64_t min_steps = 4;
 constexpr std::int64_t detections_between_updates = 8;
-/// Groups of pairs, of one node each, whose geometry is found side by side.
-constexpr std::size_t groups_at_a_time = 32;
 
 /// True if a contact point has no cohesion and no bridge left.
 template <class Law>
@@ -144,25 +141,20 @@ public:
         find_continuing();
     }
 
-    /// Finds the geometry of the pairs of some nodes, for `add_watched`.
-    void find_geometry(Range pairs) {
-        begin_ = pairs.begin;
-        geometry_.find(assemblage_, state_, pairs.size(), [&](std::int32_t i) { return pairs.begin + i; });
-    }
     /// Appends to `watched` the pairs of a node that are in contact, or may come into contact or receive a transferred contact
-    /// before the next update. Their geometry must have been found.
+    /// before the next update.
     void add_watched(Range pairs, std::vector<std::int32_t>& watched) {
         const ContactPairList& list = state_.contact_pairs;
         active_.clear();
         overlap_ = 0;
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
             if (continues_[p] != 0 && list.contacts[p].active) {
-                active_.push_back({list.pairs[p].edge, geometry_.depth(p - begin_)});
+                active_.push_back({list.pairs[p].edge, pair_geometry(assemblage_, state_, list.pairs[p]).depth});
                 overlap_ = std::max(overlap_, list.contacts[p].overlap);
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (continues_[p] != 0 || may_be_in_contact(p, geometry_[p - begin_])) watched.push_back(p);
+            if (continues_[p] != 0 || may_be_in_contact(p)) watched.push_back(p);
         }
     }
 
@@ -189,7 +181,8 @@ private:
             speed_[state_.contact_pairs.pairs[pair].node] + std::max(speed_[edge.nodes[0]], speed_[edge.nodes[1]]);
         return duration_ * (safety_factor * closing + safety_factor_p95 * speed_p95_);
     }
-    [[nodiscard]] bool may_be_in_contact(std::int32_t pair, const PairGeometry& g) const {
+    [[nodiscard]] bool may_be_in_contact(std::int32_t pair) const {
+        const PairGeometry g = pair_geometry(assemblage_, state_, state_.contact_pairs.pairs[pair]);
         const double near = reach(pair);
         if (travel_to_begin(g, assemblage_.surface.mean_length) < near &&
             !belongs_to_neighbour(assemblage_, state_, state_.contact_pairs.pairs[pair], g, 2 * near)) {
@@ -215,8 +208,6 @@ private:
     const Assemblage& assemblage_;
     const State& state_;
     double duration_, speed_p95_;
-    std::int32_t begin_ = 0;
-    PairGeometries geometry_;  ///< from pair `begin_` on
     struct Active {
         std::int32_t edge;
         double depth;  ///< m
@@ -227,28 +218,14 @@ private:
     double overlap_ = 0;  ///< largest of the contacts of the node, m
 };
 
-/// Finds the watched pairs, node by node; the forces of the others are zero.
-void find_watched(const Assemblage& a, double duration, double speed_p95, State& s) {
-    ContactPairList& list = s.contact_pairs;
-    Watch watch(a, duration, speed_p95, s);
-    list.watched.clear();
-    Range seen;
-    for (std::size_t i = 0; i < list.groups.size(); ++i) {
-        const Range pairs = list.groups[i];
-        if (pairs.begin == seen.end) {
-            seen = {pairs.begin, list.groups[std::min(i + groups_at_a_time, list.groups.size()) - 1].end};
-            watch.find_geometry(seen);
-        }
-        watch.add_watched(pairs, list.watched);
-    }
-}
-
-/// Chooses the pairs that the steps up to the next update work on.
+/// Chooses the pairs that the steps up to the next update work on, node by node; the forces of the others are zero.
 /// \param duration to the next update, at most, s
 /// \param speed_p95 95th percentile of the speeds of all nodes, m/s
 void watch_pairs(const Assemblage& a, const ContactLaws& laws, double duration, double speed_p95, State& s) {
     ContactPairList& list = s.contact_pairs;
-    find_watched(a, duration, speed_p95, s);
+    Watch watch(a, duration, speed_p95, s);
+    list.watched.clear();
+    for (const Range pairs : list.groups) watch.add_watched(pairs, list.watched);
     group_watched(a, list);
     load_active(a, laws, list);
     list.is_watched_anywhere = a.part.ranks->any(!list.watched.empty());
@@ -335,37 +312,25 @@ struct Speeds {
     double p95;  ///< that one node in `fastest_one_in` exceeds, m/s; from a histogram, by 6 % too high at most
     double fastest;
 };
-/// Counts and maxima: what each part of the nodes gives can be put together in any order.
-class SpeedHistogram {
-public:
-    explicit SpeedHistogram(std::span<const Vector2> velocity) : velocity_(velocity) {
-        for (const Vector2& v : velocity) fastest_ = std::max(fastest_, dot(v, v));
-    }
-    /// The largest of the nodes of this rank, squared.
-    [[nodiscard]] double fastest() const { return fastest_; }
-    /// \param fastest of all ranks, squared \param n_nodes of all ranks
-    [[nodiscard]] Speeds of_all(const Ranks& ranks, double fastest, std::int32_t n_nodes) const {
-        const std::int64_t top = bin_of(fastest);
-        std::vector<std::int64_t> count(histogram_bins, 0);  // from the fastest down; the last has all that are slower too
-        for (const Vector2& v : velocity_) ++count[std::clamp<std::int64_t>(top - bin_of(dot(v, v)), 0, histogram_bins - 1)];
-        ranks.take_sums(count);
-        std::int64_t faster = n_nodes / fastest_one_in;
-        std::int64_t below_top = 0;
-        while (below_top < std::min<std::int64_t>(top, histogram_bins - 1) && faster >= count[below_top]) {
-            faster -= count[below_top++];
-        }
-        const auto end_of_bin = std::bit_cast<double>(static_cast<std::uint64_t>(top - below_top + 1) << dropped_bits);
-        return {std::sqrt(std::min(end_of_bin, fastest)), std::sqrt(fastest)};
-    }
-
-private:
-    static constexpr int dropped_bits = 64 - histogram_bits;
-    static std::int64_t bin_of(double squared) {
+/// By counts, which the ranks can put together in any order. \param own velocities of this rank's own nodes
+/// \param fastest of all ranks, squared \param n_nodes of all ranks
+Speeds speeds_of_all(std::span<const Vector2> own, const Ranks& ranks, double fastest, std::int32_t n_nodes) {
+    constexpr int dropped_bits = 64 - histogram_bits;
+    const auto bin_of = [](double squared) {
         return static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(squared) >> dropped_bits);
+    };
+    const std::int64_t top = bin_of(fastest);
+    std::vector<std::int64_t> count(histogram_bins, 0);  // from the fastest down; the last has all that are slower too
+    for (const Vector2& v : own) ++count[std::clamp<std::int64_t>(top - bin_of(dot(v, v)), 0, histogram_bins - 1)];
+    ranks.take_sums(count);
+    std::int64_t faster = n_nodes / fastest_one_in;
+    std::int64_t below_top = 0;
+    while (below_top < std::min<std::int64_t>(top, histogram_bins - 1) && faster >= count[below_top]) {
+        faster -= count[below_top++];
     }
-    std::span<const Vector2> velocity_;
-    double fastest_ = 0;
-};
+    const auto end_of_bin = std::bit_cast<double>(static_cast<std::uint64_t>(top - below_top + 1) << dropped_bits);
+    return {std::sqrt(std::min(end_of_bin, fastest)), std::sqrt(fastest)};
+}
 
 /// Steps to the next update, at most. The faster the nodes, the fewer; else pairs would have to be watched from far away.
 /// \param travel_p95, travel_fastest of nodes in a step, m
@@ -420,10 +385,11 @@ void update_pair_list(const Assemblage& a, const StepParameters& parameters, Sta
     });
     const bool is_first = list.displacement_at_search.empty();
     const Range own = a.part.own_nodes();
-    const SpeedHistogram histogram(std::span(s.velocity).subspan(own.begin, own.size()));
-    std::array largest{histogram.fastest(), travel_since_search(a, s)};
+    const std::span<const Vector2> velocity = std::span(s.velocity).subspan(own.begin, own.size());
+    std::array largest{0.0, travel_since_search(a, s)};
+    for (const Vector2& v : velocity) largest[0] = std::max(largest[0], dot(v, v));
     ranks.take_largest(largest);
-    const Speeds speeds = histogram.of_all(ranks, largest[0], a.n_nodes());
+    const Speeds speeds = speeds_of_all(velocity, ranks, largest[0], a.n_nodes());
     double travel = largest[1];
     const double travel_fastest = speeds.fastest * parameters.time_step;
     const double travel_p95 = speeds.p95 * parameters.time_step;

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "solver/model/assemblage.hpp"
-#include "solver/model/contact_pairs.hpp"
 #include "solver/model/state.hpp"
 #include "solver/model/step_parameters.hpp"
 

@@ -1,7 +1,6 @@
 #include "solver/detection/stable_area.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -95,7 +94,7 @@ void limit_new_areas(const Assemblage& a, const StepParameters& p, std::vector<N
         fraction_of;  // first what contacts want of a cluster's load, then what fraction each gets
     std::vector<UnitLoads> units;
     for (const NewContact& contact : contacts) {
-        units.push_back(unit_loads(a, p, contact.pair, s));
+        units.push_back(unit_loads(a, p, s.contact_pairs.pairs[contact.pair], s));
         for (std::size_t k = 0; k < 3; ++k) fraction_of[units.back().cluster[k]] += contact.area * units.back().load[k];
     }
     for (auto& [cluster, fraction] : fraction_of) {

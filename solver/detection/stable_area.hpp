@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/detection/node_edge_contact.hpp"
 #include "solver/model/contact_pairs.hpp"
 #include "solver/model/state.hpp"
 #include "solver/model/step_parameters.hpp"
@@ -27,8 +26,7 @@ void limit_contact_areas(const Assemblage& assemblage, const StepParameters& par
 
 /// A node–edge contact that has begun and has no area yet.
 struct NewContact {
-    std::int32_t active;  ///< its place among the active contacts
-    CandidatePair pair;
+    std::int32_t pair;                     ///< in the list
     std::array<std::int32_t, 2> occupied;  ///< the nodes whose area it occupies
     double area;                           ///< m²
 };

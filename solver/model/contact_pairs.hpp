@@ -10,7 +10,6 @@
 
 #include <array>
 #include <compare>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +26,7 @@ struct FrictionLaw {
 
 /// The state of a node–edge contact.
 struct NodeEdgeContact {
-    bool active = false;
+    bool active = false;            ///< false from the step on in which it ends
     bool near_first = true;         ///< nearer to the first end of the edge than to the second
     double area = 0;                ///< A of the node, m²
     double initial_overlap = 0;     ///< m
@@ -50,15 +49,11 @@ struct NodeForces {
     Range slots;  ///< into `ContactPairList::node_force_slots`
 };
 
-/// Active contacts side by side: most steps work on nothing else. Detection decides at intervals which of them continue.
+/// The active contacts: most steps work on nothing else. Detection decides at intervals which of them continue.
 struct ActiveContacts {
     std::vector<std::int32_t> pair;                  ///< in the list
     std::vector<std::array<std::int32_t, 3>> nodes;  ///< the node, first and second of the edge
-    std::vector<double> live;                        ///< 1; 0 from the step on in which it ends
-    std::vector<double> area, initial_overlap, overlap, elastic_slip, release_correction;  ///< as in `NodeEdgeContact`
-    std::vector<double> normal_stiffness, shear_stiffness, cohesion, tan_friction;         ///< as in `FrictionLaw`
-    std::vector<double> place;                                                             ///< as in `PairGeometry`
-    std::vector<Vector2> forces;                                                           ///< [3] on the nodes, N
+    std::vector<FrictionLaw> laws;
     std::vector<std::int32_t> count;    ///< by chunk; those of a chunk lie from its first watched pair on
     std::vector<std::uint8_t> changed;  ///< by chunk: 1 if the last detection found others than before, or one that began anew
 };
@@ -67,7 +62,7 @@ struct ContactPairList {
     std::vector<std::uint8_t> debonded;     ///< [2 c] 1 once the point no longer links its nodes
     std::vector<std::uint8_t> released;     ///< [c] 1 once the contact has been released to node–edge contacts
     std::vector<CandidatePair> pairs;       ///< ascending
-    std::vector<NodeEdgeContact> contacts;  ///< [pairs] as of the last detection; in between, steps change `active`
+    std::vector<NodeEdgeContact> contacts;  ///< [pairs]
     std::vector<Vector2> forces;            ///< [3 pairs] on node, first and second node of the edge, N
     std::vector<Range> groups;              ///< pairs of one node
     std::vector<std::int32_t> watched;      ///< pairs that may be in contact before the next update, ascending
@@ -78,7 +73,7 @@ struct ContactPairList {
     ActiveContacts active;
     std::vector<double> friction;                  ///< [chunks of nodes] dissipated since the start, J
     std::vector<NodeForces> node_forces;           ///< ascending by node
-    std::vector<std::int32_t> node_force_slots;    ///< into `ActiveContacts::forces`
+    std::vector<std::int32_t> node_force_slots;    ///< into `forces`
     std::vector<Range> node_forces_of_chunk;       ///< by chunk of nodes
     std::vector<std::int32_t> node_force_scratch;  ///< [n]
     std::vector<Vector2> displacement_at_search;   ///< [n] m

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "solver/arithmetic/simd.hpp"
 #include "solver/step/element_forces.hpp"
@@ -47,7 +46,7 @@ void add_active_contacts(std::int32_t chunk, State& s) {
     for (std::int32_t i = node_forces.begin; i < node_forces.end; ++i) {
         const NodeForces& gather = list.node_forces[i];
         for (std::int32_t k = gather.slots.begin; k < gather.slots.end; ++k) {
-            s.force[gather.node] += list.active.forces[list.node_force_slots[k]];
+            s.force[gather.node] += list.forces[list.node_force_slots[k]];
         }
     }
 }

@@ -1,7 +1,6 @@
 #include "solver/step/step.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "solver/detection/active_contacts.hpp"
 #include "solver/detection/contact_detection.hpp"
@@ -9,7 +8,6 @@
 #include "solver/detection/pair_list.hpp"
 #include "solver/step/contact_forces.hpp"
 #include "solver/step/element_forces.hpp"
-#include "solver/step/load_clock.hpp"
 #include "solver/step/mass_scaling.hpp"
 #include "solver/step/mass_scaling_step.hpp"
 #include "solver/step/nodal_forces.hpp"
@@ -19,6 +17,52 @@
 namespace graincrack {
 
 namespace {
+
+/// Platens and amplitudes at each step of an interval of loading. Each thread has its own; all do the same arithmetic.
+class LoadingClock {
+public:
+    LoadingClock(const IntervalLoading& interval, std::int64_t n_steps, double time_step, const State& s)
+        : interval_(interval),
+          n_steps_(n_steps),
+          time_step_(time_step),
+          origin_time_(s.origin_time),
+          steps_since_origin_(s.step - s.origin_step),
+          now_(s.loading) {
+        now_.amplitudes.resize(interval.amplitudes == nullptr ? 0 : interval.amplitudes->size());
+        prepare();
+    }
+    [[nodiscard]] const StepLoading& now() const { return now_; }
+    void tick() {
+        ++k_;
+        for (std::size_t p = 0; p < 2; ++p) now_.platen_displacement[p] += now_.increment_after[p];
+        now_.increment_before = now_.increment_after;
+        prepare();
+    }
+
+private:
+    void prepare() {
+        const double fraction = (static_cast<double>(k_) + 0.5) / static_cast<double>(n_steps_);
+        for (std::size_t p = 0; p < 2; ++p) {
+            const double velocity =
+                interval_.velocity_begin[p] + fraction * (interval_.velocity_end[p] - interval_.velocity_begin[p]);
+            now_.increment_after[p] = time_step_ * velocity;
+        }
+        const double time = origin_time_ + static_cast<double>(steps_since_origin_ + k_) * time_step_;
+        for (std::size_t i = 0; i < now_.amplitudes.size(); ++i) {
+            const Amplitude& amplitude = (*interval_.amplitudes)[i];
+            now_.amplitudes[i] = amplitude.at(amplitude.of_velocity ? time + 0.5 * time_step_ : time);
+        }
+        if (interval_.temperature != no_amplitude) now_.temperature = now_.amplitudes[interval_.temperature];
+    }
+
+    IntervalLoading interval_;
+    std::int64_t n_steps_;
+    double time_step_;
+    double origin_time_;
+    std::int64_t steps_since_origin_;
+    std::int64_t k_ = 0;
+    StepLoading now_;
+};
 
 /// The steps of one thread of the team: its share, and the stages of a step on it. The team waits wherever a stage reads what
 /// other threads have written, and what reads the nodes of other ranks waits for their message, which comes while all else is
@@ -107,9 +151,6 @@ void advance_between_updates(const Assemblage& a, const Boundary& boundary, cons
         for (std::int64_t step = first_step; step < first_step + n_steps; ++step) {
             steps.advance(step, (step - 1) % s.contact_pairs.detection_interval == 0);
         }
-        for (std::int32_t chunk = steps.share.pairs.begin; chunk < steps.share.pairs.end; ++chunk) {
-            store_active(chunk, s.contact_pairs);
-        }
         if (thread == 0) clock_after = steps.clock;
     });
     clock = clock_after;
@@ -134,7 +175,6 @@ void start(const Assemblage& a, const StepParameters& parameters, State& s) {
     find_ghosts(a, s);
     for_each_evaluated(a.part.evaluated_contacts,
                        [&](std::int32_t chunk) { advance_contacts(a, parameters.laws, chunk, s.step, s); });
-    s.clusters = make_cluster_state(a, parameters.mass_scaling);
     complete_cluster_state(a, parameters.mass_scaling, s);
 }
 

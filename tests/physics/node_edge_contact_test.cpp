@@ -257,13 +257,13 @@ TEST(NodeEdgeContact, AContactThatBeginsAnewIsNotTakenForTheOldOne) {
     };
     move(2e-5);
     move_active_contacts(led.run.assemblage, led.run.parameters, 0, s);
-    ASSERT_EQ(list.active.live[0], 0);
+    ASSERT_FALSE(list.contacts[list.active.pair[0]].active);
     move(-2e-5);
     detect_contacts(led.run.assemblage, led.run.parameters, 0, s);
     ASSERT_EQ(list.active.count[0], 1);
     EXPECT_EQ(list.active.changed[0], 1);
     find_areas_of_new_contacts(led.run.assemblage, led.run.parameters, led.run.state);
-    EXPECT_GT(list.active.area[0], 0);
+    EXPECT_GT(list.contacts[list.active.pair[0]].area, 0);
 }
 
 /// Two blocks of a square cut along its diagonal by a crack, pressed together and slid along it. They are of two phases.

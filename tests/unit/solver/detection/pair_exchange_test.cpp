@@ -164,7 +164,7 @@ LimitedAreas limited_areas(const Ranks& ranks) {
         contact.area = 0.5 * run.assemblage.surface.tributary[pair.node];
         contact.overlap = 1e-6;
         list.contacts.push_back(contact);
-        if (!contact.active) contacts.push_back({0, pair, {}, contact.area});
+        if (!contact.active) contacts.push_back({static_cast<std::int32_t>(list.contacts.size()) - 1, {}, contact.area});
     }
     find_ghosts(run.assemblage, run.state);
     limit_contact_areas(run.assemblage, run.parameters, run.state);
