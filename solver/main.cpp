@@ -16,7 +16,6 @@
 #include "share/base/sha256.hpp"
 #include "share/base/units.hpp"
 #include "share/file/h5_file.hpp"
-#include "share/file/schema.hpp"
 #include "share/file/specimen_measures.hpp"
 #include "solver/program/program_file.hpp"
 #include "solver/program/standard_tests.hpp"

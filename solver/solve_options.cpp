@@ -341,17 +341,13 @@ std::optional<SolveOptions> read_solve_options(int argc, char** argv) {
     }
     options.material = raw.contact.material;
     complete_request(options.request, raw);
-    const bool goes_to_stream = !options.output.empty() && is_stream(options.output);
-    if (options.request.checkpoint_interval && goes_to_stream) {
+    const bool writes_checkpoints = options.request.checkpoint_interval || raw.walltime;
+    if (writes_checkpoints && !options.output.empty() && is_stream(options.output)) {
         throw UsageError(
-            "--checkpoint-every: a run written to stdout or a device has no name for its checkpoints; give a file such as -o "
-            "run.h5");
+            fmt::format("{}: a run written to stdout or a device has no name for its checkpoints; give a file such as -o run.h5",
+                        raw.walltime ? "--walltime" : "--checkpoint-every"));
     }
     if (raw.walltime) {
-        if (goes_to_stream) {
-            throw UsageError(
-                "--walltime: a run written to stdout or a device has no name for its checkpoint; give a file such as -o run.h5");
-        }
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(*raw.walltime);
         options.request.stops_after = [end](std::size_t /*rows*/) { return std::chrono::steady_clock::now() >= end; };
     }

@@ -3,9 +3,7 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "share/base/progress.hpp"
 #include "solver/setup/request.hpp"
 
 namespace graincrack {

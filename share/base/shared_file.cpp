@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
-#include "share/base/toml_file.hpp"
 
 namespace graincrack {
 
@@ -30,22 +30,28 @@ fs::path SharedFolder::find(const std::string& name_or_file) const {
     if (name_or_file.find('/') != std::string::npos || path.extension() == ".toml" || fs::is_regular_file(path, ignored)) {
         return path;
     }
-    std::vector<std::string> known;
+    if (fs::path file = below(name_or_file + ".toml"); !file.empty()) return file;
+    std::set<std::string> names;
     std::vector<std::string> looked_in;
-    for (const fs::path& place : places()) {
-        fs::path file = place / (name_or_file + ".toml");
-        if (fs::is_regular_file(file, ignored)) return file;
-        looked_in.push_back(place.string());
-        for (fs::directory_iterator entry(place, ignored); entry != fs::directory_iterator(); entry.increment(ignored)) {
-            if (ignored) break;
-            if (entry->path().extension() == ".toml") known.push_back(entry->path().stem().string());
-        }
-    }
-    std::sort(known.begin(), known.end());
-    known.erase(std::unique(known.begin(), known.end()), known.end());
+    for (const fs::path& file : files_in("")) names.insert(file.stem().string());
+    for (const fs::path& place : places()) looked_in.push_back(place.string());
+    const std::vector<std::string> known(names.begin(), names.end());
     throw InputError(fmt::format("{} {}: not found{}; known are {} (looked in {}); a path to a TOML file fits too", what,
                                  name_or_file, did_you_mean(name_or_file, known),
                                  known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")), fmt::join(looked_in, ", ")));
+}
+
+std::vector<fs::path> SharedFolder::files_in(const std::string& folder_below) const {
+    std::vector<fs::path> files;
+    std::error_code ignored;
+    for (const fs::path& place : places()) {
+        for (fs::directory_iterator entry(place / folder_below, ignored); entry != fs::directory_iterator();
+             entry.increment(ignored)) {
+            if (ignored) break;
+            if (entry->path().extension() == ".toml") files.push_back(entry->path());
+        }
+    }
+    return files;
 }
 
 fs::path SharedFolder::below(const std::string& path) const {

@@ -18,6 +18,8 @@ struct SharedFolder {
     /// The file that a name or a path means: a path has a slash or ends in .toml, or it is a file; a name is NAME.toml in one of
     /// `places`. A path need not exist. \throws InputError for an unknown name, with the known ones
     [[nodiscard]] std::filesystem::path find(const std::string& name_or_file) const;
+    /// The files NAME.toml of a folder below `places`, "kinds", "" for theirs: in the order of `places`.
+    [[nodiscard]] std::vector<std::filesystem::path> files_in(const std::string& folder_below) const;
     /// The file at a path below the first of `places` that has one there, "kinds/granite.toml"; empty if none has.
     [[nodiscard]] std::filesystem::path below(const std::string& path) const;
 };

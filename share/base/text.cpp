@@ -60,18 +60,15 @@ std::string printable(std::string_view text) {
     std::string shown;
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t length = length_of_control(text.substr(i));
-        const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[i + k]); };
         if (length == 0) {
-            shown += text[i];
-        } else if (length == 3) {
-            shown += fmt::format("\\u{:04x}", (byte(0) & 0x0fU) << 12U | (byte(1) & 0x3fU) << 6U | (byte(2) & 0x3fU));
-        } else if (length == 2) {
-            const unsigned code = (byte(0) & 0x1fU) << 6U | (byte(1) & 0x3fU);
-            shown += code < 0x100 ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
-        } else {
-            shown += fmt::format("\\x{:02x}", byte(0));
+            shown += text[i++];
+            continue;
         }
-        i += std::max<std::size_t>(length, 1);
+        constexpr std::array<unsigned, 3> bits_of_first{0x7f, 0x1f, 0x0f};  // by the length of a character
+        unsigned code = static_cast<unsigned char>(text[i]) & bits_of_first[length - 1];
+        for (std::size_t k = 1; k < length; ++k) code = code << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
+        shown += code < 0x100 ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
+        i += length;
     }
     return shown;
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "share/base/error.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {

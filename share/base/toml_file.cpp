@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <string_view>
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"

@@ -93,26 +93,19 @@ std::string quoted(std::string_view text) { return '"' + shortened(printable(tex
 
 /// The number that `text` spells, times the factor. A power of ten is added to the exponent of the text, to round once only.
 std::optional<double> scaled_number(std::string_view text, double factor) {
-    double value = 0;
     const double decade = std::round(std::log10(factor));
-    if (std::abs(factor / std::pow(10.0, decade) - 1) < 1e-12 && decade != 0) {
-        int exponent = static_cast<int>(decade);
-        std::string_view mantissa = text;
-        if (const auto e = text.find_first_of("eE"); e != std::string_view::npos) {
-            mantissa = text.substr(0, e);
-            std::string_view digits = text.substr(e + 1);
-            if (digits.front() == '+') digits.remove_prefix(1);
-            int own = 0;
-            if (std::from_chars(digits.data(), digits.data() + digits.size(), own).ec != std::errc{}) return std::nullopt;
-            exponent += own;
-        }
-        const std::string shifted = fmt::format("{}e{}", mantissa, exponent);
-        const auto result = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
-        if (result.ec != std::errc{}) return std::nullopt;
-        return value;
+    const bool is_decade = std::abs(factor / std::pow(10.0, decade) - 1) < 1e-12;
+    int own = 0;
+    const std::string_view mantissa = text.substr(0, text.find_first_of("eE"));
+    if (mantissa.size() < text.size()) {
+        std::string_view digits = text.substr(mantissa.size() + 1);
+        if (digits.front() == '+') digits.remove_prefix(1);
+        if (std::from_chars(digits.data(), digits.data() + digits.size(), own).ec != std::errc{}) return std::nullopt;
     }
-    if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) return std::nullopt;
-    return value * factor;
+    const std::string shifted = fmt::format("{}e{}", mantissa, own + (is_decade ? static_cast<int>(decade) : 0));
+    double value = 0;
+    if (std::from_chars(shifted.data(), shifted.data() + shifted.size(), value).ec != std::errc{}) return std::nullopt;
+    return is_decade ? value : value * factor;
 }
 
 }  // namespace

@@ -36,20 +36,16 @@ std::size_t row_of_peak(const RunHeader& header, const History& history) {
 }
 
 /// 2 v/(c ε) with the speed v of each platen and the strain ε at the peak, c = √(E/ρ): what the load rises by, relative
-/// to itself, while a wave runs through the specimen. 0 for a program, which may move otherwise, and without any strain.
-double load_rise_at_peak(const RunHeader& header, const History& history) {
-    if (header.test == "program" || history.size() == 0) return 0;
-    const std::size_t peak = row_of_peak(header, history);
+/// to itself, while a wave runs through the specimen. 0 without any strain.
+double load_rise_at_peak(const RunHeader& header, const History& history, std::size_t peak) {
     const double strain = std::abs(history[HistoryColumn::axial_strain][peak]);
     const double wave_speed = std::sqrt(header.rock.young_modulus / header.rock.density);
     const double speed = std::abs(history[HistoryColumn::platen_speed][peak]);
     return strain > 0 && wave_speed > 0 ? 2 * speed / (wave_speed * strain) : 0;
 }
 
-/// Mean unbalanced ratio while the last tenth of the strain at the peak is reached. 0 for a program.
-double unbalanced_before_peak(const RunHeader& header, const History& history) {
-    if (header.test == "program" || history.size() == 0) return 0;
-    const std::size_t peak = row_of_peak(header, history);
+/// Mean unbalanced ratio while the last tenth of the strain at the peak is reached.
+double unbalanced_before_peak(const History& history, std::size_t peak) {
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
     double sum = 0;
     double rows = 0;
@@ -63,25 +59,26 @@ double unbalanced_before_peak(const RunHeader& header, const History& history) {
 }  // namespace
 
 std::string equilibrium_warning(const RunHeader& header, const History& history) {
-    const double rise = load_rise_at_peak(header, history);
+    if (header.test == "program" || history.size() == 0) return "";  // a program may move otherwise
+    const std::size_t peak = row_of_peak(header, history);
+    const double rise = load_rise_at_peak(header, history, peak);
     if (rise > trusted_load_rise) {
         return fmt::format(
             "the test is far from equilibrium: at the peak the load rises by {:.2g} % of itself while a wave crosses the "
             "specimen, more than {:.2g} %, and the strength is too high: use a slower --rate or a smaller --rate-tolerance",
             100 * rise, 100 * trusted_load_rise);
     }
-    if (header.test != "program" && header.platen_force_difference > trusted_force_difference) {
+    if (header.platen_force_difference > trusted_force_difference) {
         return fmt::format(
             "the test is far from equilibrium: the platen forces differ by {:.1f} % of their mean before the peak, more than "
             "{:.0f} %, and the strength is uncertain by as much: use a slower --rate or more --damping",
             100 * header.platen_force_difference, 100 * trusted_force_difference);
     }
-    const double unbalanced = unbalanced_before_peak(header, history);
+    const double unbalanced = unbalanced_before_peak(history, peak);
     if (unbalanced > trusted_unbalanced_ratio) {
         return fmt::format(
             "the test is far from equilibrium: the unbalanced ratio is {:.2g} before the peak, more than {:.2g}: waves run "
-            "through "
-            "the specimen, and what they break makes the strength too low: {}",
+            "through the specimen, and what they break makes the strength too low: {}",
             unbalanced, trusted_unbalanced_ratio,
             header.damping == 0 ? "use --damping" : "use a slower --rate or more --damping");
     }

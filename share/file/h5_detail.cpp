@@ -216,25 +216,31 @@ Handle open_path(const std::string& path) {
     return opened({H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose}, path, H5Fis_hdf5(path.c_str()) > 0);
 }
 
+namespace {
+
+void require(bool holds, const std::string& file_name, const std::string& object, const char* what) {
+    constexpr const char* right = "write the file again with the tool that made it";
+    if (!holds) throw InputError(fmt::format("{}: {} {}; {}", file_name, object, what, right));
+}
+
+}  // namespace
+
 void require_tree(hid_t file, const std::string& file_name) {
     std::set<haddr_t> groups;
     const std::function<void(const std::string&, std::size_t)> visit = [&](const std::string& path, std::size_t depth) {
-        const auto require = [&](bool holds, const std::string& of, const char* what) {
-            if (holds) return;
-            throw InputError(
-                fmt::format("{}: {} {}; write the file again with the tool that made it", file_name, of.substr(0, 80), what));
-        };
-        require(depth <= max_depth, path, "is nested deeper than any group of a file of ours");
+        const std::string shown = path.substr(0, 80);
+        require(depth <= max_depth, file_name, shown, "is nested deeper than any group of a file of ours");
         H5O_info_t info;
-        require(H5Oget_info_by_name2(file, path.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT) >= 0, path, "cannot be read");
+        require(H5Oget_info_by_name2(file, path.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT) >= 0, file_name, shown,
+                "cannot be read");
         if (info.type == H5O_TYPE_DATASET) return;
-        require(info.type == H5O_TYPE_GROUP, path, "is neither a group nor a dataset");
-        require(groups.insert(info.addr).second, path, "is a group with two links, perhaps in a circle");
+        require(info.type == H5O_TYPE_GROUP, file_name, shown, "is neither a group nor a dataset");
+        require(groups.insert(info.addr).second, file_name, shown, "is a group with two links, perhaps in a circle");
         std::vector<Link> links;
-        require(links_of(file, path, links), path, "cannot be read");
+        require(links_of(file, path, links), file_name, shown, "cannot be read");
         for (const Link& link : links) {
             const std::string child = (path == "/" ? "" : path) + "/" + link.name;
-            require(link.is_hard, child, "is a soft or external link");
+            require(link.is_hard, file_name, child.substr(0, 80), "is a soft or external link");
             visit(child, depth + 1);
         }
     };
@@ -242,26 +248,21 @@ void require_tree(hid_t file, const std::string& file_name) {
 }
 
 std::size_t require_readable(hid_t dataset, const std::string& file_name, const std::string& path) {
-    const auto require = [&](bool holds, const char* what) {
-        if (!holds) {
-            throw InputError(
-                fmt::format("{}: dataset {} {}; write the file again with the tool that made it", file_name, path, what));
-        }
-    };
+    const auto require_dataset = [&](bool holds, const char* what) { require(holds, file_name, "dataset " + path, what); };
     const Handle type(H5Dget_type(dataset), H5Tclose);
     const Handle space = space_of_dataset(dataset);
     const Handle properties(H5Dget_create_plist(dataset), H5Pclose);
-    require(type.valid() && space.valid() && properties.valid(), "is damaged");
+    require_dataset(type.valid() && space.valid() && properties.valid(), "is damaged");
     const H5T_class_t kind = H5Tget_class(type.get());
-    require(kind == H5T_INTEGER || kind == H5T_FLOAT, "holds no numbers");
-    require(is_kept_plainly(properties.get()), "is kept in another file or by an unknown filter");
+    require_dataset(kind == H5T_INTEGER || kind == H5T_FLOAT, "holds no numbers");
+    require_dataset(is_kept_plainly(properties.get()), "is kept in another file or by an unknown filter");
     if (H5Sget_simple_extent_type(space.get()) == H5S_NULL) return 0;
     const std::size_t n = product_of(space_extents(space.get()));
     const std::size_t item = H5Tget_size(type.get());
     const std::size_t stored = std::min<std::size_t>(H5Dget_storage_size(dataset), size_of_file(dataset));
     const std::size_t most = H5Pget_layout(properties.get()) == H5D_CHUNKED ? stored * max_deflation : stored;
-    require(n <= most / item, "declares more values than its file holds");
-    require(chunk_values(properties.get()) <= max_chunk_bytes / item, "has chunks beyond any of ours");
+    require_dataset(n <= most / item, "declares more values than its file holds");
+    require_dataset(chunk_values(properties.get()) <= max_chunk_bytes / item, "has chunks beyond any of ours");
     return n;
 }
 
@@ -322,51 +323,45 @@ class Content {
 public:
     Content(hid_t file, const std::string& file_name) : file_(file), file_name_(file_name) {}
 
-    /// Adds an object and all below it to a hash, but for the object `left_out`.
-    void digest(const std::string& path, const std::string& left_out, Sha256& hash) const {
-        const Handle object = open(path);
-        if (H5Iget_type(object.get()) == H5I_GROUP) {
-            hash.add(path + " group");
-            digest_attributes(object.get(), path, hash);
-            for (const std::string& child : children_of(path)) {
-                if (child != left_out) digest(child, left_out, hash);
-            }
-            return;
-        }
-        hash.add(path + " " + shape_of(object.get()));
-        digest_attributes(object.get(), path, hash);
-        digest_values(object.get(), path, hash);
+    /// Adds all objects to a hash, but for the object `left_out` and what is below it.
+    void digest(const std::string& left_out, Sha256& hash) const {
+        walk("/", left_out, [&](hid_t object, const std::string& path, bool is_group) {
+            hash.add(path + " " + (is_group ? "group" : shape_of(object)));
+            digest_attributes(object, path, hash);
+            if (!is_group) digest_values(object, path, hash);
+        });
     }
 
-    /// Adds a line for each dataset.
-    void describe(const std::string& path, std::vector<std::string>& lines) const {
-        const Handle object = open(path);
-        if (H5Iget_type(object.get()) == H5I_GROUP) {
-            for (const std::string& child : children_of(path)) describe(child, lines);
-            return;
-        }
-        std::string line = path + " " + shape_of(object.get());
-        for (const char* name : {"unit", "description"}) {
-            std::string text;
-            const Handle attribute(H5Aexists(object.get(), name) > 0 ? H5Aopen(object.get(), name, H5P_DEFAULT) : -1, H5Aclose);
-            if (attribute.valid()) {
+    /// A line for each dataset.
+    [[nodiscard]] std::vector<std::string> describe() const {
+        std::vector<std::string> lines;
+        walk("/", "", [&](hid_t object, const std::string& path, bool is_group) {
+            if (is_group) return;
+            std::string line = path + " " + shape_of(object);
+            for (const char* name : {"unit", "description"}) {
+                std::string text;
+                const Handle attribute(H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1, H5Aclose);
+                if (!attribute.valid()) continue;
                 require_readable_attribute(attribute.get(), file_name_, path, name);
                 line += read_attribute(attribute.get(), text) ? " " + text : "";
             }
-        }
-        lines.push_back(line);
+            lines.push_back(line);
+        });
+        return lines;
     }
 
 private:
-    [[nodiscard]] Handle open(const std::string& path) const {
-        Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
+    /// Calls `visit(object, path, whether it is a group)` with an object, and then with all below it.
+    template <class Visit>
+    void walk(const std::string& path, const std::string& left_out, const Visit& visit) const {
+        const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
         if (!object.valid()) throw InputError(fmt::format("{}: {} cannot be read", file_name_, path));
-        return object;
-    }
-    [[nodiscard]] std::vector<std::string> children_of(const std::string& path) const {
-        std::vector<std::string> children = link_names(file_, path);
-        for (std::string& child : children) child = (path == "/" ? "" : path) + "/" + child;
-        return children;
+        const bool is_group = H5Iget_type(object.get()) == H5I_GROUP;
+        visit(object.get(), path, is_group);
+        for (const std::string& name : is_group ? link_names(file_, path) : std::vector<std::string>{}) {
+            const std::string child = (path == "/" ? "" : path) + "/" + name;
+            if (child != left_out) walk(child, left_out, visit);
+        }
     }
     /// Type and extents.
     static std::string shape_of(hid_t dataset) {
@@ -417,14 +412,10 @@ private:
 
 std::string digest(hid_t file, const std::string& file_name, const std::string& left_out) {
     Sha256 hash;
-    Content(file, file_name).digest("/", left_out, hash);
+    Content(file, file_name).digest(left_out, hash);
     return hash.hex();
 }
 
-std::vector<std::string> describe(hid_t file, const std::string& file_name) {
-    std::vector<std::string> lines;
-    Content(file, file_name).describe("/", lines);
-    return lines;
-}
+std::vector<std::string> describe(hid_t file, const std::string& file_name) { return Content(file, file_name).describe(); }
 
 }  // namespace graincrack::h5

@@ -4,6 +4,7 @@
 
 #include <hdf5.h>
 
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -46,18 +47,10 @@ private:
 
 inline Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-/// HDF5 type of a C++ type in memory.
+static_assert(std::endian::native == std::endian::little, "numbers in memory are those of files");
+/// HDF5 type of a C++ type in files, and in memory.
 template <class T>
-hid_t memory_type() {
-    if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
-    if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
-    if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
-    if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
-}
-
-/// The same in files, little endian on every machine.
-template <class T>
-hid_t file_type() {
+hid_t number_type() {
     if constexpr (std::is_same_v<T, double>) return H5T_IEEE_F64LE;
     if constexpr (std::is_same_v<T, std::int32_t>) return H5T_STD_I32LE;
     if constexpr (std::is_same_v<T, std::int64_t>) return H5T_STD_I64LE;
@@ -78,13 +71,13 @@ void write_texts(hid_t object, const std::string& name, const std::vector<std::s
 template <class T>
 void write_attribute(hid_t object, const std::string& name, const T& value) {
     if constexpr (std::is_arithmetic_v<T>) {
-        write_numbers(object, name, file_type<T>(), scalar_space(), &value);
+        write_numbers(object, name, number_type<T>(), scalar_space(), &value);
     } else if constexpr (std::is_same_v<T, std::string>) {
         write_texts(object, name, {value}, scalar_space());
     } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
         write_texts(object, name, value, vector_space(value.size()));
     } else {
-        write_numbers(object, name, file_type<typename T::value_type>(), vector_space(value.size()), value.data());
+        write_numbers(object, name, number_type<typename T::value_type>(), vector_space(value.size()), value.data());
     }
 }
 
@@ -95,7 +88,7 @@ bool read_attribute(hid_t attribute, std::vector<T>& out) {
     const H5T_class_t kind = H5Tget_class(type_of_attribute(attribute).get());
     if (kind != H5T_INTEGER && kind != H5T_FLOAT) return false;
     out.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space_of_attribute(attribute).get())));
-    return out.empty() || H5Aread(attribute, memory_type<T>(), out.data()) >= 0;
+    return out.empty() || H5Aread(attribute, number_type<T>(), out.data()) >= 0;
 }
 template <class T>
 bool read_attribute(hid_t attribute, T& out) {

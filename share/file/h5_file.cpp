@@ -4,7 +4,6 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -186,7 +185,7 @@ template <class T>
 std::vector<T> H5Input::read(const std::string& dataset) const {
     const Handle id = open_dataset(state_->file.get(), state_->name, dataset);
     std::vector<T> values(require_readable(id.get(), state_->name, dataset));
-    if (!values.empty() && H5Dread(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+    if (!values.empty() && H5Dread(id.get(), number_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
         throw InputError(
             fmt::format("{}: dataset {} cannot be read: the file is damaged or the type is wrong", state_->name, dataset));
     }
@@ -348,9 +347,9 @@ Handle H5Output::create(const std::string& dataset, const Extents& extents, bool
     }
     const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limit.data()), H5Sclose);
     const Handle properties = creation_properties(row, sizeof(T), grows);
-    Handle id(
-        H5Dcreate2(state_->file.get(), dataset.c_str(), file_type<T>(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
-        H5Dclose);
+    Handle id(H5Dcreate2(state_->file.get(), dataset.c_str(), number_type<T>(), space.get(), H5P_DEFAULT, properties.get(),
+                         H5P_DEFAULT),
+              H5Dclose);
     require(id.valid(), unwritten(dataset));
     return id;
 }
@@ -360,7 +359,7 @@ void H5Output::write(const std::string& dataset, std::span<const T> values, cons
                      std::string_view description) {
     if (values.size() != product(extents)) throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
     const Handle id = create<T>(dataset, extents, false);
-    require(values.empty() || H5Dwrite(id.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0,
+    require(values.empty() || H5Dwrite(id.get(), number_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0,
             unwritten(dataset));
     write_meaning(id.get(), unit, description);
 }
@@ -384,7 +383,7 @@ void H5Output::append(const std::string& dataset, std::span<const T> values, con
     const std::vector<hsize_t> count = to_hsize(extents);
     H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, count.data(), nullptr);
     const Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
-    require(values.empty() || H5Dwrite(id.get(), memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) >= 0,
+    require(values.empty() || H5Dwrite(id.get(), number_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()) >= 0,
             unwritten(dataset));
 }
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <span>
-#include <string>
 
 #include "share/file/file_checks.hpp"
 #include "share/file/schema.hpp"

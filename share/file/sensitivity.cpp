@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "share/base/error.hpp"
 #include "share/base/quantities.hpp"
 #include "share/file/schema.hpp"
 

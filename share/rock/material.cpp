@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <map>
-#include <optional>
 #include <utility>
 
 #include "share/base/error.hpp"
@@ -412,15 +409,10 @@ FractureEnergyChoice effective_fracture_energy(const Material& material, const s
 GivenContact given_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice) {
     GivenContact given = material.contact;
     if (choice) {
-        switch (choice->kind) {
-            case FractureEnergyChoice::Kind::mixed:
-                given.fracture_energy = fpz::mixed_mode_fracture_energy(material.rock, plane);
-                break;
-            case FractureEnergyChoice::Kind::mode_i:
-                given.fracture_energy = fpz::mode_i_fracture_energy(material.rock, plane);
-                break;
-            case FractureEnergyChoice::Kind::value: given.fracture_energy = choice->value; break;
-        }
+        using Kind = FractureEnergyChoice::Kind;
+        given.fracture_energy = choice->kind == Kind::value   ? choice->value
+                                : choice->kind == Kind::mixed ? fpz::mixed_mode_fracture_energy(material.rock, plane)
+                                                              : fpz::mode_i_fracture_energy(material.rock, plane);
     }
     return with_ratios(given, material.ratios, material.rock, material.grains.grain_size, plane);
 }

@@ -79,14 +79,8 @@ std::string with_settings(const std::string& text, const std::string& name, cons
 
 std::vector<RockKind> rock_kinds() {
     std::map<std::string, RockKind> kinds;
-    std::error_code ignored;
-    for (const fs::path& place : materials().places()) {
-        for (fs::directory_iterator entry(place / "kinds", ignored); entry != fs::directory_iterator();
-             entry.increment(ignored)) {
-            if (ignored) break;
-            if (entry->path().extension() != ".toml" || kinds.contains(entry->path().stem().string())) continue;
-            kinds.emplace(entry->path().stem().string(), read_kind(entry->path()));
-        }
+    for (const fs::path& file : materials().files_in("kinds")) {
+        if (!kinds.contains(file.stem().string())) kinds.emplace(file.stem().string(), read_kind(file));
     }
     std::vector<RockKind> all;
     all.reserve(kinds.size());

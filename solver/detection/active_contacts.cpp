@@ -172,8 +172,7 @@ void load_active(const Assemblage& a, const ContactLaws& laws, ContactPairList& 
     for (std::int32_t chunk = 0; chunk < static_cast<std::int32_t>(list.chunks.size()); ++chunk) {
         const std::int32_t end = list.watched_groups[list.chunks[chunk].end - 1].end;
         for (std::int32_t i = list.first_watched(chunk); i < end; ++i) {
-            const NodeEdgeContact& contact = list.contacts[list.watched[i]];
-            if (contact.active || contact.release_correction != 0) append_active(a, laws, chunk, list.watched[i], list);
+            if (list.contacts[list.watched[i]].is_at_work()) append_active(a, laws, chunk, list.watched[i], list);
         }
     }
     index_node_forces(a, list);

@@ -167,7 +167,7 @@ void take_contacts_of_owners(const Assemblage& a, ContactPairList& list) {
             }
             for (auto pair = begin; pair != end; ++pair) {
                 const NodeEdgeContact& contact = list.contacts[pair - list.pairs.begin()];
-                if (contact.active || contact.release_correction != 0) replies[rank].push_back({*pair, contact});
+                if (contact.is_at_work()) replies[rank].push_back({*pair, contact});
             }
         }
     }

@@ -138,7 +138,6 @@ public:
         : assemblage_(a), state_(s), duration_(duration), speed_p95_(speed_p95) {
         speed_.reserve(s.velocity.size());
         for (const Vector2& v : s.velocity) speed_.push_back(length(v));
-        find_continuing();
     }
 
     /// Appends to `watched` the pairs of a node that are in contact, or may come into contact or receive a transferred contact
@@ -148,30 +147,17 @@ public:
         active_.clear();
         overlap_ = 0;
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (continues_[p] != 0 && list.contacts[p].active) {
+            if (list.contacts[p].active) {
                 active_.push_back({list.pairs[p].edge, pair_geometry(assemblage_, state_, list.pairs[p]).depth});
                 overlap_ = std::max(overlap_, list.contacts[p].overlap);
             }
         }
         for (std::int32_t p = pairs.begin; p < pairs.end; ++p) {
-            if (continues_[p] != 0 || may_be_in_contact(p)) watched.push_back(p);
+            if (list.contacts[p].is_at_work() || may_be_in_contact(p)) watched.push_back(p);
         }
     }
 
 private:
-    /// Contacts are among the pairs that were watched; after a search, when none is watched yet, anywhere.
-    void find_continuing() {
-        const ContactPairList& list = state_.contact_pairs;
-        continues_.assign(list.pairs.size(), 0);
-        const auto look_at = [&](std::int32_t pair) {
-            const NodeEdgeContact& contact = list.contacts[pair];
-            continues_[pair] = contact.active || contact.release_correction != 0 ? 1 : 0;
-        };
-        if (list.watched.empty()) {
-            for (std::int32_t pair = 0; pair < static_cast<std::int32_t>(list.pairs.size()); ++pair) look_at(pair);
-        }
-        std::for_each(list.watched.begin(), list.watched.end(), look_at);
-    }
     [[nodiscard]] const SurfaceEdge& edge_of(std::int32_t pair) const {
         return assemblage_.surface.edges[state_.contact_pairs.pairs[pair].edge];
     }
@@ -212,8 +198,7 @@ private:
         std::int32_t edge;
         double depth;  ///< m
     };
-    std::vector<double> speed_;            ///< [n] m/s
-    std::vector<std::uint8_t> continues_;  ///< [pairs] 1 for a contact, or one that has ended and is corrected in the next step
+    std::vector<double> speed_;  ///< [n] m/s
     std::vector<Active> active_;
     double overlap_ = 0;  ///< largest of the contacts of the node, m
 };
@@ -234,7 +219,7 @@ void watch_pairs(const Assemblage& a, const ContactLaws& laws, double duration, 
 /// Forces of all node–edge contacts in the present displacements, without moving them.
 void refresh_forces(const Assemblage& a, const ContactLaws& laws, State& s) {
     for (std::size_t i = 0; i < s.contact_pairs.pairs.size(); ++i) {
-        if (s.contact_pairs.contacts[i].active || s.contact_pairs.contacts[i].release_correction != 0) {
+        if (s.contact_pairs.contacts[i].is_at_work()) {
             const PairGeometry g = pair_geometry(a, s, s.contact_pairs.pairs[i]);
             const FrictionLaw law = friction_law(a, laws, s.contact_pairs.pairs[i]);
             const NodeEdgeForces forces = node_edge_forces(law, s.contact_pairs.contacts[i], g);

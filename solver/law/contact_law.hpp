@@ -147,19 +147,13 @@ double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) 
 
 }  // namespace contact_law
 
-// The functions below find the law anew at every call. What works on many points binds the law once, by `with_law`.
-
-/// The law: motion and old history in; traction, new history and dissipated energies out.
+/// The law: motion and old history in; traction, new history and dissipated energies out. It finds the law anew at every call:
+/// what works on many points binds the law once, by `with_law`.
 ///
 /// \param to the new motion of the contact point, m
 /// \param history of the point; `history.motion` is the motion before
 inline ContactResponse update_contact(const ContactLaw& law, const ContactMotion& to, const ContactHistory& history) {
     return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::update<decltype(kind)>(law, to, history); });
-}
-
-/// Damage D of a contact point, 0 to 1 (Eq 9).
-inline double damage(const ContactLaw& law, const ContactHistory& history) {
-    return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::damage<decltype(kind)>(law, history); });
 }
 
 }  // namespace graincrack

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <variant>
 
 #include "share/file/peak.hpp"
 #include "share/file/specimen_measures.hpp"

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "share/file/specimen.hpp"
-#include "share/rock/material.hpp"
 #include "solver/loading/rate_control.hpp"
 #include "solver/model/amplitude.hpp"
 #include "solver/program/program.hpp"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "share/base/error.hpp"
@@ -73,8 +72,6 @@ double HeatingControl::max_rate(double change, double near_failure) const {
 double HeatingControl::min_rate(double change) const {
     return slowest * fraction_ * tolerance_ * std::max(change, scales_.least_change) / scales_.transit_time;
 }
-
-double HeatingControl::longest_time(double change) const { return usual_time(change) / slowest; }
 
 double HeatingControl::usual_time(double change) const {
     const double folds = change / scales_.least_change;

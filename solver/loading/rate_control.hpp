@@ -114,8 +114,7 @@ public:
     /// The fastest it ever changes where failure involves so much of the specimen, and the slowest, K/s.
     [[nodiscard]] double max_rate(double change, double near_failure) const;
     [[nodiscard]] double min_rate(double change) const;
-    /// The longest that a change takes, s, and about what it takes where minerals crack.
-    [[nodiscard]] double longest_time(double change) const;
+    /// About what a change takes where minerals crack, s.
     [[nodiscard]] double usual_time(double change) const;
     /// Calls `visit(name, member)` with all that changes.
     template <class Self, class Visit>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "share/file/specimen.hpp"
-#include "share/rock/material.hpp"
 #include "solver/loading/rate_control.hpp"
 #include "solver/model/amplitude.hpp"
 #include "solver/program/program.hpp"

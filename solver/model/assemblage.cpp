@@ -1,6 +1,5 @@
 #include "solver/model/assemblage.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

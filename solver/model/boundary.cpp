@@ -1,6 +1,5 @@
 #include "solver/model/boundary.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace graincrack {

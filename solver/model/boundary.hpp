@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "solver/model/amplitude.hpp"
 #include "solver/model/assemblage.hpp"
 #include "solver/model/prescribed.hpp"
 

@@ -33,6 +33,8 @@ struct NodeEdgeContact {
     double overlap = 0;             ///< e at the last update, m
     double elastic_slip = 0;        ///< q, m
     double release_correction = 0;  ///< tension in the step after its end, as a depth, ½ e o/(e + o), m
+    /// Whether it is active, or has ended and is corrected in the next step.
+    [[nodiscard]] bool is_at_work() const { return active || release_correction != 0; }
 };
 
 /// A node and an edge of another grain that are near each other.

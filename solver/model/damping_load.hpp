@@ -11,7 +11,6 @@
 // All means are exponential, with the time constant `mean_transits`: (u − ū)/τ is that of v if ū is that of u.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "solver/arithmetic/vector2.hpp"

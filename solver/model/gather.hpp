@@ -37,11 +37,4 @@ void gather_chunks(const Part& part, const ChunkShare& chunks, std::size_t per_c
         values);
 }
 
-/// The same of arrays with a value for each node.
-template <class Value>
-void gather_nodes(const Part& part, std::vector<Value>& values) {
-    gather_items(
-        part, [&](std::int32_t node) { return part.owner_of_node(node); }, values);
-}
-
 }  // namespace graincrack

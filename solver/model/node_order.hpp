@@ -7,7 +7,6 @@
 //   sum[k] += value[row.begin + k]   for k < row.size()
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

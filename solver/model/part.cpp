@@ -1,6 +1,5 @@
 #include "solver/model/part.hpp"
 
-#include <array>
 #include <numeric>
 
 #include "solver/model/assemblage.hpp"

@@ -6,12 +6,9 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
-#include "solver/model/amplitude.hpp"
 #include "solver/model/assemblage.hpp"
 
 namespace graincrack {

@@ -1,9 +1,6 @@
 // Constants of a run that the step needs.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include "solver/law/contact_law.hpp"
 #include "solver/law/damping.hpp"
 #include "solver/model/vertex_clusters.hpp"

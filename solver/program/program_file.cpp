@@ -6,15 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <set>
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "share/base/toml_table.hpp"
 #include "solver/program/keys.hpp"
-#include "solver/program/toml_entries.hpp"
 
 namespace graincrack {
 namespace {
@@ -303,6 +299,64 @@ void read_platens(TomlTable& file, Program& program) {
 }
 
 // --- writing ---------------------------------------------------------------------------------------------------------------
+
+/// As TOML writes what is no whole number.
+std::string toml_number(double value) {
+    const std::string text = fmt::format("{}", value);
+    return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+/// A table that is written key by key. Numbers have all their digits, in SI units; what is empty is not written.
+class TomlEntries {
+public:
+    void add(const std::string& key, const std::string& value) { entries_.push_back(fmt::format("{} = {}", key, value)); }
+
+    static constexpr bool reads = false;
+    void given(const std::string& key, const std::string& value) {
+        if (!value.empty()) add(key, toml_string(value));
+    }
+    void given(const std::string& key, const std::vector<std::string>& values) { add_list(key, values, toml_string); }
+    void given(const std::string& key, bool value) { add(key, value ? "true" : "false"); }
+    void given(const std::string& key, const Quantity& /*of*/, double value) { add(key, toml_number(value)); }
+    void given(const std::string& key, const Quantity& /*of*/, std::int64_t value) { add(key, std::to_string(value)); }
+    void given(const std::string& key, const Quantity& /*of*/, const std::optional<double>& value, const char* none = nullptr) {
+        if (value) add(key, *value == 0 && none != nullptr ? toml_string(none) : toml_number(*value));
+    }
+    void given(const std::string& key, const Quantity& /*of*/, const std::vector<double>& values) {
+        add_list(key, values, toml_number);
+    }
+    template <std::size_t N>
+    void given(const std::string& key, const Quantity& of, const std::optional<std::array<double, N>>& value,
+               const char* /*fits*/) {
+        if (value) given(key, of, std::vector<double>(value->begin(), value->end()));
+    }
+    void choice(const std::string& key, bool value, const std::string& word_of_false, const std::string& word_of_true) {
+        given(key, value ? word_of_true : word_of_false);
+    }
+    template <class Value>
+    void needed(const std::string& key, const Value& value, const std::string& /*what*/) {
+        given(key, value);
+    }
+    void needed(const std::string& key, const Quantity& of, double value, const std::string& /*what*/) { given(key, of, value); }
+
+    /// The keys as lines, each with `before` in front.
+    [[nodiscard]] std::string lines(const std::string& before = "") const {
+        std::string lines;
+        for (const std::string& entry : entries_) lines += before + entry + '\n';
+        return lines;
+    }
+    [[nodiscard]] std::string inline_table() const { return fmt::format("{{ {} }}", fmt::join(entries_, ", ")); }
+
+private:
+    template <class Item, class Text>
+    void add_list(const std::string& key, const std::vector<Item>& items, const Text& text_of) {
+        std::vector<std::string> texts;
+        for (const Item& item : items) texts.push_back(text_of(item));
+        if (!items.empty()) add(key, fmt::format("[{}]", fmt::join(texts, ", ")));
+    }
+
+    std::vector<std::string> entries_;  ///< "key = value"
+};
 
 /// The keys of a value, as an inline table.
 template <class... Value>

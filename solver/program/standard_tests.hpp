@@ -1,6 +1,8 @@
 // The laboratory tests as programs: platens, a membrane where there is a pressure, and the stages of both.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,12 +18,7 @@ namespace graincrack {
 /// How the platens' speed is found: given, by the run's own measures, or in blocks with rest between them.
 enum class RateKind : std::uint8_t { fixed, automatic, blocks };
 constexpr std::string_view name_of(RateKind rate) {
-    switch (rate) {
-        case RateKind::fixed: return "fixed";
-        case RateKind::automatic: return "auto";
-        case RateKind::blocks: return "blocks";
-    }
-    return "?";
+    return std::array{"fixed", "auto", "blocks"}[static_cast<std::size_t>(rate)];
 }
 
 /// The loading of a standard test.
@@ -47,12 +44,8 @@ struct LoadingRequest {
     }
     /// Bound of the measures by which the platens are moved; 0 at a fixed rate.
     [[nodiscard]] double control_tolerance() const {
-        switch (rate) {
-            case RateKind::fixed: return 0;
-            case RateKind::automatic: return automatic_tolerance();
-            case RateKind::blocks: return rest_tolerance;
-        }
-        return 0;
+        if (rate == RateKind::fixed) return 0;
+        return rate == RateKind::automatic ? automatic_tolerance() : rest_tolerance;
     }
 };
 

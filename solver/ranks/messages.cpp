@@ -11,8 +11,6 @@
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
-#include <string_view>
 
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"

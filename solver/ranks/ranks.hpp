@@ -17,14 +17,10 @@ namespace graincrack {
 
 /// Values as bytes, and back.
 template <class Value>
-requires std::is_trivially_copyable_v<Value>
-void append_bytes(std::span<const Value> values, Bytes& bytes) {
-    const auto raw = std::as_bytes(values);
-    bytes.insert(bytes.end(), raw.begin(), raw.end());
+requires std::is_trivially_copyable_v<Value> Bytes bytes_of_values(const std::vector<Value>& values) {
+    const auto raw = std::as_bytes(std::span(values));
+    return {raw.begin(), raw.end()};
 }
-template <class Value>
-requires std::is_trivially_copyable_v<Value>
-void append_bytes(const std::vector<Value>& values, Bytes& bytes) { append_bytes(std::span<const Value>(values), bytes); }
 template <class Value>
 requires std::is_trivially_copyable_v<Value> std::vector<Value> values_of(const Bytes& bytes) {
     std::vector<Value> values(bytes.size() / sizeof(Value));
@@ -82,8 +78,8 @@ public:
     template <class Value>
     [[nodiscard]] std::vector<std::vector<Value>> exchange(const std::vector<std::vector<Value>>& to) const {
         if (is_alone()) return to;
-        std::vector<Bytes> bytes(to.size());
-        for (std::size_t i = 0; i < to.size(); ++i) append_bytes(to[i], bytes[i]);
+        std::vector<Bytes> bytes;
+        for (const std::vector<Value>& of_rank : to) bytes.push_back(bytes_of_values(of_rank));
         return values_of_all<Value>(messages_->exchange(bytes));
     }
     /// The value of the first rank.

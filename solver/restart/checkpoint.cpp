@@ -4,8 +4,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <utility>
-#include <vector>
 
 #include "share/base/error.hpp"
 #include "share/file/output_file.hpp"

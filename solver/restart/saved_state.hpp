@@ -2,7 +2,6 @@
 // values, or with other contact values or another program.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

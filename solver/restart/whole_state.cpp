@@ -39,10 +39,6 @@ template <class Value>
 std::vector<Value> slice(const std::vector<Value>& values, std::size_t begin, std::size_t end) {
     return {values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end)};
 }
-template <class Value>
-void append(const std::vector<Value>& values, std::vector<Value>& to) {
-    to.insert(to.end(), values.begin(), values.end());
-}
 
 /// Indices of items from `begin` on, counted from there.
 std::vector<std::int32_t> counted_from(std::size_t begin, std::vector<std::int32_t> indices) {
@@ -62,7 +58,7 @@ std::vector<std::int32_t> joined(const std::vector<std::vector<std::int32_t>>& i
 template <class Value>
 std::vector<Value> joined(const std::vector<std::vector<Value>>& values) {
     std::vector<Value> all;
-    for (const std::vector<Value>& of_rank : values) append(of_rank, all);
+    for (const std::vector<Value>& of_rank : values) all.insert(all.end(), of_rank.begin(), of_rank.end());
     return all;
 }
 
@@ -116,7 +112,10 @@ struct GatherArray {
         const Part& part = assemblage.part;
         switch (of) {
             case ArrayOf::nodes:
-            case ArrayOf::nodes_once_found: gather_nodes(part, values); break;
+            case ArrayOf::nodes_once_found:
+                gather_items(
+                    part, [&](std::int32_t node) { return part.owner_of_node(node); }, values);
+                break;
             case ArrayOf::points: gather_chunks(part, part.contacts, 2UL * contacts_per_chunk, values); break;
             case ArrayOf::contact_slots: gather_chunks(part, part.contacts, slot_stride, values); break;
             case ArrayOf::node_chunks:

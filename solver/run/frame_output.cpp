@@ -1,7 +1,6 @@
 #include "solver/run/frame_output.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "solver/model/gather.hpp"
 

@@ -1,6 +1,5 @@
 #include "solver/run/measure.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include "solver/detection/active_contacts.hpp"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "share/base/union_find.hpp"
-#include "solver/detection/active_contacts.hpp"
 #include "solver/detection/node_edge_contact.hpp"
 #include "solver/detection/pair_geometry.hpp"
 

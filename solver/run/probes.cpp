@@ -95,15 +95,14 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
     for (const ProbeRequest& request : program.probes) {
         const std::string where = program.file + ": probe." + request.name;
         if (request.is_circle) {
-            std::vector<std::int32_t> elements;
+            Circle elements;
             for (std::int32_t e = 0; e < a.n_elements(); ++e) {
                 if (length(centre_of(a, e) - request.centre) <= request.radius) elements.push_back(e);
             }
             if (elements.empty()) {
                 throw InputError(where + ": no element has its centre in this circle; a larger one, or one inside, fits");
             }
-            request_at_.emplace_back(true, circles_.size());
-            circles_.push_back(elements);
+            requests_.emplace_back(elements);
         } else {
             std::int32_t best = 0;
             double inside = -1e300;
@@ -117,8 +116,7 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
             }
             constexpr double round_off = -1e-9;
             if (inside < round_off) throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
-            request_at_.emplace_back(false, points_.size());
-            points_.push_back({a.element_nodes[best], weights_at(a, best, request.centre)});
+            requests_.emplace_back(Point{a.element_nodes[best], weights_at(a, best, request.centre)});
         }
         histories_.push_back(empty_history(request.name, request.is_circle ? circle_columns() : point_columns()));
     }
@@ -135,19 +133,20 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
         const Vector2 force = force_of_control(a, static_cast<std::int32_t>(c), boundary.prescribed, s);
         push(probe++, {u.x, u.y, force.x, force.y});
     }
-    for (const auto& [is_circle, at] : request_at_) {
-        if (is_circle) {
-            push(probe++, mean_stress(a, circles_[at], s));
+    for (const auto& request : requests_) {
+        if (const auto* const circle = std::get_if<Circle>(&request)) {
+            push(probe++, mean_stress(a, *circle, s));
             continue;
         }
-        const std::vector<std::int32_t> nodes(points_[at].nodes.begin(), points_[at].nodes.end());
+        const Point& point = std::get<Point>(request);
+        const std::vector<std::int32_t> nodes(point.nodes.begin(), point.nodes.end());
         const std::vector<Vector2> displacement = values_at(a.part, nodes, s.displacement);
         const std::vector<Vector2> velocity = values_at(a.part, nodes, s.velocity);
         Vector2 u;
         Vector2 v;
         for (std::size_t k = 0; k < 3; ++k) {
-            u += points_[at].weights[k] * displacement[k];
-            v += points_[at].weights[k] * velocity[k];
+            u += point.weights[k] * displacement[k];
+            v += point.weights[k] * velocity[k];
         }
         push(probe++, {u.x, u.y, v.x, v.y});
     }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "share/file/probe_file.hpp"
@@ -31,11 +32,10 @@ private:
     };
     void push(std::size_t probe, const std::vector<double>& row);
 
+    using Circle = std::vector<std::int32_t>;  ///< its elements
     std::vector<std::vector<std::int32_t>> nodes_of_boundary_;
-    std::vector<Point> points_;                             ///< of point probes
-    std::vector<std::vector<std::int32_t>> circles_;        ///< elements of circle probes
-    std::vector<std::pair<bool, std::size_t>> request_at_;  ///< is a circle, index into points or circles
-    std::vector<ProbeHistory> histories_;                   ///< boundary conditions, then requests
+    std::vector<std::variant<Point, Circle>> requests_;
+    std::vector<ProbeHistory> histories_;  ///< boundary conditions, then requests
 };
 
 }  // namespace graincrack

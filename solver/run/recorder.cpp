@@ -1,6 +1,5 @@
 #include "solver/run/recorder.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "share/base/error.hpp"

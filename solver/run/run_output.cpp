@@ -1,7 +1,6 @@
 #include "solver/run/run_output.hpp"
 
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "share/file/h5_file.hpp"

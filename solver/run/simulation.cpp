@@ -6,13 +6,11 @@
 #include <array>
 #include <chrono>
 #include <csignal>
-#include <optional>
 #include <utility>
 
 #include "share/base/error.hpp"
 #include "share/file/equilibrium.hpp"
 #include "share/file/peak.hpp"
-#include "solver/detection/active_contacts.hpp"
 #include "solver/run/recorder.hpp"
 #include "solver/run/run_output.hpp"
 #include "solver/run/sensitivity.hpp"

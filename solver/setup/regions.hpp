@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "share/file/specimen.hpp"
-#include "share/rock/material.hpp"
 #include "solver/model/boundary.hpp"
 #include "solver/model/state.hpp"
 #include "solver/program/program.hpp"

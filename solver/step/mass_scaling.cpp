@@ -84,20 +84,12 @@ bool changes(std::int32_t node, const State& s) { return s.clusters.near_platen[
 
 }  // namespace
 
-ClusterState make_cluster_state(const Assemblage& a, const MassScaling& scaling) {
-    ClusterState g;
-    if (scaling.is_on()) {
-        g.near_platen.resize(a.n_nodes());
-        g.sums.resize(a.node_chunks.size());
-    }
-    return g;
-}
-
 void complete_cluster_state(const Assemblage& a, const MassScaling& scaling, State& s) {
     if (!scaling.is_on()) return;
     ClusterState& g = s.clusters;
     s.contact_pairs.cluster_load.resize(a.n_clusters());
     g.near_platen.resize(a.n_nodes());
+    g.sums.resize(a.node_chunks.size());
     g.constraining_platen.resize(a.n_clusters());
     g.inverse_mass.resize(a.n_clusters());
     std::vector<bool> may_be_near(a.n_nodes(), false);

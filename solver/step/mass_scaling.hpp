@@ -10,10 +10,7 @@
 
 namespace graincrack {
 
-/// All clusters away from platens.
-ClusterState make_cluster_state(const Assemblage& assemblage, const MassScaling& scaling);
-
-/// Finds what follows from the rest of the state.
+/// Finds what follows from the rest of the state; of a new one, all clusters are away from platens.
 void complete_cluster_state(const Assemblage& assemblage, const MassScaling& scaling, State& state);
 
 /// Finds which clusters of a chunk of nodes platens constrain, from `state.near_platen`. Where that changes it changes velocities

@@ -1,7 +1,5 @@
 #include "solver/step/mass_scaling_step.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "solver/arithmetic/simd.hpp"

@@ -21,6 +21,11 @@ inline double remaining_cohesion(const ContactLaw& law, const ContactHistory& h)
     return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::remaining_cohesion<decltype(kind)>(law, h); });
 }
 
+/// Damage D of a contact point, 0 to 1.
+inline double damage(const ContactLaw& law, const ContactHistory& h) {
+    return contact_law::with_law(law.variant, [&](auto kind) { return contact_law::damage<decltype(kind)>(law, h); });
+}
+
 }  // namespace graincrack
 
 namespace graincrack::test {
