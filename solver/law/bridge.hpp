@@ -51,7 +51,7 @@ GRAINCRACK_INLINE double line_at_integrity(const ContactLaw& law, double scaled,
 
 /// Moves the bridge of a point past its peak on the side of δn = 0 that it is on.
 /// \param p its motion, with β before it \param integrity β after it \param bridge b before it
-GRAINCRACK_INLINE Bridge advance_bridge(const ContactLaw& law, const IntactPoint& p, double integrity, double bridge,
+GRAINCRACK_INLINE Bridge advance_bridge(const ContactLaw& law, const MovedPoint& p, double integrity, double bridge,
                                         double slip) {
     constexpr double e = std::numbers::e;
     const bool closed = p.opening < 0;
@@ -79,14 +79,13 @@ GRAINCRACK_INLINE double remaining_with_bridge(double brittle, double bridge) {
     return std::max(brittle, std::min(bridge, below_half));
 }
 /// Adds the bridge to the softening response of a point.
-GRAINCRACK_INLINE void add_bridge(const ContactLaw& law, const SofteningPoint& p, SofteningResponse& r) {
-    const IntactPoint motion{p.old_opening, p.old_sliding, p.opening, p.sliding, p.integrity};
-    const Bridge bridge = advance_bridge(law, motion, r.integrity, p.bridge, p.slip);
+GRAINCRACK_INLINE void add_bridge(const ContactLaw& law, const MovedPoint& p, SofteningResponse& r) {
+    const Bridge bridge = advance_bridge(law, p, r.integrity, p.bridge, p.slip);
     r.normal += bridge.normal;
     r.shear += bridge.shear;
     r.slip = slip_of_bridge(p.opening, p.bridge, r.slip);
     r.fracture += bridge.fracture;
-    r.holds = r.integrity + bridge.integrity > 0 ? stays_on_its_side(motion) : 0.0;
+    r.holds = r.integrity + bridge.integrity > 0 ? stays_on_its_side(p) : 0.0;
     r.remaining_cohesion = remaining_with_bridge(r.remaining_cohesion, bridge.remaining);
     r.bridge = bridge.integrity;
 }

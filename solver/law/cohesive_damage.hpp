@@ -44,11 +44,11 @@ inline double open_damage(const ContactLaw& law, double load, double stiffness) 
     return softening_damage(load, softening_range(law.gf, stiffness));
 }
 /// Energy that a fall of β takes from a point while it moves, at the mean of q before and after, J/m².
-GRAINCRACK_INLINE double energy_of_fall(const ContactLaw& law, const IntactPoint& p, double fall) {
+GRAINCRACK_INLINE double energy_of_fall(const ContactLaw& law, const MovedPoint& p, double fall) {
     return 0.25 * (cohesive_form(law, p.old_opening, p.old_sliding) + cohesive_form(law, p.opening, p.sliding)) * fall;
 }
 /// Damage before the peak, on either branch.
-GRAINCRACK_INLINE IntactResponse damage_before_peak(const ContactLaw& law, const IntactPoint& p) {
+GRAINCRACK_INLINE IntactResponse damage_before_peak(const ContactLaw& law, const MovedPoint& p) {
     const double load = cohesive_load(law, p.opening, p.sliding);
     const double integrity = std::min(p.integrity, exp_of_minus(load));
     return {(p.opening >= 0 ? integrity : 1.0) * law.kt * p.opening, integrity * law.ks * p.sliding,

@@ -63,11 +63,10 @@ struct CohesiveFrictional {
     static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) {
         return h.failed() && h.integrity == 0 && h.bridge == 0;
     }
-    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
+    static IntactResponse intact(const ContactLaw& law, const MovedPoint& p) { return damage_before_peak(law, p); }
     /// Cohesion past the peak, and friction beside it while closed.
-    GRAINCRACK_INLINE static SofteningResponse softening(const ContactLaw& law, const SofteningPoint& p) {
+    GRAINCRACK_INLINE static SofteningResponse softening(const ContactLaw& law, const MovedPoint& p) {
         const bool closed = p.opening < 0;
-        const IntactPoint motion{p.old_opening, p.old_sliding, p.opening, p.sliding, p.integrity};
         const double integrity = std::min(p.integrity, integrity_at(law, p.opening, p.sliding));
         const double limit = -law.kt * std::min(p.opening, 0.0) * tan_friction(law, integrity);
         const FrictionReturn friction = friction_return(law.ks, p.old_sliding, p.sliding, p.slip, limit);
@@ -75,13 +74,13 @@ struct CohesiveFrictional {
                 integrity * law.ks * p.sliding + (closed ? friction.shear : 0.0),
                 integrity,
                 closed ? friction.slip : p.slip,
-                energy_of_fall(law, motion, p.integrity - integrity),
+                energy_of_fall(law, p, p.integrity - integrity),
                 closed ? friction.dissipated : 0.0,
-                integrity > 0 ? stays_on_its_side(motion) : 0.0,
+                integrity > 0 ? stays_on_its_side(p) : 0.0,
                 remaining_cohesion(law, p.opening, p.sliding, integrity)};
     }
     /// The same with a bridge beside it while open.
-    GRAINCRACK_INLINE static SofteningResponse bridged_softening(const ContactLaw& law, const SofteningPoint& p) {
+    GRAINCRACK_INLINE static SofteningResponse bridged_softening(const ContactLaw& law, const MovedPoint& p) {
         SofteningResponse r = softening(law, p);
         add_bridge(law, p, r);
         return r;

@@ -97,7 +97,7 @@ struct Combined {
     static double passes_peak(double stretch, double largest) { return stretch > 1 && largest < 1 ? 1.0 : 0.0; }
 
     /// Cohesion past a peak, and friction beside it while closed.
-    GRAINCRACK_INLINE static SofteningResponse softening(const ContactLaw& law, const SofteningPoint& p) {
+    GRAINCRACK_INLINE static SofteningResponse softening(const ContactLaw& law, const MovedPoint& p) {
         const bool closed = p.opening < 0;
         const Stretch from = stretch_of(law, {p.old_opening, p.old_sliding});
         const Stretch at = stretch_of(law, {p.opening, p.sliding});
@@ -117,8 +117,7 @@ struct Combined {
                 .fracture = 0.5 * (cohesive_energy(law, from, old) - cohesive_energy(law, from, now) +
                                    cohesive_energy(law, at, old) - cohesive_energy(law, at, now)),
                 .friction = closed ? friction.dissipated : 0.0,
-                .holds = passes == 0 && now.left > 0 ? stays_on_its_side({p.old_opening, p.old_sliding, p.opening, p.sliding, 1})
-                                                     : 0.0,
+                .holds = passes == 0 && now.left > 0 ? stays_on_its_side(p) : 0.0,
                 .remaining_cohesion = now.left,
                 .largest_open = now.largest.open,
                 .largest_slid = now.largest.slid};
@@ -160,7 +159,7 @@ struct Combined {
     static double damage(const ContactLaw& law, const ContactHistory& h) { return std::min(1.0, cohesion_of(law, h).damage); }
     static double remaining_cohesion(const ContactLaw& law, const ContactHistory& h) { return cohesion_of(law, h).left; }
     static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return h.failed() && damage(law, h) >= 1; }
-    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
+    static IntactResponse intact(const ContactLaw& law, const MovedPoint& p) {
         const double x = std::max(0.0, p.opening) * law.inv_op;
         const double y = std::abs(p.sliding) * law.inv_sp;
         return {law.kt * p.opening * (1 - 0.5 * x), law.ks * p.sliding * (1 - 0.5 * y), x <= 1 && y <= 1 ? 1.0 : 0.0};

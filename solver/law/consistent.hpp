@@ -36,10 +36,10 @@ struct Consistent {
         ContactHistory& h = r.history;
         const bool open = to.opening >= 0;
         const double load = cohesive_load(law, to.opening, to.sliding);
-        const IntactPoint motion = intact_point(h, to);
+        const MovedPoint motion = moved_point(h, to);
         double frictional_shear = 0;
         if (!open) {
-            const ResidualResponse friction = residual_response(law, residual_point(h, to));
+            const ResidualResponse friction = residual_response(law, moved_point(h, to));
             frictional_shear = friction.shear;
             h.slip = friction.slip;
             r.dissipation.friction += h.friction_fraction * friction.friction;
@@ -68,7 +68,7 @@ struct Consistent {
     static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) {
         return h.failed() && h.integrity == 0 && h.bridge == 0 && h.friction_fraction == 1;
     }
-    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) { return damage_before_peak(law, p); }
+    static IntactResponse intact(const ContactLaw& law, const MovedPoint& p) { return damage_before_peak(law, p); }
 
 private:
     /// Past the peak of the open branch: β follows the softening curve, and the lost fraction of the area will carry friction.
@@ -78,11 +78,11 @@ private:
         const double integrity = std::min(h.integrity, (1 - lost) / (std::numbers::e * load));
         mark_failed(h, CrackMode::tensile);
         h.friction_fraction = std::max(h.friction_fraction, lost);
-        r.dissipation.fracture += energy_of_fall(law, intact_point(h, to), h.integrity - integrity);
+        r.dissipation.fracture += energy_of_fall(law, moved_point(h, to), h.integrity - integrity);
         h.integrity = integrity;
     }
     /// Adds what the bridge bears to the traction.
-    static void bear_bridge(const ContactLaw& law, const IntactPoint& motion, ContactResponse& r) {
+    static void bear_bridge(const ContactLaw& law, const MovedPoint& motion, ContactResponse& r) {
         ContactHistory& h = r.history;
         const Bridge bridge = advance_bridge(law, motion, h.integrity, h.bridge, h.slip);
         h.slip = slip_of_bridge(motion.opening, h.bridge, h.slip);

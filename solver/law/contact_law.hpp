@@ -141,7 +141,7 @@ double remaining_cohesion(const ContactLaw& law, const ContactHistory& history) 
     }
     if (history.bridge == 0) return cohesion;
     const Bridge bridge =
-        advance_bridge(law, intact_point(history, history.motion), history.integrity, history.bridge, history.slip);
+        advance_bridge(law, moved_point(history, history.motion), history.integrity, history.bridge, history.slip);
     return remaining_with_bridge(cohesion, bridge.remaining);
 }
 

@@ -68,7 +68,7 @@ struct CoulombSlip {
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() ? 1 : 0; }
     /// With a residual cohesion a point that opens has shear to relax, which the residual response knows nothing of.
     static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return h.separated && law.residual_cc == 0; }
-    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
+    static IntactResponse intact(const ContactLaw& law, const MovedPoint& p) {
         const double normal = law.kt * p.opening;
         const double shear = law.ks * p.sliding;
         const bool holds = normal <= law.tc && std::abs(shear) <= shear_limit(law.cc, law.tan_phi, normal);

@@ -60,7 +60,7 @@ struct Literal {
         return law.dut > law.dct ? std::min(1.0, (h.max_displacement - law.dct) / (law.dut - law.dct)) : 1.0;
     }
     static bool is_residual(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed_closed; }
-    static IntactResponse intact(const ContactLaw& law, const IntactPoint& p) {
+    static IntactResponse intact(const ContactLaw& law, const MovedPoint& p) {
         const bool open = p.opening >= 0;
         const double normal_weight = law.inv_dct * law.inv_dct;
         const double shear_weight = open ? law.inv_dct * law.inv_dct : law.inv_dcs * law.inv_dcs;

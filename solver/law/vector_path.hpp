@@ -9,13 +9,17 @@
 
 namespace graincrack {
 
-/// An intact point before and after a motion.
-struct IntactPoint {
+/// A point before and after a motion, and what its response depends on of its history before.
+struct MovedPoint {
     double old_opening, old_sliding;  ///< m
     double opening, sliding;          ///< m
-    double integrity;                 ///< β before; 1 if the law has no damage before the peak
+    double integrity;                 ///< β; 1 if the law has no damage before the peak
+    double slip = 0;                  ///< m
+    double largest_open = 0;          ///< as in `ContactHistory`
+    double largest_slid = 0;
+    double bridge = 0;
 };
-/// The response of `update_contact` to it, where `holds`.
+/// The response of `update_contact` to an intact point, where `holds`.
 struct IntactResponse {
     double normal, shear;  ///< Pa
     double holds;          ///< 1 if the point stays intact and this is all that happens to it; 0 if it needs `update_contact`
@@ -23,17 +27,7 @@ struct IntactResponse {
     double fracture = 0;  ///< dissipated by damage before the peak, J/m²
 };
 
-/// A point past its peak with cohesion left, before and after a motion.
-struct SofteningPoint {
-    double old_opening, old_sliding;  ///< m
-    double opening, sliding;          ///< m
-    double integrity;                 ///< β before
-    double slip;                      ///< before, m
-    double largest_open = 0;          ///< before, as in `ContactHistory`
-    double largest_slid = 0;
-    double bridge = 0;
-};
-/// The response of `update_contact` to it, where `holds`.
+/// The same of a point past its peak with cohesion left.
 struct SofteningResponse {
     double normal, shear;  ///< Pa
     double integrity;
@@ -47,13 +41,7 @@ struct SofteningResponse {
     double bridge = 0;
 };
 
-/// A residual point, one of which `is_residual` of its law says that no cohesion is left, before and after a motion.
-struct ResidualPoint {
-    double old_opening, old_sliding;  ///< m
-    double opening, sliding;          ///< m
-    double slip;                      ///< before, m
-};
-/// The response of `update_contact` to it, where `holds`.
+/// The same of a residual point, one of which `is_residual` of its law says that no cohesion is left.
 struct ResidualResponse {
     double normal, shear;  ///< Pa
     double slip;           ///< m
@@ -61,7 +49,7 @@ struct ResidualResponse {
     double holds;          ///< 1 if the point stays open or stays closed, else 0
 };
 /// Compression and friction with the residual cohesion and friction angle while closed, nothing while open.
-inline ResidualResponse residual_response(const ContactLaw& law, const ResidualPoint& p) {
+inline ResidualResponse residual_response(const ContactLaw& law, const MovedPoint& p) {
     const bool closed = p.opening < 0;
     const double compression = std::min(p.opening, 0.0);
     const contact_law::FrictionReturn friction = contact_law::friction_return(
@@ -73,23 +61,17 @@ inline ResidualResponse residual_response(const ContactLaw& law, const ResidualP
 namespace contact_law {
 
 /// 1 if the point stays open or stays closed, else 0.
-inline double stays_on_its_side(const IntactPoint& p) { return (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0; }
+inline double stays_on_its_side(const MovedPoint& p) { return (p.opening >= 0) == (p.old_opening >= 0) ? 1.0 : 0.0; }
 
-inline IntactPoint intact_point(const ContactHistory& h, const ContactMotion& to) {
-    return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.integrity};
-}
-inline SofteningPoint softening_point(const ContactHistory& h, const ContactMotion& to) {
+inline MovedPoint moved_point(const ContactHistory& h, const ContactMotion& to) {
     return {h.motion.opening, h.motion.sliding, to.opening,     to.sliding, h.integrity,
             h.slip,           h.largest_open,   h.largest_slid, h.bridge};
-}
-inline ResidualPoint residual_point(const ContactHistory& h, const ContactMotion& to) {
-    return {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip};
 }
 
 /// Moves a point that is intact on the side it is on, if the intact response holds. \return whether it does
 template <class Law>
 bool advance_intact(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
-    const IntactResponse intact = Law::intact(law, intact_point(r.history, to));
+    const IntactResponse intact = Law::intact(law, moved_point(r.history, to));
     if (intact.holds == 0) return false;
     r.traction = {intact.normal, intact.shear};
     r.dissipation.fracture += intact.fracture;
@@ -100,7 +82,7 @@ bool advance_intact(const ContactLaw& law, const ContactMotion& to, ContactRespo
 
 /// The softening response of a law that has one, with its bridge if there is one.
 template <class Law>
-SofteningResponse softening_response(const ContactLaw& law, const SofteningPoint& p) {
+SofteningResponse softening_response(const ContactLaw& law, const MovedPoint& p) {
     if constexpr (requires { Law::bridged_softening(law, p); }) {
         if (law.bridge > 0) return Law::bridged_softening(law, p);
     }
@@ -109,7 +91,7 @@ SofteningResponse softening_response(const ContactLaw& law, const SofteningPoint
 /// Moves a point past its peak by the softening response, whether that holds or not. \return the cohesion that is left
 template <class Law>
 double advance_softening(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
-    const SofteningResponse now = softening_response<Law>(law, softening_point(r.history, to));
+    const SofteningResponse now = softening_response<Law>(law, moved_point(r.history, to));
     r.traction = {now.normal, now.shear};
     r.dissipation.fracture += now.fracture;
     r.dissipation.friction += now.friction;
@@ -124,7 +106,7 @@ double advance_softening(const ContactLaw& law, const ContactMotion& to, Contact
 
 /// Moves a point on which nothing but friction is left; one that is open has separated.
 inline void advance_residual(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
-    const ResidualResponse residual = residual_response(law, residual_point(r.history, to));
+    const ResidualResponse residual = residual_response(law, moved_point(r.history, to));
     r.traction = {residual.normal, residual.shear};
     r.dissipation.friction += residual.friction;
     r.history.slip = residual.slip;

@@ -64,7 +64,7 @@ ChunkFailure failure_of(const Assemblage& a, const ContactLaws& laws, std::int32
             const double opening = s.opening[i];
             const double sliding = s.sliding[i];
             if (s.failed[i] == 0) {
-                const IntactPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
+                const MovedPoint grown{opening, sliding, near_growth * opening, near_growth * sliding, s.integrity[i]};
                 found.intact += Law::intact(law, grown).holds == 0 ? 1 : 0;
                 continue;
             }

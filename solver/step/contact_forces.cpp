@@ -157,13 +157,13 @@ GRAINCRACK_INLINE void apply_intact_response(const ContactLaw& constants, const 
 
 /// True if a law has a softening response.
 template <class Law>
-constexpr bool has_softening = requires(const ContactLaw& law, const SofteningPoint& p) {
+constexpr bool has_softening = requires(const ContactLaw& law, const MovedPoint& p) {
     Law::softening(law, p);
 };
 
 /// True if it has one with a bridge.
 template <class Law>
-constexpr bool may_be_bridged = requires(const ContactLaw& law, const SofteningPoint& p) {
+constexpr bool may_be_bridged = requires(const ContactLaw& law, const MovedPoint& p) {
     Law::bridged_softening(law, p);
 };
 
@@ -200,8 +200,8 @@ template <class Law, bool bridged>
 GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, std::int32_t count, SofteningLanes& p) {
     const ContactLaw law = constants;
     for (std::int32_t j = 0; j < count; ++j) {
-        const SofteningPoint point{p.old_opening[j], p.old_sliding[j],  p.opening[j],      p.sliding[j], p.integrity[j],
-                                   p.slip[j],        p.largest_open[j], p.largest_slid[j], p.bridge[j]};
+        const MovedPoint point{p.old_opening[j], p.old_sliding[j],  p.opening[j],      p.sliding[j], p.integrity[j],
+                               p.slip[j],        p.largest_open[j], p.largest_slid[j], p.bridge[j]};
         SofteningResponse r;
         if constexpr (bridged) {
             r = Law::bridged_softening(law, point);
@@ -230,7 +230,8 @@ GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, cons
     const double* const old_sliding = points.old_sliding;
     double* __restrict const slip = points.slip;
     for (std::int32_t k = 0; k < 2 * count; ++k) {
-        const ResidualResponse r = residual_response(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], slip[k]});
+        const ResidualResponse r =
+            residual_response(law, {old_opening[k], old_sliding[k], b.opening[k], b.sliding[k], 1, slip[k]});
         const double residual = r.holds * b.residual[k];
         const double normal = b.released[k] != 0 ? 0.0 : b.normal_traction[k];
         const double shear = b.released[k] != 0 ? 0.0 : b.shear_traction[k];

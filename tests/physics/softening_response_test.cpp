@@ -46,7 +46,7 @@ Count compare_on_path(const ContactLaw& law, double peak_sliding, int seed) {
         const ContactHistory h = walk.history();
         const ContactMotion to{opening * (1 + (1.2 + 0.03 * k) * std::sin(0.013 * k * (1 + seed))),
                                peak_sliding * (1 + 0.2 * k * std::sin(0.05 * k + seed))};
-        const SofteningResponse softening = contact_law::softening_response<Law>(law, contact_law::softening_point(h, to));
+        const SofteningResponse softening = contact_law::softening_response<Law>(law, contact_law::moved_point(h, to));
         const ContactResponse full = update_contact(law, to, h);
         walk.to(to);
         if (softening.holds != 0 && !Law::is_residual(law, h)) {

@@ -21,7 +21,7 @@ using test::all_laws;
 using test::augig_contact;
 using test::expect_close;
 
-IntactResponse intact_response(const ContactLaw& law, const IntactPoint& point) {
+IntactResponse intact_response(const ContactLaw& law, const MovedPoint& point) {
     return contact_law::with_law(law.variant, [&](auto kind) { return decltype(kind)::intact(law, point); });
 }
 bool is_residual(const ContactLaw& law, const ContactHistory& history) {
@@ -147,8 +147,7 @@ TEST(ContactLawPoint, ResidualLawAgreesWithTheFullOne) {
         for (int k = 0; k < 4000 && is_residual(law, h); ++k) {
             const double phase = 0.01 * k;
             const ContactMotion to{law.dct * (std::sin(phase) - 0.7), law.dcs * std::sin(2.3 * phase)};
-            const ResidualResponse r =
-                residual_response(law, {h.motion.opening, h.motion.sliding, to.opening, to.sliding, h.slip});
+            const ResidualResponse r = residual_response(law, contact_law::moved_point(h, to));
             const ContactResponse full = update_contact(law, to, h);
             const bool crosses = (to.opening >= 0) != (h.motion.opening >= 0);
             EXPECT_EQ(r.holds, crosses ? 0 : 1);
