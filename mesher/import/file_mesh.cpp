@@ -17,7 +17,6 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double off_chord = 1e-3;  ///< of a middle node, over its side: the area changes by less
 constexpr double off_plane = 1e-9;  ///< of z, over the extent: round-off of a written number
 constexpr std::size_t longest_plain_name = 40;
 
@@ -122,19 +121,9 @@ private:
         return {p[0], p[1]};
     }
 
-    /// The corners of an element, whose middle nodes must lie on its sides.
     [[nodiscard]] std::vector<int> corners(const FileElement& element) const {
         std::vector<int> nodes;
         for (int k = 0; k < element.n_corners; ++k) nodes.push_back(node(element, k));
-        for (int k = 0; element.has_midsides && k < (element.n_corners == 2 ? 1 : element.n_corners); ++k) {
-            const Point from = at(nodes[index(k)]);
-            const Point along = at(nodes[static_cast<std::size_t>((k + 1) % element.n_corners)]) - from;
-            const int middle = node(element, element.n_corners + k);
-            if (std::abs(cross(along, at(middle) - from)) > off_chord * dot(along, along)) {
-                fail(fmt::format("element {} has its middle node {} beside the straight side; give elements of order 1",
-                                 element.number, file_.node_numbers[index(middle)]));
-            }
-        }
         return nodes;
     }
 

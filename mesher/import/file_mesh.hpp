@@ -21,8 +21,7 @@ enum class GrainChoice { element, entity, physical };
 struct FileElement {
     std::int64_t number = 0;
     int n_corners = 0;                    ///< 2, 3 or 4
-    bool has_midsides = false;            ///< second order: side i has its middle node at nodes[n_corners + i]
-    std::array<std::int64_t, 8> nodes{};  ///< by their numbers in the file
+    std::array<std::int64_t, 4> nodes{};  ///< by their numbers in the file
     std::int64_t entity = 0;              ///< 0: none
     std::int64_t physical = 0;            ///< 0: none
 };
@@ -42,11 +41,10 @@ struct FileMesh {
 /// A name as one of a phase, a part or a flaw: small letters, digits, _ and, between them, -.
 std::string plain_name(const std::string& name);
 
-/// Triangles of a file: quadrangles are divided along their shorter diagonal; of second-order elements the corners are taken if
-/// the nodes in the middle of sides lie on them.
+/// Triangles of a file: quadrangles are divided along their shorter diagonal.
 /// \param grains none: entities, or elements where all are of one entity
 /// \param name of the file, for messages
-/// \throws InputError if there are no such elements, nodes are missing, lie beside a plane z = constant or beside their side
+/// \throws InputError if there are no such elements, nodes are missing or lie beside a plane z = constant
 ImportedMesh imported_mesh(const FileMesh& file, std::optional<GrainChoice> grains, const PhaseKey& key, const std::string& name);
 
 }  // namespace graincrack::mesher

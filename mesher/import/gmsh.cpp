@@ -121,13 +121,8 @@ private:
     std::size_t line_ = 1;
 };
 
-struct ElementType {
-    int n_corners;
-    int n_nodes;  ///< more than corners: of second order, which Neper writes by default
-};
-/// Types of elements by the numbers that the format gives them.
-const std::map<std::int64_t, ElementType> element_types{{15, {1, 1}}, {1, {2, 2}}, {2, {3, 3}},  {3, {4, 4}},
-                                                        {8, {2, 3}},  {9, {3, 6}}, {10, {4, 9}}, {16, {4, 8}}};
+/// Corners of elements by the numbers that the format gives their types.
+const std::map<std::int64_t, int> corners_of_type{{15, 1}, {1, 2}, {2, 3}, {3, 4}};
 
 class GmshReader {
 public:
@@ -268,22 +263,18 @@ private:
         }
     }
 
-    ElementType type_of(std::int64_t number) {
-        const auto found = element_types.find(number);
-        if (found != element_types.end()) return found->second;
+    int corners_of(std::int64_t type) {
+        const auto found = corners_of_type.find(type);
+        if (found != corners_of_type.end()) return found->second;
         text_.fail(
-            fmt::format("elements of type {}; triangles (2, 9) or quadrangles (3, 10, 16) are needed (gmsh -order 1)", number));
+            fmt::format("elements of type {}; triangles (2) or quadrangles (3) are needed (gmsh FILE -save -order 1)", type));
     }
 
     /// Reads the nodes of an element and keeps it, if it is no point.
-    void add_element(ElementType type, FileElement element) {
-        element.n_corners = type.n_corners;
-        element.has_midsides = type.n_nodes > type.n_corners;
-        for (int k = 0; k < type.n_nodes; ++k) {
-            const std::int64_t node = text_.integer("a node of an element");
-            if (k < static_cast<int>(element.nodes.size())) element.nodes[index(k)] = node;
-        }
-        if (type.n_corners > 1) mesh_.elements.push_back(element);
+    void add_element(int n_corners, FileElement element) {
+        element.n_corners = n_corners;
+        for (int k = 0; k < n_corners; ++k) element.nodes[index(k)] = text_.integer("a node of an element");
+        if (n_corners > 1) mesh_.elements.push_back(element);
     }
 
     void read_elements_2() {
@@ -291,14 +282,14 @@ private:
         for (; n_elements > 0; --n_elements) {
             FileElement element;
             element.number = text_.integer("the number of an element");
-            const ElementType type = type_of(text_.integer("the type of an element"));
+            const int n_corners = corners_of(text_.integer("the type of an element"));
             const std::size_t n_tags = text_.count("the number of tags of an element");
             for (std::size_t k = 0; k < n_tags; ++k) {
                 const std::int64_t tag = text_.integer("a tag of an element");
                 if (k == 0) element.physical = tag;
                 if (k == 1) element.entity = tag;
             }
-            add_element(type, element);
+            add_element(n_corners, element);
         }
     }
 
@@ -308,7 +299,7 @@ private:
         for (std::size_t block = 0; block < n_blocks; ++block) {
             const std::int64_t dimension = text_.integer("the dimension of a block of elements");
             const std::int64_t tag = text_.integer("the entity of a block of elements");
-            const ElementType type = type_of(text_.integer("the type of elements"));
+            const int n_corners = corners_of(text_.integer("the type of elements"));
             const std::size_t n_elements = text_.count("the number of elements of a block", 4);
             const auto found = physical_of_.find({dimension, tag});
             for (std::size_t i = 0; i < n_elements; ++i) {
@@ -316,7 +307,7 @@ private:
                 element.number = text_.integer("the number of an element");
                 element.entity = tag;
                 element.physical = found == physical_of_.end() ? 0 : found->second;
-                add_element(type, element);
+                add_element(n_corners, element);
             }
         }
     }

@@ -23,14 +23,6 @@ constexpr double element_of_side = 3;  ///< for each side of pixels of boundarie
 constexpr double least_element = 2;    ///< by default, pixels
 constexpr double most_triangles = 20'000'000;
 
-void check_options(const LabelOptions& options) {
-    const auto is_length = [](double x) { return std::isfinite(x) && x > 0; };
-    if (!is_length(options.pixel_size)) throw UsageError("size of a pixel: a length above 0 m is needed");
-    if (options.element_size && !is_length(*options.element_size)) {
-        throw UsageError("size of elements: a length above 0 m is needed");
-    }
-}
-
 /// The requested side of triangles, pixels.
 double element_in_pixels(const LabelPieces& pieces, const LabelOptions& options, const std::string& name) {
     const double area = static_cast<double>(pieces.width) * pieces.height;
@@ -109,7 +101,6 @@ std::vector<LabelRow> labels_of(std::string_view bytes, const LabelOptions& opti
 }
 
 ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, const std::string& name) {
-    check_options(options);
     ImportedMesh imported;
     LabelPieces pieces;
     {

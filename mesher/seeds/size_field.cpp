@@ -69,7 +69,7 @@ void SizeField::tabulate(const Region& region, double edge, const GradedSize& si
         for (int x = 0; x < graded_.n_x; ++x) {
             const Point p = graded_.low + resolution_ * Point{static_cast<double>(x), static_cast<double>(y)};
             const double g = size.at(stretch_.elongated(p));
-            graded_.at(x, y) = g;
+            graded_.values[graded_.place(x, y)] = g;
             if (!contains(plane, p)) continue;
             n += 1;
             inverse += 1 / g;

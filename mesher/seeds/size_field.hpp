@@ -66,12 +66,8 @@ private:
         Table() = default;
         Table(const Box& box, double size, int margin);
         [[nodiscard]] bool empty() const { return values.empty(); }
-        [[nodiscard]] double& at(int x, int y) {
-            return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(n_x) + static_cast<std::size_t>(x)];
-        }
-        [[nodiscard]] double at(int x, int y) const {
-            return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(n_x) + static_cast<std::size_t>(x)];
-        }
+        [[nodiscard]] std::size_t place(int x, int y) const { return index(y) * index(n_x) + index(x); }
+        [[nodiscard]] double at(int x, int y) const { return values[place(x, y)]; }
     };
     [[nodiscard]] double interpolated_grade(Point p) const;
     [[nodiscard]] double scatter_factor(Point p) const;

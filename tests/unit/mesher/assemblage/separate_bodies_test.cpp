@@ -12,6 +12,7 @@
 #include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
 #include "share/file/specimen.hpp"
+#include "tests/unit/mesher/cells/made_cells.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -20,13 +21,8 @@ using Place = std::array<double, 2>;
 
 /// A unit square of two triangles.
 PlaneCells two_cells() {
-    PlaneCells cells;
-    cells.points = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
-    cells.corners = {0, 1, 2, 2, 3, 0};
-    cells.start = {0, 3, 6};
-    cells.edges = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}};
-    cells.sides = {{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 0, 3}};
-    return cells;
+    return cells_of({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {{0, 1, 2}, {2, 3, 0}},
+                    {{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 0, 3}});
 }
 
 /// What a specimen needs beside its arrays.
@@ -131,12 +127,10 @@ TEST(SeparateBodies, GrainsFollowEachOtherInSpace) {
 
 /// A square of two L-shaped cells, with a corner in the middle of an edge. The first corner of each sees all others.
 PlaneCells two_polygons() {
-    PlaneCells cells;
-    cells.points = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {0, 0.5}, {0, 0}, {0.25, 0}, {0.25, -0.5}};
-    cells.corners = {5, 4, 3, 0, 7, 6, 6, 7, 1, 2, 4, 5};
-    cells.start = {0, 6, 12};
-    cells.sides = {{0, 7, 0}, {7, 1, 0}, {1, 2, 1}, {2, 4, 2}, {4, 3, 2}, {3, 0, 3}, {5, 6, -1, ContactKind::pre_existing_crack}};
-    return cells;
+    return cells_of(
+        {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {0, 0.5}, {0, 0}, {0.25, 0}, {0.25, -0.5}},
+        {{5, 4, 3, 0, 7, 6}, {6, 7, 1, 2, 4, 5}},
+        {{0, 7, 0}, {7, 1, 0}, {1, 2, 1}, {2, 4, 2}, {4, 3, 2}, {3, 0, 3}, {5, 6, -1, ContactKind::pre_existing_crack}});
 }
 
 /// Triangles between the first corner of each cell and its sides.

@@ -10,7 +10,7 @@
 
 #include "mesher/cells/polygon.hpp"
 #include "mesher/region/shapes.hpp"
-#include "tests/unit/mesher/cells/squares.hpp"
+#include "tests/unit/mesher/cells/made_cells.hpp"
 
 namespace graincrack::mesher {
 namespace {

@@ -3,20 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "mesher/cells/polygon.hpp"
+#include "tests/unit/mesher/cells/made_cells.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
 /// A rectangle of 3 × 1 in three cells of a row; corners of the rectangle are the first points.
 PlaneCells row_of_three(double first, double second) {
-    PlaneCells cells;
-    cells.points = {{0, 0}, {3, 0}, {3, 1}, {0, 1}, {first, 0}, {first, 1}, {second, 0}, {second, 1}};
-    cells.corners = {0, 4, 5, 3, 4, 6, 7, 5, 6, 1, 2, 7};
-    cells.start = {0, 4, 8, 12};
-    cells.edges = {{0, 3}, {0, 4}, {1, 2}, {1, 6}, {2, 7}, {3, 5}, {4, 5}, {4, 6}, {5, 7}, {6, 7}};
-    cells.sides = {{0, 4, 0, {}}, {4, 6, 0, {}}, {6, 1, 0, {}}, {1, 2, 1, {}},
-                   {2, 7, 2, {}}, {7, 5, 2, {}}, {5, 3, 2, {}}, {3, 0, 3, {}}};
-    return cells;
+    return cells_of(
+        {{0, 0}, {3, 0}, {3, 1}, {0, 1}, {first, 0}, {first, 1}, {second, 0}, {second, 1}},
+        {{0, 4, 5, 3}, {4, 6, 7, 5}, {6, 1, 2, 7}},
+        {{0, 4, 0, {}}, {4, 6, 0, {}}, {6, 1, 0, {}}, {1, 2, 1, {}}, {2, 7, 2, {}}, {7, 5, 2, {}}, {5, 3, 2, {}}, {3, 0, 3, {}}});
 }
 
 TEST(RestoredAreas, WallsMoveAlongTheBoundary) {
@@ -32,13 +29,10 @@ TEST(RestoredAreas, WallsMoveAlongTheBoundary) {
 
 TEST(RestoredAreas, InnerPointsMoveFreely) {
     // A square of side 2 with four cells around a point; the ends of walls on the boundary are fixed.
-    PlaneCells cells;
-    cells.points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0.1, -0.2}};
-    cells.corners = {0, 4, 8, 7, 4, 1, 5, 8, 8, 5, 2, 6, 7, 8, 6, 3};
-    cells.start = {0, 4, 8, 12, 16};
-    cells.edges = {{0, 4}, {0, 7}, {1, 4}, {1, 5}, {2, 5}, {2, 6}, {3, 6}, {3, 7}, {4, 8}, {5, 8}, {6, 8}, {7, 8}};
-    cells.sides = {{0, 4, 0, {}}, {4, 1, 0, {}}, {1, 5, 1, {}}, {5, 2, 1, {}},
-                   {2, 6, 2, {}}, {6, 3, 2, {}}, {3, 7, 3, {}}, {7, 0, 3, {}}};
+    PlaneCells cells = cells_of(
+        {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0.1, -0.2}},
+        {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}},
+        {{0, 4, 0, {}}, {4, 1, 0, {}}, {1, 5, 1, {}}, {5, 2, 1, {}}, {2, 6, 2, {}}, {6, 3, 2, {}}, {3, 7, 3, {}}, {7, 0, 3, {}}});
     // Two unknowns for four areas, of which two depend on the others: areas of opposite cells add up to 2.
     EXPECT_LE(restore_areas(cells, 8, {1, 1, 1, 1}), 1e-10);
     EXPECT_NEAR(cells.points[8].x, 0, 1e-9);

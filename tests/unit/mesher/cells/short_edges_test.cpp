@@ -5,27 +5,10 @@
 #include <algorithm>
 
 #include "mesher/cells/polygon.hpp"
+#include "tests/unit/mesher/cells/made_cells.hpp"
 
 namespace graincrack::mesher {
 namespace {
-
-PlaneCells cells_of(std::vector<Point> points, const std::vector<std::vector<int>>& loops, std::vector<Side> sides) {
-    PlaneCells cells;
-    cells.points = std::move(points);
-    for (const auto& loop : loops) {
-        cells.corners.insert(cells.corners.end(), loop.begin(), loop.end());
-        cells.start.push_back(static_cast<int>(cells.corners.size()));
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const int p = loop[i];
-            const int q = loop[(i + 1) % loop.size()];
-            cells.edges.push_back({std::min(p, q), std::max(p, q)});
-        }
-    }
-    std::sort(cells.edges.begin(), cells.edges.end());
-    cells.edges.erase(std::unique(cells.edges.begin(), cells.edges.end()), cells.edges.end());
-    cells.sides = std::move(sides);
-    return cells;
-}
 
 /// A square of side 2 whose four cells meet in two points near the middle, `gap` apart; corners are fixed.
 PlaneCells square(double gap, double lower = 0) {

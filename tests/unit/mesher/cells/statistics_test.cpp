@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "mesher/region/shapes.hpp"
+#include "tests/unit/mesher/cells/made_cells.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
 TEST(Statistics, OfTwoGrains) {
-    PlaneCells cells;
-    cells.points = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
-    cells.corners = {0, 1, 2, 2, 3, 0};
-    cells.start = {0, 3, 6};
-    cells.edges = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}};
+    const PlaneCells cells = cells_of({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {{0, 1, 2}, {2, 3, 0}});
     const MeshStatistics s = statistics_of(rectangle(1, 1), cells);
     const double mean = (4 + std::sqrt(2)) / 5;
     EXPECT_NEAR(s.mean_edge, mean, 1e-15);
@@ -29,11 +26,7 @@ TEST(Statistics, OfTwoGrains) {
 }
 
 TEST(Statistics, OfAPolygonThatIsNotConvex) {
-    PlaneCells cells;
-    cells.points = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-    cells.corners = {0, 1, 2, 3, 4, 5};
-    cells.start = {0, 6};
-    cells.edges = {{0, 1}, {0, 5}, {1, 2}, {2, 3}, {3, 4}, {4, 5}};
+    const PlaneCells cells = cells_of({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {{0, 1, 2, 3, 4, 5}});
     const MeshStatistics s = statistics_of({"polygon", {{cells.points, {0, 0, 0, 0, 0, 0}}}, {}}, cells);
     EXPECT_NEAR(s.mean_diameter, std::sqrt(4 * 3 / 3.14159265358979), 1e-12);
     EXPECT_NEAR(s.mean_edge, 8.0 / 6, 1e-15);

@@ -1,4 +1,5 @@
 #include "mesher/elements/divided_cells.hpp"
+#include "tests/unit/mesher/cells/made_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,19 +8,8 @@
 namespace graincrack::mesher {
 namespace {
 
-/// A square of side 2 in a left and a right half.
-PlaneCells halves() {
-    PlaneCells cells;
-    cells.points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}};
-    cells.corners = {0, 4, 5, 3, 4, 1, 2, 5};
-    cells.start = {0, 4, 8};
-    cells.edges = {{0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 5}, {3, 5}, {4, 5}};
-    cells.sides = {{0, 4, 0, {}}, {4, 1, 0, {}}, {1, 2, 1, {}}, {2, 5, 2, {}}, {5, 3, 2, {}}, {3, 0, 3, {}}};
-    return cells;
-}
-
 TEST(DividedCells, SidesAreSharedAndFollowTheBoundary) {
-    const PlaneMesh mesh = divided_cells(halves(), Bodies::cells, 0.3);
+    const PlaneMesh mesh = divided_cells(halves_of_square(), Bodies::cells, 0.3);
     EXPECT_EQ(mesh.n_bodies(), 2U);
     EXPECT_NEAR(mesh.area_of_body[0], 2, 1e-12);
     EXPECT_NEAR(mesh.area_of_body[1], 2, 1e-12);
@@ -43,8 +33,8 @@ TEST(DividedCells, SidesAreSharedAndFollowTheBoundary) {
 }
 
 TEST(DividedCells, TrianglesCanBeBodies) {
-    const PlaneMesh whole = divided_cells(halves(), Bodies::cells, 0.3);
-    const PlaneMesh broken = divided_cells(halves(), Bodies::triangles, 0.3);
+    const PlaneMesh whole = divided_cells(halves_of_square(), Bodies::cells, 0.3);
+    const PlaneMesh broken = divided_cells(halves_of_square(), Bodies::triangles, 0.3);
     EXPECT_EQ(broken.triangles, whole.triangles);
     EXPECT_EQ(broken.n_bodies(), broken.triangles.size());
     EXPECT_EQ(broken.crystal_of_body, whole.body_of_triangle);

@@ -3,18 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "share/base/error.hpp"
+#include "tests/unit/mesher/cells/made_cells.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
 PlaneCells two_cells() {
-    PlaneCells cells;
-    cells.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    cells.corners = {1, 2, 0, 2, 3, 0};
-    cells.start = {0, 3, 6};
-    cells.edges = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}};
-    cells.sides = {{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 0, 3}, {0, 2, -1, ContactKind::pre_existing_crack}};
-    return cells;
+    return cells_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{1, 2, 0}, {2, 3, 0}},
+                    {{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 0, 3}, {0, 2, -1, ContactKind::pre_existing_crack}});
 }
 
 TEST(Lattice, SharesThePointsOfSides) {

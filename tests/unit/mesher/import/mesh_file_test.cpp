@@ -118,16 +118,6 @@ TEST(MeshFile, AKeyGivesPhases) {
     EXPECT_EQ(error("key\tphase\n"), ": no rows; a table with the columns key and phase is needed");
 }
 
-TEST(MeshFile, SecondOrderByCornersIfSidesAreStraight) {
-    const auto file = [](const char* middle) {
-        return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 .5 " + std::string(middle) +
-               " 0\n5 .5 .5 0\n6 0 .5 0\n$EndNodes\n$Elements\n1\n1 9 2 0 1 1 2 3 4 5 6\n$EndElements\n";
-    };
-    EXPECT_EQ(read(file("0")).triangles, (std::vector<Triangle>{{0, 1, 2}}));
-    EXPECT_EQ(reading_message(file("-.02")),
-              "file: element 1 has its middle node 4 beside the straight side; give elements of order 1");
-}
-
 TEST(MeshFile, QuadranglesAlongTheirShorterInnerDiagonal) {
     const auto file = [](const char* third) {
         return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 2 0 0\n3 " + std::string(third) +
@@ -172,7 +162,7 @@ TEST(MeshFile, SaysWhatWasFound) {
         {with(m, "6 2 1 0", "5 2 1 0"), "file: node 5 stands twice in the file"},
         {with(m, "9 2 6 5", "9 2 6 15"), "file: element 7 names node 15, which is not in the file"},
         {with(m, "7 2 2 2 9 2 6 5", "7 4 2 2 9 2 6 5"),
-         "file: line 28: elements of type 4; triangles (2, 9) or quadrangles (3, 10, 16) are needed (gmsh -order 1)"},
+         "file: line 28: elements of type 4; triangles (2) or quadrangles (3) are needed (gmsh FILE -save -order 1)"},
         {with(m, "6 2 1 0", "6 2 1 .5"),
          "file: z of the triangles' nodes runs from 0 to 0.5; a plane mesh, with one z, is needed"},
         {with(m, "$EndElements", "$End"), "file: line 30: $Elements has no end"},
