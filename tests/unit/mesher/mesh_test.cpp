@@ -246,31 +246,23 @@ TEST(Mesh, PolesMeetThePlatens) {
     }
 }
 
-TEST(Mesh, SpecimensAreValidInManyProportions) {
-    for (const auto& [width, height] : {std::pair{0.01, 0.2}, std::pair{0.2, 0.01}, std::pair{0.05, 0.05}}) {
+TEST(Mesh, SpecimensAreValidInManyProportionsAndSizes) {
+    for (const auto& [width, height, edge] :
+         {std::tuple{0.01, 0.2, 5e-3}, std::tuple{0.2, 0.01, 5e-3}, std::tuple{0.05, 0.05, 5e-3}, std::tuple{80e3, 160e3, 5e3},
+          std::tuple{80e-6, 160e-6, 5e-6}}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             Request request;
             request.region = rectangle(width, height);
-            request.fabric.edge = 0.005;
+            request.fabric.edge = edge;
             request.seed = seed;
             const Specimen s = mesh(request);
             validate(s, "rectangle");
             EXPECT_NEAR(s.statistics.area_error, 0, 1e-12);
+            if (width * height > 100 * edge * edge) {
+                EXPECT_NEAR(s.statistics.mean_edge / edge, 1, 0.01);
+            }
         }
     }
-}
-
-TEST(Mesh, SizesScale) {
-    Request request;
-    request.region = rectangle(80e3, 160e3);
-    request.fabric.edge = 5e3;
-    const Specimen large = mesh(request);
-    request.region = rectangle(80e-6, 160e-6);
-    request.fabric.edge = 5e-6;
-    const Specimen small = mesh(request);
-    validate(large, "large");
-    validate(small, "small");
-    EXPECT_NEAR(large.statistics.mean_edge / 5e3, small.statistics.mean_edge / 5e-6, 0.01);
 }
 
 TEST(Mesh, BadRequestsNameTheirOption) {

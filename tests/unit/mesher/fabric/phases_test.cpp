@@ -8,6 +8,7 @@
 #include <string>
 
 #include "share/base/error.hpp"
+#include "share/base/union_find.hpp"
 #include "tests/unit/mesher/test_requests.hpp"
 
 namespace graincrack::mesher {
@@ -18,23 +19,18 @@ std::vector<PhaseFraction> granite() { return parse_phases("quartz=0.32,feldspar
 /// The mean number of grains in a connected piece of a phase.
 double mean_piece(const Specimen& s, std::uint8_t phase) {
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
-    std::vector<std::size_t> root(s.n_grains());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto root_of = [&](std::size_t g) {
-        while (root[g] != g) g = root[g];
-        return g;
-    };
+    UnionFind connected(s.n_grains());
     for (const auto& nodes : s.contact_nodes) {
         const auto a = static_cast<std::size_t>(grain[index(nodes[0])]);
         const auto b = static_cast<std::size_t>(grain[index(nodes[2])]);
-        if (s.grain_phase[a] == phase && s.grain_phase[b] == phase) root[root_of(a)] = root_of(b);
+        if (s.grain_phase[a] == phase && s.grain_phase[b] == phase) connected.join(a, b);
     }
     double grains = 0;
     double pieces = 0;
     for (std::size_t g = 0; g < s.n_grains(); ++g) {
         if (s.grain_phase[g] != phase) continue;
         grains += 1;
-        pieces += root[g] == g ? 1 : 0;
+        pieces += connected.find(g) == g ? 1 : 0;
     }
     return grains / pieces;
 }

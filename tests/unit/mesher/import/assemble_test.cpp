@@ -12,6 +12,7 @@
 #include "mesher/import/outline.hpp"
 #include "share/base/error.hpp"
 #include "share/file/specimen.hpp"
+#include "tests/support/check.hpp"
 #include "tests/unit/mesher/import/mesh_files.hpp"
 
 namespace graincrack::mesher {
@@ -140,14 +141,9 @@ TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
 
 TEST(Assemble, CrystalsOfOneElementDoNotBreak) {
     std::vector<Remark> notes;
-    try {
-        assemble(fan(12, 1), {}, CrystalChoice::breaking, "fan.msh", notes);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "fan.msh: --crystals break: each crystal is one element, so that nothing can break within it; smaller "
-                     "elements, another --grain, or --crystals elastic is needed");
-    }
+    graincrack::test::expect_one_line<InputError>(
+        [&] { assemble(fan(12, 1), {}, CrystalChoice::breaking, "fan.msh", notes); },
+        {"fan.msh: --crystals break: each crystal is one element", "smaller elements, another --grain"});
 }
 
 TEST(Assemble, TellsBodiesThatDoNotTouch) {

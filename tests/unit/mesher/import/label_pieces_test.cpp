@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -49,12 +50,9 @@ TEST(LabelPieces, StayWhereThereIsNoNeighbour) {
 TEST(LabelPieces, RefuseMoreGrainsThanAreMade) {
     LabelImage image{1001, 1000, std::vector<int>(1001000), ""};
     for (std::size_t i = 0; i < image.labels.size(); ++i) image.labels[i] = static_cast<int>(i);
-    try {
-        label_pieces(image, 1, "section");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "section: 1001000 grains; at most 1000000 are made, so a larger smallest piece is needed");
-    }
+    graincrack::test::expect_one_line<InputError>(
+        [&] { label_pieces(image, 1, "section"); },
+        {"section: 1001000 grains; at most 1000000 are made, so a larger smallest piece is needed"});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "mesher/import/labels.hpp"
 #include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 #include "tests/unit/mesher/import/png_writer.hpp"
 
 namespace graincrack::mesher {
@@ -95,13 +96,9 @@ TEST(LabelTable, APhaseIsOfTheNumberOrOfTheColour) {
     EXPECT_EQ(rows[2].phase, "mica");
     EXPECT_NE(describe_labels(rows)[3].find("12.50 %       1  mica"), std::string::npos);
     phases.by_number[2] = "clay";
-    try {
-        rows_of(palette_picture(), phases);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "picture.png: the label 2 has the phase clay by its number and mica by its colour #102030; give one");
-    }
+    graincrack::test::expect_one_line<InputError>(
+        [&] { rows_of(palette_picture(), phases); },
+        {"picture.png: the label 2 has the phase clay by its number and mica by its colour #102030; give one"});
 }
 
 TEST(LabelTable, ShowsTheLargestOfMany) {

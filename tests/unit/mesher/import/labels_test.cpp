@@ -12,6 +12,7 @@
 #include "mesher/import/label_pieces.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 #include "tests/unit/mesher/import/png_writer.hpp"
 
 namespace graincrack::mesher {
@@ -238,12 +239,9 @@ TEST(Labels, OfAPngAreThoseOfItsText) {
 TEST(Labels, RefuseSizesThatMeanNothing) {
     LabelOptions options = options_of();
     options.element_size = 1e-6;
-    try {
-        import_labels("1 2", options, "section.tsv");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "section.tsv: elements of 1 um are too many for 2 × 1 pixels; at least 479.6 um are needed");
-    }
+    graincrack::test::expect_one_line<InputError>(
+        [&] { import_labels("1 2", options, "section.tsv"); },
+        {"section.tsv: elements of 1 um are too many for 2 × 1 pixels; at least 479.6 um are needed"});
 }
 
 }  // namespace

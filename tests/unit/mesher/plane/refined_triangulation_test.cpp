@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -57,12 +58,11 @@ TEST(RefinedTriangles, RefuseBordersThatCross) {
 }
 
 TEST(RefinedTriangles, RefuseMorePointsThanAllowed) {
-    try {
-        refined_triangles(square, borders, {0.06, 20, 1000});
-        FAIL();
-    } catch (const UsageError& error) {
-        EXPECT_STREQ(error.what(), "more than 1000 points are needed");
-    }
+    test::expect_one_line<UsageError>(
+        [] {
+            refined_triangles(square, borders, {0.06, 20, 1000});
+        },
+        {"more than 1000 points are needed"});
 }
 
 }  // namespace

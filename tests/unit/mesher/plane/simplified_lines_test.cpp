@@ -40,8 +40,9 @@ TEST(SimplifiedLines, HaveSegmentsOfAboutTheSpacingWithinTheTolerance) {
 TEST(SimplifiedLines, HaveTheAreasOfCircles) {
     for (const double radius : {2.0, 6.0, 20.0}) {
         DenseLine line{{}, radius, 0.3 * radius, 2 * std::numbers::pi * radius * radius, true};
-        for (int i = 0; i <= 100; ++i) {
-            const double angle = 2 * std::numbers::pi * (i % 100) / 100;
+        const int n = static_cast<int>(9 * radius);  // points 0.7 apart, as the middles of the sides of pixels
+        for (int i = 0; i <= n; ++i) {
+            const double angle = 2 * std::numbers::pi * (i % n) / n;
             line.points.push_back(radius * Point{std::cos(angle), std::sin(angle)});
         }
         const Line left = simple(line);

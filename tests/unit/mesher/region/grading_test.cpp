@@ -7,6 +7,7 @@
 
 #include "mesher/region/shapes.hpp"
 #include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -24,12 +25,7 @@ TEST(Grading, IsReadOrRefusedByName) {
                              "along=y,from=0.5,to=11", "along=y,from=0.5,to=2,distance=1mm", "towards=flaws,from=0.5",
                              "towards=flaws,from=0.5,to=1,distance=1mm", "towards=flaws,from=0.5,distance=0mm",
                              "along=x,along=y,from=1,to=2", "along=y,from=nan,to=2", "along=y,,from=1,to=2"}) {
-        try {
-            (void)parse_grading(text, "--grade");
-            ADD_FAILURE() << text;
-        } catch (const UsageError& error) {
-            EXPECT_EQ(std::string(error.what()).rfind("--grade: ", 0), 0U) << error.what();
-        }
+        test::expect_one_line<UsageError>([&] { (void)parse_grading(text, "--grade"); }, {"--grade: "});
     }
 }
 

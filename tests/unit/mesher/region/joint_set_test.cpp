@@ -7,6 +7,7 @@
 
 #include "mesher/region/shapes.hpp"
 #include "share/base/error.hpp"
+#include "tests/support/check.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -25,12 +26,7 @@ TEST(JointSet, IsReadOrRefusedByName) {
     for (const char* text : {"", "spacing=20mm", "dip=45deg", "spacing=0mm,dip=0deg", "spacing=1mm,dip=0deg,persistence=0",
                              "spacing", "spacing=1mm,dip=0deg,class=New", "spacing=1mm,dip=0deg,class=broken,state=intact",
                              "spacing=1mm,dip=0deg,state=new", "spacing=1mm,,dip=0deg"}) {
-        try {
-            (void)parse_joint_set(text, "--joint-set 2");
-            ADD_FAILURE() << text;
-        } catch (const UsageError& error) {
-            EXPECT_EQ(std::string(error.what()).rfind("--joint-set 2: ", 0), 0U) << error.what();
-        }
+        test::expect_one_line<UsageError>([&] { (void)parse_joint_set(text, "--joint-set 2"); }, {"--joint-set 2: "});
     }
 }
 
