@@ -135,8 +135,7 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
         return found == finished.end() ? nullptr : &found->second;
     })};
     const Decision& decision = out.decision;
-    for (const char* name :
-         {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "identify.png", "draws.tsv"}) {
+    for (const char* name : {"wanted.tsv", "calibrated.toml", "nearest.toml", "report.md", "identify.tsv", "draws.tsv"}) {
         remove_file(path(name));
     }
     std::map<std::string, std::string> files;
@@ -161,7 +160,6 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
         write("report", "report.md", report_text(findings, at));
     }
     write_whole_file(path("outcome.json"), outcome_text(findings, files));
-    out.sensitivities = std::move(findings.sensitivities);
     return out;
 }
 

@@ -39,7 +39,6 @@ struct FolderDecision {
     Decision decision;
     double requested_time =
         0;  ///< s of one processor for what is requested, by finished runs of the same tests; 0 if there are none of one of them
-    std::vector<Sensitivity> sensitivities = {};  ///< in the end
 };
 
 /// Decides, and writes what follows to the folder; removes what was written before and holds no longer.

@@ -369,7 +369,7 @@ std::string report_text(const Findings& findings, const std::optional<Material>&
         text += "\n## Surfaces\n" + surfaces_text(*decision.fit);
         text +=
             "\n## What tells what\n\nd ln(response)/d ln(parameter) at the optimum, for a drop of what is left; identify.tsv "
-            "has them with 95 % intervals.\n\n![Sensitivities](identify.png)\n";
+            "has them with 95 % intervals.\n\n";
     }
     text += "\n## Steps\n" + markdown_head({"stage", "what", "result"});
     for (const Step& step : decision.steps) text += markdown_row({step.stage, step.what, step.result});

@@ -4,16 +4,10 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "post/calibrate/folder.hpp"
-#include "post/chart/drawing.hpp"
-#include "post/chart/font.hpp"
-#include "post/chart/page.hpp"
-#include "post/chart/picture.hpp"
-#include "post/chart/picture_style.hpp"
 #include "post/options/command.hpp"
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"
@@ -22,59 +16,6 @@
 namespace graincrack {
 
 namespace {
-
-/// A cell: positive values are red, negative blue, the stronger the larger; faint ones have no colour.
-struct HeatCell {
-    double value = 0;
-    std::string text;
-    bool faint = false;
-};
-
-constexpr double row_height = 44;
-constexpr double letter_size = 22;
-constexpr double gap = 14;
-
-Colour blended(Colour strongest, double share) {
-    const auto part = [&](std::uint8_t c) { return static_cast<std::uint8_t>(std::lround(255 + share * (c - 255))); };
-    return {part(strongest.red), part(strongest.green), part(strongest.blue)};
-}
-
-/// \param cells a row for each name of `rows`, as long as `columns`; the strongest colour is that of 1
-Drawing draw_heat_map(const std::string& title, const std::vector<std::string>& rows, const std::vector<std::string>& columns,
-                      const std::vector<std::vector<HeatCell>>& cells) {
-    const double page_width = PictureStyle().page_width;
-    double names = 0;
-    for (const std::string& row : rows) names = std::max(names, text_width(row, letter_size));
-    const double left = names + 2 * gap;
-    const double width = (page_width - left - gap) / static_cast<double>(std::max<std::size_t>(columns.size(), 1));
-    const double top = 3 * row_height;
-    Drawing drawing(static_cast<int>(page_width), static_cast<int>(top + row_height * static_cast<double>(rows.size()) + gap));
-    drawing.text({{gap, row_height}, title, letter_size, palette::ink, Anchor::start, true});
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        // Names that are wider than their columns stand on two lines by turns, and stay on the page.
-        const double y = top - gap - (k % 2 == 0 ? 0 : 0.7 * row_height);
-        const double half = 0.5 * text_width(columns[k], letter_size);
-        const double x = std::min(left + (static_cast<double>(k) + 0.5) * width, page_width - gap - half);
-        drawing.text({{x, y}, columns[k], letter_size, palette::ink, Anchor::middle});
-    }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double y = top + row_height * static_cast<double>(i);
-        drawing.text({{left - gap, y + 0.7 * row_height}, rows[i], letter_size, palette::ink, Anchor::end});
-        for (std::size_t k = 0; k < columns.size(); ++k) {
-            const HeatCell& cell = cells[i][k];
-            const double share = cell.faint ? 0 : std::min(1.0, std::abs(cell.value));
-            const double x = left + width * static_cast<double>(k);
-            drawing.rectangle({x + 1, y + 1}, {x + width - 1, y + row_height - 1},
-                              blended(cell.value > 0 ? palette::tensile : palette::pre_existing, 0.75 * share));
-            drawing.text({{x + 0.5 * width, y + 0.7 * row_height},
-                          with_minus(cell.text),
-                          letter_size,
-                          cell.faint ? palette::rim : palette::ink,
-                          Anchor::middle});
-        }
-    }
-    return drawing;
-}
 
 struct CalibrateOptions {
     std::string material;
@@ -88,33 +29,11 @@ std::string duration_text(double seconds) {
     return seconds < 5970 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
-/// Response by response, a row each. \pre each response has all parameters
-void write_heat_map(const std::string& file, const std::vector<calibrate::Sensitivity>& all) {
-    std::vector<std::string> rows;
-    std::vector<std::string> columns;
-    std::vector<std::vector<HeatCell>> cells;
-    for (const calibrate::Sensitivity& s : all) {
-        if (rows.empty() || rows.back() != s.response) {
-            rows.push_back(s.response);
-            cells.emplace_back();
-        }
-        if (rows.size() == 1) {
-            const std::size_t table = s.parameter.find("contact.") == 0 ? 8 : 0;
-            columns.push_back(s.parameter.substr(table));
-            std::replace(columns.back().begin(), columns.back().end(), '_', ' ');
-        }
-        cells.back().push_back({s.exponent.value, fmt::format("{:.2f}", s.exponent.value), !s.is_significant()});
-    }
-    write_picture(draw_heat_map("d ln response / d ln parameter; white: the 95 % interval contains 0", rows, columns, cells),
-                  file);
-}
-
 void write_decision(const CalibrateOptions& options, const Call& call) {
     using calibrate::Ending;
     const std::string& folder = call.file();
-    const auto [decision, requested_time, sensitivities] =
+    const auto [decision, requested_time] =
         calibrate::calibrate_folder(folder, options.material, options.settings, call.diagnostics());
-    if (!sensitivities.empty()) write_heat_map(folder + "/identify.png", sensitivities);
     if (decision.ending == Ending::requested) {
         fmt::print(call.out, "{}/wanted.tsv\n", folder);
         const std::size_t n = decision.requested.size();

@@ -245,7 +245,7 @@ TEST_F(CalibrateFolder, WithoutAnEndInReachTheNearestPointIsAMaterial) {
     EXPECT_FALSE(has("calibrated.toml"));
     const Material nearest = read_material(folder_.file("nearest.toml"));
     EXPECT_EQ(nearest.name, "Augig granite, nearest point");
-    EXPECT_FALSE(out.sensitivities.empty());
+    EXPECT_TRUE(has("identify.tsv"));
     EXPECT_EQ(outcome()["state"], "not reached");
     EXPECT_EQ(outcome()["files"]["material"], "nearest.toml");
 }
