@@ -3,12 +3,10 @@
 
 #include "post/cracks/export.hpp"
 #include "post/export/mesh_file.hpp"
-#include "post/fit/envelope.hpp"
 #include "post/options/command.hpp"
 #include "post/plot/plot_commands.hpp"
 #include "post/report/report.hpp"
 #include "post/report/view_page.hpp"
-#include "share/base/error.hpp"
 #include "share/base/events.hpp"
 #include "share/base/text.hpp"
 #include "share/file/h5_file.hpp"
@@ -18,8 +16,6 @@
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,7 +31,14 @@ Command cracks_command() {
         {"uniaxial.h5 -o cracks", "brazilian.h5 --event-distance 10mm -o cracks"}, one_run,
         [](OptionSet set, Options& options) {
             add_output(set, options.folder, "folder for grains.pvd, cracks.pvd and the tables", {});
-            add_events(set, options.crack_export.events);
+            constexpr Quantity distance{"event_distance", Dimension::length, 0, 1e3, "distance within an acoustic event"};
+            constexpr Quantity time{"event_time", Dimension::time, 0, 1e6, "time within an acoustic event"};
+            EventOptions& events = options.crack_export.events;
+            add_quantity(set, "--event-distance", events.distance, distance,
+                         "crack points within this distance belong to one acoustic event; default: two mean edges");
+            add_quantity(set, "--event-time", events.time, time,
+                         "crack points within this time belong to one acoustic event; default: that distance at half the speed "
+                         "of shear waves");
             add_crack_label(set, options.crack_export.label);
             add_format(set, options.crack_export.format);
         },
@@ -49,7 +52,6 @@ Command report_command() {
         ReportOptions report;
         std::string material;
         std::string page;
-        std::string view;
     };
     return make_command<Options>(
         "report", "report of one test or of a set of tests as a self-contained HTML page",
@@ -59,22 +61,12 @@ Command report_command() {
                      "material with the laboratory values and targets to compare with; default: that of the first run, if it "
                      "is found where the run names it");
             add_crack_label(set, options.report.label);
-            add_text(set, "--view", options.view, "write the page of view too, and link to it: .html").type_name("FILE");
             add_output(set, options.page, "page: .html", {".html"});
         },
         [](const Options& options, const Call& call) {
             require_ending(options.page, ".html");
             ReportOptions report = options.report;
             if (!options.material.empty()) report.material = read_material(options.material);
-            if (!options.view.empty()) {
-                require_ending(options.view, ".html");
-                if (options.view == options.page) {
-                    throw UsageError("--view " + options.view + ": is the report; another name is needed");
-                }
-                write_whole_file(options.view, make_view(call.files, {report.label}, call.verbosity));
-                report.view =
-                    std::filesystem::proximate(options.view, std::filesystem::absolute(options.page).parent_path()).string();
-            }
             write_whole_file(options.page, make_report(call.files, report, call.verbosity, call.diagnostics()));
         });
 }
@@ -104,27 +96,20 @@ Command view_command() {
 Command plot_command() { return make_group("plot", "pictures as PNG, SVG or PDF; no display needed", plot_commands()); }
 
 Command export_command() {
-    struct Options {
-        std::string mesh;
-        std::optional<MeshFormat> format;
-    };
-    return make_command<Options>(
-        "export", "the mesh of a specimen for other programs: Gmsh, VTK", {"disc.h5 -o disc.msh", "uniaxial.h5 -o uniaxial.vtu"},
+    return make_command<std::string>(
+        "export", "the mesh of a specimen for other programs, in the format of Gmsh", {"disc.h5 -o disc.msh", "uniaxial.h5 -o -"},
         FileArguments{"file", "specimen or run"},
-        [](OptionSet set, Options& options) {
-            add_output(set, options.mesh, "mesh: .msh (Gmsh) or .vtu (VTK); - is stdout", {".msh", ".vtu"});
-            add_choice<std::optional<MeshFormat>>(set, "--format", options.format,
-                                                  {{"gmsh", MeshFormat::gmsh}, {"vtu", MeshFormat::vtu}},
-                                                  "MSH 2.2 of Gmsh or an XML file of VTK; default: by the ending of --output");
+        [](OptionSet set, std::string& mesh) {
+            add_output(set, mesh, "mesh in the format MSH 2.2 of Gmsh: .msh; - is stdout", {".msh"});
         },
-        [](const Options& options, const Call& call) {
-            const MeshFormat format = mesh_format_of(options.mesh, options.format);
+        [](const std::string& output, const Call& call) {
+            if (!is_stream(output)) require_ending(output, ".msh");
             const SharedMesh mesh = share_nodes(read_specimen(H5Input(call.file())));
-            write_whole_file(options.mesh, format == MeshFormat::gmsh ? gmsh_text(mesh) : vtu_text(mesh));
-            const std::vector<std::string> lost = losses(mesh, format);
+            write_whole_file(output, gmsh_text(mesh));
+            const std::vector<std::string> lost = losses(mesh);
             if (lost.empty()) return;
-            say(call.diagnostics(), fmt::format("graincrack-post: export: {} {}",
-                                                options.mesh == "-" ? "stdout" : printable(options.mesh), fmt::join(lost, ", ")));
+            say(call.diagnostics(), fmt::format("graincrack-post: export: {} {}", output == "-" ? "stdout" : printable(output),
+                                                fmt::join(lost, ", ")));
         });
 }
 

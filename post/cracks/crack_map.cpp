@@ -2,14 +2,19 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVersion.h>
@@ -19,9 +24,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
-#include "post/cracks/vtk_arrays.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
@@ -31,10 +39,52 @@ namespace graincrack {
 
 namespace {
 
+/// A named array of n tuples, filled tuple by tuple through `fill(i, values)`.
+template <class Array, class Fill>
+vtkSmartPointer<Array> make_array(const char* name, int components, std::size_t n, const Fill& fill) {
+    auto array = vtkSmartPointer<Array>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(n));
+    for (std::size_t i = 0; i < n; ++i) fill(i, array->GetPointer(static_cast<vtkIdType>(i) * components));
+    return array;
+}
+
+/// The array with its unit, as ParaView shows it.
+template <class Array>
+vtkSmartPointer<Array> with_unit(vtkSmartPointer<Array> array, const char* unit) {
+    array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit);
+    return array;
+}
+
+/// A 3-vector for every node from a plane one.
+template <class Array = vtkDoubleArray>
+vtkSmartPointer<Array> vectors(const char* name, const std::vector<std::array<double, 2>>& plane) {
+    return make_array<Array>(name, 3, plane.size(), [&](std::size_t i, auto* v) {
+        using Value = std::remove_pointer_t<decltype(v)>;
+        v[0] = static_cast<Value>(plane[i][0]);
+        v[1] = static_cast<Value>(plane[i][1]);
+        v[2] = 0;
+    });
+}
+
+/// A named array of n numbers. \param value of each
+template <class Array, class Value>
+vtkSmartPointer<Array> scalars(const char* name, std::size_t n, const Value& value) {
+    return make_array<Array>(name, 1, n, [&](std::size_t i, auto* v) { *v = static_cast<typename Array::ValueType>(value(i)); });
+}
+
+/// Texts as field data.
+void add_texts(vtkDataObject* data, const char* name, const std::vector<std::string>& texts) {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    for (const std::string& text : texts) array->InsertNextValue(text);
+    data->GetFieldData()->AddArray(array);
+}
+
 /// A number with its unit as field data.
 void add_field(vtkDataObject* data, const char* name, double value, const char* unit) {
-    data->GetFieldData()->AddArray(
-        with_unit(make_array<vtkDoubleArray>(name, 1, 1, [&](std::size_t, double* v) { *v = value; }), unit));
+    data->GetFieldData()->AddArray(with_unit(scalars<vtkDoubleArray>(name, 1, [&](std::size_t) { return value; }), unit));
 }
 
 void add_moment(vtkDataObject* data, const FrameMoment& moment) {
@@ -68,11 +118,11 @@ void add_stress(vtkCellData* cells, const std::vector<std::array<double, 4>>& st
     for (std::size_t k = 0; k < names.size(); ++k) tensor->SetComponentName(static_cast<vtkIdType>(k), names[k]);
     cells->AddArray(with_unit(tensor, "Pa"));
     const auto principal = [&](const char* name, double sign) {
-        const auto array = make_array<vtkFloatArray>(name, 1, n, [&](std::size_t i, float* v) {
+        const auto value = [&](std::size_t i) {
             const auto& [xx, yy, xy, zz] = stress[i];
-            *v = static_cast<float>((xx + yy) / 2 + sign * std::hypot((xx - yy) / 2, xy));
-        });
-        cells->AddArray(with_unit(array, "Pa"));
+            return (xx + yy) / 2 + sign * std::hypot((xx - yy) / 2, xy);
+        };
+        cells->AddArray(with_unit(scalars<vtkFloatArray>(name, n, value), "Pa"));
     };
     principal("principal_stress_1", 1);
     principal("principal_stress_2", -1);
@@ -98,18 +148,22 @@ public:
     CrackArrays(vtkCellData* cells, const std::vector<Crack>& cracks) : cells_(cells), cracks_(cracks) {}
     template <class Value>
     void real(const char* name, const char* unit, const Value& value) {
-        const auto array =
-            make_array<vtkDoubleArray>(name, 1, cracks_.size(), [&](std::size_t i, double* v) { *v = value(cracks_[i]); });
-        cells_->AddArray(with_unit(array, unit));
+        cells_->AddArray(with_unit(array<vtkDoubleArray>(name, value), unit));
     }
     template <class Value>
     void byte(const char* name, const Value& value) {
-        cells_->AddArray(make_array<vtkUnsignedCharArray>(name, 1, cracks_.size(), [&](std::size_t i, unsigned char* v) {
-            *v = static_cast<unsigned char>(value(cracks_[i]));
-        }));
+        cells_->AddArray(array<vtkUnsignedCharArray>(name, value));
+    }
+    template <class Value>
+    void whole(const char* name, const Value& value) {
+        cells_->AddArray(array<vtkIntArray>(name, value));
     }
 
 private:
+    template <class Array, class Value>
+    [[nodiscard]] vtkSmartPointer<Array> array(const char* name, const Value& value) const {
+        return scalars<Array>(name, cracks_.size(), [&](std::size_t i) { return value(cracks_[i]); });
+    }
     vtkCellData* cells_;
     const std::vector<Crack>& cracks_;
 };
@@ -185,18 +239,14 @@ void write_grains(const std::string& path, const Specimen& specimen, Frame frame
     for (const auto& nodes : specimen.element_nodes) triangles->InsertNextCell({nodes[0], nodes[1], nodes[2]});
     grid->SetCells(VTK_TRIANGLE, triangles);
     add_texts(grid, "phase_names", specimen.phase_names);
-    cells->AddArray(scalars<vtkIntArray>("grain", specimen.element_grain));
+    const std::size_t n = specimen.n_elements();
+    const auto grain = [&](std::size_t i) { return static_cast<std::size_t>(specimen.element_grain[i]); };
+    cells->AddArray(scalars<vtkIntArray>("grain", n, grain));
     if (!specimen.grain_crystal.empty()) {
-        cells->AddArray(make_array<vtkIntArray>("crystal", 1, specimen.n_elements(), [&](std::size_t i, int* v) {
-            *v = specimen.grain_crystal[static_cast<std::size_t>(specimen.element_grain[i])];
-        }));
+        cells->AddArray(scalars<vtkIntArray>("crystal", n, [&](std::size_t i) { return specimen.grain_crystal[grain(i)]; }));
     }
-    cells->AddArray(make_array<vtkUnsignedCharArray>("phase", 1, specimen.n_elements(), [&](std::size_t i, unsigned char* v) {
-        *v = specimen.grain_phase[static_cast<std::size_t>(specimen.element_grain[i])];
-    }));
-    cells->AddArray(make_array<vtkIntArray>("fragment", 1, specimen.n_elements(), [&](std::size_t i, int* v) {
-        *v = static_cast<int>(fragments.of_grain[static_cast<std::size_t>(specimen.element_grain[i])]);
-    }));
+    cells->AddArray(scalars<vtkUnsignedCharArray>("phase", n, [&](std::size_t i) { return specimen.grain_phase[grain(i)]; }));
+    cells->AddArray(scalars<vtkIntArray>("fragment", n, [&](std::size_t i) { return fragments.of_grain[grain(i)]; }));
     write_xml<vtkXMLUnstructuredGridWriter>(path, grid.Get());
 }
 
@@ -228,8 +278,7 @@ void write_cracks(const std::string& path, const Specimen& specimen, const std::
     const std::vector<std::uint8_t> classes = contact_classes(specimen);
     add_present_data(arrays, frame, classes, contacts);
     add_failure_data(arrays);
-    data->GetCellData()->AddArray(
-        make_array<vtkIntArray>("contact", 1, present.size(), [&](std::size_t i, int* v) { *v = present[i].contact; }));
+    arrays.whole("contact", [](const Crack& c) { return c.contact; });
     add_phases(arrays, classes, specimen);
     add_texts(data, "phase_names", specimen.phase_names);
     add_texts(data, "class_names", contact_class_names(specimen));
@@ -257,8 +306,8 @@ void write_platens(const std::string& path, const PlatenFaceSet& platens, double
     data->SetPoints(points);
     data->SetPolys(rectangles);
     data->GetPointData()->AddArray(with_unit(vectors("displacement", moves), "m"));
-    data->GetCellData()->AddArray(make_array<vtkUnsignedCharArray>(
-        "platen", 1, platens.faces.size(), [&](std::size_t i, unsigned char* v) { *v = platens.faces[i].side > 0 ? 1 : 0; }));
+    data->GetCellData()->AddArray(scalars<vtkUnsignedCharArray>(
+        "platen", platens.faces.size(), [&](std::size_t i) { return platens.faces[i].side > 0 ? 1 : 0; }));
     add_moment(data, moment);
     write_xml<vtkXMLPolyDataWriter>(path, data.Get());
 }

@@ -3,36 +3,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <numeric>
 #include <string_view>
 
-#include "post/cracks/vtk_arrays.hpp"
-#include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "share/base/union_find.hpp"
-#include "share/file/output_file.hpp"
 
 namespace graincrack {
 
 namespace {
-
-struct FormatEnding {
-    const char* ending;
-    MeshFormat format;
-};
-constexpr std::array<FormatEnding, 2> endings{{{".msh", MeshFormat::gmsh}, {".vtu", MeshFormat::vtu}}};
 
 /// Appends a line of numbers, each in the fewest digits that read back exactly.
 template <class... Numbers>
@@ -59,20 +41,6 @@ std::size_t n_crystals(const SharedMesh& mesh) {
 }
 
 }  // namespace
-
-MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFormat>& chosen) {
-    const auto fits = [&](const FormatEnding& each) { return output.ends_with(each.ending); };
-    const auto* const known = std::find_if(endings.begin(), endings.end(), fits);
-    const bool is_known = !is_stream(output) && known != endings.end();
-    if (chosen && is_known && known->format != *chosen) {
-        throw UsageError(
-            fmt::format("--output {}: ends in {}, and --format is another; leave one of them out", output, known->ending));
-    }
-    if (chosen) return *chosen;
-    if (is_known) return known->format;
-    if (is_stream(output)) throw UsageError(fmt::format("--output {}: the format is missing; give --format gmsh or vtu", output));
-    throw UsageError(fmt::format("--output {}: its name must end in .msh or .vtu, or --format gmsh or vtu be given", output));
-}
 
 std::string gmsh_text(const SharedMesh& mesh) {
     const std::size_t n_phases = mesh.phase_names.size();
@@ -104,7 +72,7 @@ std::string gmsh_text(const SharedMesh& mesh) {
     return text + "$EndElements\n";
 }
 
-std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format) {
+std::vector<std::string> losses(const SharedMesh& mesh) {
     std::vector<std::string> left_out;
     if (mesh.has_strength_factors) {
         left_out.push_back(fmt::format(
@@ -113,12 +81,8 @@ std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format) {
     if (mesh.has_crystals && mesh.triangles.size() > mesh.grain_phase.size()) {
         left_out.emplace_back("grains of several elements within crystals");
     }
-    if (format == MeshFormat::vtu && !mesh.sides.empty()) {
-        left_out.emplace_back("parts of the boundary, pre-existing cracks and flaws");
-    }
     std::vector<std::string> lost;
     if (!left_out.empty()) lost.push_back(fmt::format("leaves out {}", fmt::join(left_out, ", ")));
-    if (format == MeshFormat::vtu) return lost;
     for (const auto* names : {&mesh.phase_names, &mesh.side_names}) {
         for (const std::string& name : *names) {
             const std::string written = gmsh_name(name);
@@ -126,36 +90,6 @@ std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format) {
         }
     }
     return lost;
-}
-
-std::string vtu_text(const SharedMesh& mesh) {
-    vtkObject::GlobalWarningDisplayOff();
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints> points;
-    points->SetData(with_unit(vectors("position", mesh.points), "m"));
-    grid->SetPoints(points);
-    const std::size_t n = mesh.triangles.size();
-    vtkNew<vtkCellArray> triangles;
-    triangles->AllocateExact(static_cast<vtkIdType>(n), 3 * static_cast<vtkIdType>(n));
-    for (const auto& corners : mesh.triangles) triangles->InsertNextCell({corners[0], corners[1], corners[2]});
-    grid->SetCells(VTK_TRIANGLE, triangles);
-    add_texts(grid, "phase_names", mesh.phase_names);
-    const auto grain = [&](std::size_t triangle) { return static_cast<std::size_t>(mesh.triangle_grain[triangle]); };
-    vtkCellData* cells = grid->GetCellData();
-    cells->AddArray(scalars<vtkIntArray>("grain", mesh.triangle_grain));
-    cells->AddArray(make_array<vtkIntArray>("crystal", 1, n, [&](std::size_t i, int* v) { *v = mesh.grain_crystal[grain(i)]; }));
-    cells->AddArray(make_array<vtkUnsignedCharArray>("phase", 1, n,
-                                                     [&](std::size_t i, unsigned char* v) { *v = mesh.grain_phase[grain(i)]; }));
-    cells->AddArray(with_unit(
-        make_array<vtkDoubleArray>("grain_area", 1, n, [&](std::size_t i, double* v) { *v = mesh.grain_area[grain(i)]; }), "m2"));
-    vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    writer->SetInputData(grid);
-    writer->WriteToOutputStringOn();
-    writer->SetCompressorTypeToZLib();
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOn();
-    if (writer->Write() != 1 || writer->GetErrorCode() != 0) throw OutputError("the mesh could not be written as a VTK file");
-    return writer->GetOutputString();
 }
 
 namespace {
@@ -212,7 +146,6 @@ SharedMesh share_nodes(const Specimen& s) {
     for (const auto& [i, j, k] : s.element_nodes) mesh.triangles.push_back({point_of(i), point_of(j), point_of(k)});
     mesh.triangle_grain = s.element_grain;
     mesh.grain_phase = s.grain_phase;
-    mesh.grain_area = s.grain_area;
     mesh.phase_names = s.phase_names;
     mesh.has_strength_factors = !s.contact_strength_factor.empty();
     mesh.has_crystals = !s.grain_crystal.empty();

@@ -1,10 +1,9 @@
-// The mesh of a specimen as other programs have meshes, whose grains share points, and as text: MSH 2.2 of Gmsh, .vtu of VTK.
+// The mesh of a specimen as other programs have meshes, whose grains share points, and as text: MSH 2.2 of Gmsh.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +26,6 @@ struct SharedMesh {
     std::vector<std::int32_t> triangle_grain;            ///< ascending from 0
     std::vector<std::int32_t> grain_crystal;             ///< from 0; without crystals of several grains the grain
     std::vector<std::uint8_t> grain_phase;               ///< index into phase_names
-    std::vector<double> grain_area;                      ///< m²
     std::vector<std::string> phase_names;
     /// The boundary in its order, solid on the left; then, in the order of contacts, those that were broken before a test or
     /// belong to a class of flaws, from a1 to a2.
@@ -43,22 +41,12 @@ struct SharedMesh {
 /// The shared mesh of a specimen. Nodes are one point if contacts join them; it lies where the lowest of them does.
 SharedMesh share_nodes(const Specimen& specimen);
 
-enum class MeshFormat { gmsh, vtu };
-
-/// The format that was chosen, else the one that the name of a file asks for: .msh or .vtu.
-/// \throws UsageError for another ending or a stream without a choice, and for the ending of another format
-MeshFormat mesh_format_of(const std::string& output, const std::optional<MeshFormat>& chosen = {});
-
 /// MSH 2.2 ASCII. Triangles are numbered as elements are, from 1: their tags are phase + 1 and crystal + 1. Lines follow, with
 /// tags beyond those of the phases and the crystals. Coordinates in m, in the fewest digits that read back exactly.
 /// Names are written without quotes and control characters.
 std::string gmsh_text(const SharedMesh& mesh);
 
-/// The parts of a mesh that a format does not carry, or carries by another name: "leaves out strength factors of contacts", …
-std::vector<std::string> losses(const SharedMesh& mesh, MeshFormat format);
-
-/// The content of a .vtu file: triangles with points (m, z = 0) that grains share. Cell data: grain and crystal (from 0), phase,
-/// grain_area (m²). Field data: phase_names. zlib and base64, which most readers know. \throws OutputError
-std::string vtu_text(const SharedMesh& mesh);
+/// The parts of a mesh that the format does not carry, or carries by another name: "leaves out strength factors of contacts", …
+std::vector<std::string> losses(const SharedMesh& mesh);
 
 }  // namespace graincrack

@@ -1,14 +1,6 @@
 #include "post/export/mesh_file.hpp"
 
 #include <gtest/gtest.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
-#include <vtkStringArray.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <charconv>
@@ -17,8 +9,6 @@
 #include <set>
 #include <sstream>
 
-#include "share/base/error.hpp"
-#include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace graincrack {
@@ -82,16 +72,14 @@ TEST(MeshFile, CoordinatesReadBackExactly) {
 
 TEST(MeshFile, LossesAreWhatAFormatDoesNotCarry) {
     SharedMesh mesh = two_grains();
-    EXPECT_TRUE(losses(mesh, MeshFormat::gmsh).empty());
+    EXPECT_TRUE(losses(mesh).empty());
     mesh.has_strength_factors = true;
     mesh.phase_names = {"Feldspat, weiß", "brown \"mica\"\n"};
-    const std::string factors =
-        "leaves out strength factors of contacts (import --seed 0 draws them again with their modulus or material)";
-    EXPECT_EQ(losses(mesh, MeshFormat::gmsh),
-              (std::vector<std::string>{factors, "has brown 'mica'\\x0a for the name brown \"mica\"\\x0a"}));
+    EXPECT_EQ(losses(mesh),
+              (std::vector<std::string>{
+                  "leaves out strength factors of contacts (import --seed 0 draws them again with their modulus or material)",
+                  "has brown 'mica'\\x0a for the name brown \"mica\"\\x0a"}));
     EXPECT_NE(gmsh_text(mesh).find("2 1 \"Feldspat, weiß\"\n2 2 \"brown 'mica'\\x0a\"\n"), std::string::npos);
-    EXPECT_EQ(losses(mesh, MeshFormat::vtu),
-              (std::vector<std::string>{factors + ", parts of the boundary, pre-existing cracks and flaws"}));
 }
 
 TEST(MeshFile, CrystalsOfSeveralGrainsAreEntities) {
@@ -102,67 +90,14 @@ TEST(MeshFile, CrystalsOfSeveralGrainsAreEntities) {
     s.contact_flaw[0] = 1;
     s.contact_kind[0] = static_cast<std::uint8_t>(ContactKind::within_crystal);
     const SharedMesh mesh = share_nodes(s);
-    EXPECT_TRUE(losses(mesh, MeshFormat::gmsh).empty());
+    EXPECT_TRUE(losses(mesh).empty());
     EXPECT_EQ(mesh.sides.size(), s.n_boundary_edges()) << "contacts within crystals follow from the crystals";
     const auto elements = rows_behind(gmsh_text(mesh), "$Elements");
     for (std::size_t t = 0; t < 4; ++t) EXPECT_EQ(elements[t + 1][4], t < 2 ? "1" : "2");
     s.element_grain = {0, 0, 1, 1};
     s.grain_phase.resize(2);
     s.grain_crystal = {0, 0};
-    EXPECT_EQ(losses(share_nodes(s), MeshFormat::gmsh),
-              std::vector<std::string>{"leaves out grains of several elements within crystals"});
-}
-
-TEST(MeshFile, FormatIsThatOfTheEnding) {
-    EXPECT_EQ(mesh_format_of("a.msh"), MeshFormat::gmsh);
-    EXPECT_EQ(mesh_format_of("a.b/c.vtu"), MeshFormat::vtu);
-    test::expect_one_line<UsageError>([] { (void)mesh_format_of("a.stl"); }, {"--output a.stl", ".msh or .vtu"});
-    test::expect_one_line<UsageError>([] { (void)mesh_format_of("-"); }, {"--output -", "--format gmsh or vtu"});
-    test::expect_one_line<UsageError>([] { (void)mesh_format_of("a.vtu", MeshFormat::gmsh); }, {"--output a.vtu", "--format"});
-    EXPECT_EQ(mesh_format_of("a.vtu", MeshFormat::vtu), MeshFormat::vtu);
-    EXPECT_EQ(mesh_format_of("a.txt", MeshFormat::vtu), MeshFormat::vtu);
-    EXPECT_EQ(mesh_format_of("-", MeshFormat::gmsh), MeshFormat::gmsh);
-}
-
-TEST(MeshVtk, TrianglesReadBackWithGrainsAndPhases) {
-    Specimen s = test::crossed_blocks(4, 4, 0.1, 0.1, [](int i, int j) { return j / 2 * 2 + i / 2; });
-    s.phase_names = {"quartz", "mica"};
-    s.grain_phase = {0, 1, 1, 0};
-    const SharedMesh mesh = share_nodes(s);
-    const std::string text = vtu_text(mesh);
-    EXPECT_EQ(text, vtu_text(mesh));
-    vtkNew<vtkXMLUnstructuredGridReader> reader;
-    reader->ReadFromInputStringOn();
-    reader->SetInputString(text);
-    reader->Update();
-    vtkUnstructuredGrid* grid = reader->GetOutput();
-    ASSERT_EQ(grid->GetNumberOfPoints(), static_cast<vtkIdType>(mesh.points.size()));
-    ASSERT_EQ(grid->GetNumberOfCells(), static_cast<vtkIdType>(mesh.triangles.size()));
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        const double* point = grid->GetPoint(static_cast<vtkIdType>(i));
-        EXPECT_EQ(point[0], mesh.points[i][0]);
-        EXPECT_EQ(point[1], mesh.points[i][1]);
-        EXPECT_EQ(point[2], 0);
-    }
-    const auto data = [&](const char* name, vtkIdType cell) {
-        return grid->GetCellData()->GetArray(name)->GetComponent(cell, 0);
-    };
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto cell = static_cast<vtkIdType>(t);
-        vtkNew<vtkIdList> corners;
-        grid->GetCellPoints(cell, corners);
-        ASSERT_EQ(corners->GetNumberOfIds(), 3);
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(corners->GetId(static_cast<vtkIdType>(k)), mesh.triangles[t][k]);
-        const auto grain = static_cast<std::size_t>(s.element_grain[t]);
-        EXPECT_EQ(data("grain", cell), s.element_grain[t]);
-        EXPECT_EQ(data("crystal", cell), s.element_grain[t]);
-        EXPECT_EQ(data("phase", cell), s.grain_phase[grain]);
-        EXPECT_EQ(data("grain_area", cell), s.grain_area[grain]);
-    }
-    auto* names = vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray("phase_names"));
-    ASSERT_NE(names, nullptr);
-    ASSERT_EQ(names->GetNumberOfValues(), 2);
-    EXPECT_EQ(names->GetValue(1), "mica");
+    EXPECT_EQ(losses(share_nodes(s)), std::vector<std::string>{"leaves out grains of several elements within crystals"});
 }
 
 /// Two triangles side by side, split by a diagonal: six nodes at four places.
