@@ -41,37 +41,22 @@ void Drawing::rectangle(Pixel top_left, Pixel bottom_right, Colour fill) {
     polygon({top_left, {bottom_right.x, top_left.y}, bottom_right, {top_left.x, bottom_right.y}}, fill);
 }
 
-namespace {
-
-void move(Polygons& polygons, const auto& moved) {
-    for (Pixel& p : polygons.corners) p = moved(p);
-}
-void move(Strokes& strokes, const auto& moved) {
-    for (Pixel& p : strokes.ends) p = moved(p);
-}
-void move(Polyline& line, const auto& moved) {
-    for (Pixel& p : line.points) p = moved(p);
-}
-void move(Text& text, const auto& moved) { text.at = moved(text.at); }
-
-std::size_t marks_of(const Polygons& polygons) { return polygons.size(); }
-std::size_t marks_of(const Strokes& strokes) { return strokes.size(); }
-std::size_t marks_of(const Polyline& /*line*/) { return 1; }
-std::size_t marks_of(const Text& /*text*/) { return 1; }
-
-}  // namespace
-
 void Drawing::add(const Drawing& other, Pixel offset) {
-    const auto moved = [&](Pixel p) { return Pixel{p.x + offset.x, p.y + offset.y}; };
     for (const Shape& shape : other.shapes_) {
         shapes_.push_back(shape);
-        std::visit([&](auto& own) { move(own, moved); }, shapes_.back());
+        for (Pixel& each : std::visit([](auto& own) { return own.pixels(); }, shapes_.back())) {
+            each = {each.x + offset.x, each.y + offset.y};
+        }
     }
 }
 
 std::size_t Drawing::n_marks() const {
     std::size_t n = 0;
-    for (const Shape& shape : shapes_) n += std::visit([](const auto& own) { return marks_of(own); }, shape);
+    for (const Shape& shape : shapes_) {
+        const auto* const polygons = std::get_if<Polygons>(&shape);
+        const auto* const strokes = std::get_if<Strokes>(&shape);
+        n += polygons != nullptr ? polygons->size() : strokes != nullptr ? strokes->size() : 1;
+    }
     return n;
 }
 

@@ -50,6 +50,7 @@ struct Polygons {
     std::size_t sides = 3;
     Colour fill;
     [[nodiscard]] std::size_t size() const { return corners.size() / sides; }
+    [[nodiscard]] std::span<Pixel> pixels() { return corners; }
     [[nodiscard]] std::span<const Pixel> operator[](std::size_t i) const { return std::span(corners).subspan(i * sides, sides); }
 };
 /// Straight strokes with round ends: two points each.
@@ -58,6 +59,7 @@ struct Strokes {
     double width = 1;
     Colour colour;
     [[nodiscard]] std::size_t size() const { return ends.size() / 2; }
+    [[nodiscard]] std::span<Pixel> pixels() { return ends; }
 };
 /// How a line is broken up, so that lines stay apart without colour.
 enum class Dash { none, dashed, dotted, dash_dot, long_dashed };
@@ -67,6 +69,7 @@ struct Polyline {
     double width = 1;
     Colour colour;
     Dash dash = Dash::none;
+    [[nodiscard]] std::span<Pixel> pixels() { return points; }
 };
 enum class Anchor { start, middle, end };
 /// One line of text; `at` is the end of the baseline the anchor names. `upwards` turns it by 90° counter-clockwise.
@@ -78,6 +81,7 @@ struct Text {
     Anchor anchor = Anchor::start;
     bool bold = false;
     bool upwards = false;
+    [[nodiscard]] std::span<Pixel> pixels() { return {&at, 1}; }
 };
 
 class Drawing {

@@ -10,7 +10,6 @@
 #include "post/chart/axis.hpp"
 #include "post/chart/drawing.hpp"
 #include "post/chart/font.hpp"
-#include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/units.hpp"
@@ -159,21 +158,21 @@ void MapView::draw_outline(std::int32_t from, std::int32_t to, double width, Col
 }
 
 template <class Draw>
-void MapView::each_grain(const GrainColour& colour, const Draw& draw) const {
+void MapView::each_grain(const std::optional<Colour>& all, const Draw& draw) const {
     for (std::size_t e = 0; e < specimen_.n_elements(); ++e) {
         const auto& nodes = specimen_.element_nodes[e];
         const auto place = [&](std::size_t k) { return positions_[static_cast<std::size_t>(nodes[k])]; };
         const auto [a, b, c] = std::array{place(0), place(1), place(2)};
         if (!visible({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3})) continue;
         const auto grain = static_cast<std::size_t>(specimen_.element_grain[e]);
-        draw(pixel(a), pixel(b), pixel(c), colour ? colour(grain) : palette::phase(specimen_.grain_phase[grain]));
+        draw(pixel(a), pixel(b), pixel(c), all.value_or(palette::phase(specimen_.grain_phase[grain])));
     }
 }
 
-void MapView::draw_grains(const GrainColour& colour) {
+void MapView::draw_grains(const std::optional<Colour>& all) {
     const double edge = specimen_.statistics.mean_edge > 0 ? specimen_.statistics.mean_edge * scale_ : 1e3;
-    if (edge < min_edge) return draw_small_grains(colour);
-    each_grain(colour, [&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
+    if (edge < min_edge) return draw_small_grains(all);
+    each_grain(all, [&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
     const double thin = std::clamp(0.03 * edge, 0.3, 1.2);
     const auto apart = [&](std::int32_t a, std::int32_t b) {
         const auto& p = positions_[static_cast<std::size_t>(a)];
@@ -203,9 +202,9 @@ bool MapView::draw_pre_existing_cracks(double width) {
     return any;
 }
 
-void MapView::draw_small_grains(const GrainColour& colour) {
+void MapView::draw_small_grains(const std::optional<Colour>& all) {
     PixelFill fill(pixel({low_[0], high_[1]}), pixel({high_[0], low_[1]}));
-    each_grain(colour, [&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });
+    each_grain(all, [&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });
     fill.draw(drawing_);
     for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.5, palette::rim);
 }
@@ -216,15 +215,6 @@ void MapView::draw_platens(const PlatenFaceSet& set, double approach) {
         const auto places = set.bar(face, platen_height / scale_, approach);
         std::transform(places.begin(), places.end(), corners.begin(), [&](const auto& place) { return pixel(place); });
         drawing_.polygon(corners, palette::platen);
-    }
-}
-
-void MapView::draw_boundaries(const std::function<bool(std::size_t contact)>& is_boundary, double width) {
-    for (std::size_t c = 0; c < specimen_.n_contacts(); ++c) {
-        if (!is_boundary(c)) continue;
-        const auto& nodes = specimen_.contact_nodes[c];
-        draw_outline(nodes[0], nodes[1], width, palette::ink);
-        draw_outline(nodes[2], nodes[3], width, palette::ink);
     }
 }
 
@@ -310,8 +300,8 @@ std::string cracked_contacts(const std::vector<Crack>& cracks, CrackMode mode) {
     return whole_contacts(0.5 * static_cast<double>(points));
 }
 
-std::vector<std::string> crack_notes(const Specimen& specimen, const CrackLabel& label, const std::vector<std::string>& classes) {
-    std::vector<std::string> lines{limited_to(definition_of(label), classes)};
+std::vector<std::string> crack_notes(const Specimen& specimen, const CrackLabel& label) {
+    std::vector<std::string> lines{definition_of(label)};
     if (!specimen.grain_crystal.empty()) lines.emplace_back("thin: within crystals; thick: between them");
     return lines;
 }

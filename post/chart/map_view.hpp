@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,9 +21,6 @@ using Positions = std::vector<std::array<double, 2>>;
 
 /// The positions of the nodes in a frame, displacements magnified.
 Positions moved_nodes(const Specimen& specimen, const Frame& frame, double magnification);
-
-/// The colour of a grain: by phase unless another function is given.
-using GrainColour = std::function<Colour(std::size_t grain)>;
 
 /// Entries of a legend for the colours of the phases; none for grains of one kind.
 std::vector<LegendEntry> phase_legend(const Specimen& specimen);
@@ -64,15 +60,14 @@ public:
     MapView(const Specimen& specimen, Positions positions, const ChartText& text, const MapPage& page = {});
 
     /// Fills the grains and draws their outlines, unless they are too small for that, those within crystals thinner, and the rim.
-    void draw_grains(const GrainColour& colour = {});
+    /// \param all colour of every grain; by phase without it
+    void draw_grains(const std::optional<Colour>& all = {});
     /// Contacts that start broken. \return whether there are any
     bool draw_pre_existing_cracks(double width);
     /// A stroke between two places; left out if its middle lies off the map.
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
     /// Rigid platens, rollers or punches: a bar outside each face, all moved by `approach`; m.
     void draw_platens(const PlatenFaceSet& set, double approach);
-    /// The boundaries between grains of different colours, dark, so that they stay apart in grey.
-    void draw_boundaries(const std::function<bool(std::size_t contact)>& is_boundary, double width);
     /// Legend and a scale bar below the map, and below them lines of text.
     void draw_legend(const std::vector<LegendEntry>& entries, const std::vector<std::string>& notes = {});
 
@@ -85,8 +80,8 @@ public:
 private:
     /// Calls `draw` with the corners of each triangle on the map and its colour.
     template <class Draw>
-    void each_grain(const GrainColour& colour, const Draw& draw) const;
-    void draw_small_grains(const GrainColour& colour);
+    void each_grain(const std::optional<Colour>& all, const Draw& draw) const;
+    void draw_small_grains(const std::optional<Colour>& all);
     [[nodiscard]] Pixel pixel(std::array<double, 2> place) const;
     [[nodiscard]] bool visible(std::array<double, 2> place) const;
     void draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour);
@@ -110,7 +105,7 @@ void draw_cracks(MapView& map, const Specimen& specimen, const std::vector<Crack
 
 /// The number of contacts with cracks of a mode, as a legend has it.
 std::string cracked_contacts(const std::vector<Crack>& cracks, CrackMode mode);
-/// The definition of the cracks of a picture in lines. \param classes that they are limited to
-std::vector<std::string> crack_notes(const Specimen& specimen, const CrackLabel& label, const std::vector<std::string>& classes);
+/// The definition of the cracks of a picture in lines.
+std::vector<std::string> crack_notes(const Specimen& specimen, const CrackLabel& label);
 
 }  // namespace graincrack

@@ -4,6 +4,7 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <cstddef>
@@ -146,16 +147,6 @@ void append_big_endian(std::vector<unsigned char>& bytes, std::uint32_t value) {
     for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes.push_back(static_cast<unsigned char>(value >> shift));
 }
 
-/// The check of a chunk (CRC-32 of ISO 3309).
-std::uint32_t crc32(std::span<const unsigned char> bytes) {
-    std::uint32_t crc = 0xFFFFFFFFU;
-    for (const unsigned char byte : bytes) {
-        crc ^= byte;
-        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
-    }
-    return ~crc;
-}
-
 /// Writes the resolution into a PNG, as a chunk pHYs behind the header (W3C PNG specification, 11.3.4.3).
 void insert_resolution(std::vector<unsigned char>& png, double pixels_per_inch) {
     constexpr std::ptrdiff_t end_of_header = 8 + 25;  // signature, IHDR
@@ -165,7 +156,7 @@ void insert_resolution(std::vector<unsigned char>& png, double pixels_per_inch) 
     std::vector<unsigned char> chunk{'p', 'H', 'Y', 's'};
     for (int axis = 0; axis < 2; ++axis) append_big_endian(chunk, per_metre);
     chunk.push_back(unit_is_metre);
-    append_big_endian(chunk, crc32(chunk));
+    append_big_endian(chunk, static_cast<std::uint32_t>(crc32(0, chunk.data(), static_cast<uInt>(chunk.size()))));
     std::vector<unsigned char> length;
     append_big_endian(length, size);
     chunk.insert(chunk.begin(), length.begin(), length.end());

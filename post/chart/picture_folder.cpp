@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <string_view>
+#include <memory>
+#include <regex>
 #include <system_error>
 
 #include "share/base/error.hpp"
@@ -16,17 +16,6 @@ namespace graincrack {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::string_view frame_stem = "frame-";
-constexpr std::string_view frame_ending = ".png";
-
-bool is_numbered_picture(std::string_view name) {
-    if (!name.starts_with(frame_stem) || !name.ends_with(frame_ending) ||
-        name.size() < frame_stem.size() + frame_ending.size() + 4)
-        return false;
-    const std::string_view number = name.substr(frame_stem.size(), name.size() - frame_stem.size() - frame_ending.size());
-    return number.find_first_not_of("0123456789") == std::string_view::npos;
-}
 
 /// The path of a folder that may not exist yet. \throws OutputError without a folder around it
 std::string whole_path(const std::string& name) {
@@ -46,25 +35,14 @@ void require_own(const std::string& name, const std::string& folder) {
     const fs::file_type type = fs::status(folder, cause).type();
     if (type == fs::file_type::not_found) return;
     if (type != fs::file_type::directory) throw OutputError(name + ": exists, and is no folder; name a new folder");
+    static const std::regex numbered(R"(frame-\d{4,}\.png)");
     for (fs::directory_iterator each(folder, cause), end; !cause && each != end; each.increment(cause)) {
         const std::string file = each->path().filename().string();
-        if (is_numbered_picture(file)) continue;
+        if (std::regex_match(file, numbered)) continue;
         throw OutputError(fmt::format("{}: has {}, which is no numbered picture; name a new or an empty folder", name, file));
     }
     if (cause) throw OutputError(fmt::format("{}: cannot be read: {}", name, cause.message()));
 }
-
-/// A folder that is removed at the end, unless it was renamed.
-struct UnfinishedFolder {
-    std::string path;
-    explicit UnfinishedFolder(std::string folder) : path(std::move(folder)) {}
-    UnfinishedFolder(const UnfinishedFolder&) = delete;
-    UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
-    ~UnfinishedFolder() {
-        std::error_code cause;
-        fs::remove_all(path, cause);
-    }
-};
 
 }  // namespace
 
@@ -74,16 +52,17 @@ void write_picture_folder(const std::string& folder, std::size_t count,
     const OutputLock lock(whole);
     require_own(folder, whole);
     require_own(folder + ".part", whole + ".part");  // of a program that was killed
-    const UnfinishedFolder part(whole + ".part");
+    const std::string part = whole + ".part";
     std::error_code cause;
-    fs::remove_all(part.path, cause);
-    if (!fs::create_directory(part.path, cause)) {
+    fs::remove_all(part, cause);
+    const std::shared_ptr<void> unfinished(nullptr, [&](void* /*none*/) { fs::remove_all(part, cause); });  // unless renamed
+    if (!fs::create_directory(part, cause)) {
         throw OutputError(fmt::format("{}: cannot be made: {}", folder, cause.message()));
     }
     for (std::size_t i = 0; i < count; ++i) {
         throw_if_interrupted();
         const std::vector<unsigned char> bytes = picture(i);
-        const auto file = OutputFile::covered(fmt::format("{}/{}{:04}{}", part.path, frame_stem, i + 1, frame_ending));
+        const auto file = OutputFile::covered(fmt::format("{}/frame-{:04}.png", part, i + 1));
         file->begin();
         file->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
         file->commit();
@@ -91,7 +70,7 @@ void write_picture_folder(const std::string& folder, std::size_t count,
     throw_if_interrupted();
     require_own(folder, whole);
     fs::remove_all(whole, cause);
-    if (!cause) fs::rename(part.path, whole, cause);
+    if (!cause) fs::rename(part, whole, cause);
     if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", folder, cause.message()));
     add_output_to_outcome(folder);
 }

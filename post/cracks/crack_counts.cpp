@@ -33,8 +33,10 @@ std::vector<std::size_t> moments_of(const LoadCurve& curve, std::size_t n) {
     return rows;
 }
 
-CrackCounts count_at(const std::vector<std::size_t>& rows, const RunData& run, const LoadCurve& curve, const Specimen& specimen,
-                     std::vector<Crack> cracks) {
+}  // namespace
+
+CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
+                         std::size_t n_moments) {
     std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
     const ContactClasses classes = classes_of(specimen);
     const auto& times = run.history[HistoryColumn::time];
@@ -42,7 +44,7 @@ CrackCounts count_at(const std::vector<std::size_t>& rows, const RunData& run, c
     CrackCounts::Moment now;
     now.by_class.resize(classes.names.size());
     auto next = cracks.begin();
-    for (const std::size_t row : rows) {
+    for (const std::size_t row : moments_of(curve, n_moments)) {
         for (; next != cracks.end() && next->time <= times[row]; ++next) {
             now.all.add(*next);
             now.by_class[classes.of_contact[static_cast<std::size_t>(next->contact)]].add(*next);
@@ -54,19 +56,6 @@ CrackCounts count_at(const std::vector<std::size_t>& rows, const RunData& run, c
         counts.moments.push_back(now);
     }
     return counts;
-}
-
-}  // namespace
-
-CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
-                         std::size_t n_moments) {
-    return count_at(moments_of(curve, n_moments), run, curve, specimen, std::move(cracks));
-}
-
-CrackCounts count_cracks_by_row(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks) {
-    std::vector<std::size_t> rows(curve.stress.size());
-    std::iota(rows.begin(), rows.end(), 0);
-    return count_at(rows, run, curve, specimen, std::move(cracks));
 }
 
 void write_crack_counts(std::ostream& out, const CrackCounts& counts, TableFormat format) {

@@ -29,8 +29,6 @@ struct CrackCounts {
 /// At `n_moments` + 1 evenly spaced axial strains of the test, and at the peak.
 CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
                          std::size_t n_moments = 100);
-/// The same at every row of the history.
-CrackCounts count_cracks_by_row(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks);
 
 /// Table: time_s, axial_strain, stress_MPa, is_peak, tensile_cracks, shear_cracks, then for each class
 /// tensile_cracks_CLASS, shear_cracks_CLASS.

@@ -211,6 +211,14 @@ Cell mode_cell(const Crack& crack, const CrackLabel& label) {
     return mode ? Cell(*mode == CrackMode::tensile ? "tensile" : "shear") : Cell();
 }
 
+/// The events of a run by its window, made of the micro-cracks of its contact law.
+std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const EventOptions& options) {
+    EmissionWindow window = default_window(run.header().rock, specimen.statistics.mean_edge);
+    window.distance = options.distance.value_or(window.distance);
+    window.time = options.time.value_or(window.time);
+    return find_events(read_labelled_cracks(run, specimen), run.header().rock, window);
+}
+
 }  // namespace
 
 void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const Specimen& specimen, TableFormat format) {
@@ -248,13 +256,6 @@ void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const S
     }
     columns.push_back({"class", none, [&](const Crack& c) { return has_classes ? Cell(classes.name_of(c)) : Cell(); }});
     write_table(out, columns, log, format);
-}
-
-std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const EventOptions& options) {
-    EmissionWindow window = default_window(run.header().rock, specimen.statistics.mean_edge);
-    window.distance = options.distance.value_or(window.distance);
-    window.time = options.time.value_or(window.time);
-    return find_events(read_labelled_cracks(run, specimen), run.header().rock, window);
 }
 
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity) {
@@ -307,13 +308,6 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     add_output_to_outcome(folder);
 }
 
-namespace {
-
-constexpr Quantity event_distance{"event_distance", Dimension::length, 0, 1e3, "distance within an acoustic event"};
-constexpr Quantity event_time{"event_time", Dimension::time, 0, 1e6, "time within an acoustic event"};
-
-}  // namespace
-
 void add_crack_label(OptionSet set, CrackLabelChoice& label) {
     std::vector<std::pair<std::string, std::optional<CrackEvent>>> events;
     for (const CrackEvent event : all_crack_events) events.emplace_back(name_of(event), event);
@@ -326,20 +320,6 @@ void add_crack_label(OptionSet set, CrackLabelChoice& label) {
                               {{"traction", CrackModeRule::traction}, {"sign", CrackModeRule::sign}},
                               "when a micro-crack is tensile: it was open and under more tension than shear when it failed "
                               "(traction), or it was open at the event (sign)");
-}
-
-void add_classes(OptionSet set, std::vector<std::string>& classes) {
-    add_texts(
-        set, "--class", classes, "PAIR",
-        "only contacts between two phases, such as quartz-mica, in either order; may be given again; default: all contacts");
-}
-
-void add_events(OptionSet set, EventOptions& options) {
-    add_quantity(set, "--event-distance", options.distance, event_distance,
-                 "crack points within this distance belong to one acoustic event; default: two mean edges");
-    add_quantity(
-        set, "--event-time", options.time, event_time,
-        "crack points within this time belong to one acoustic event; default: that distance at half the speed of shear waves");
 }
 
 }  // namespace graincrack

@@ -33,17 +33,10 @@ struct CrackExportOptions {
 /// counts.tsv and no peak in summary.tsv. \throws InputError for a run without frames, OutputError
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);
 
-/// The events of a run by its window, made of the micro-cracks of its contact law.
-std::vector<EmissionEvent> emission_of(const RunReader& run, const Specimen& specimen, const EventOptions& options);
-
 /// The crack log, every column with its unit; the class of the contact where the specimen has several phases.
 void write_crack_table(std::ostream& out, const std::vector<Crack>& log, const Specimen& specimen, TableFormat format);
 
 /// --crack-event failed|half-damaged|broken, --crack-mode traction|sign: what counts as a micro-crack, and which are tensile.
 void add_crack_label(OptionSet set, CrackLabelChoice& label);
-/// --class PAIR, which may be given again: what a picture of cracks is limited to.
-void add_classes(OptionSet set, std::vector<std::string>& classes);
-/// --event-distance, --event-time: the window of an acoustic event.
-void add_events(OptionSet set, EventOptions& options);
 
 }  // namespace graincrack

@@ -14,16 +14,12 @@ std::size_t rosette_bin(double orientation) {
     return static_cast<std::size_t>(share * Rosette::n_bins) % Rosette::n_bins;
 }
 
-Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen, const std::vector<bool>& contacts) {
+Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen) {
     Rosette rosette;
-    const auto counts = [&](std::size_t contact) { return contacts.empty() || contacts[contact]; };
     for (const Crack& crack : cracks) {
-        if (!counts(static_cast<std::size_t>(crack.contact))) continue;
         (crack.mode == CrackMode::tensile ? rosette.tensile : rosette.shear)[rosette_bin(crack.orientation)] += crack.length;
     }
-    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        if (!counts(c)) continue;
-        const auto& nodes = specimen.contact_nodes[c];
+    for (const auto& nodes : specimen.contact_nodes) {
         const auto& from = specimen.node_position[static_cast<std::size_t>(nodes[0])];
         const auto& to = specimen.node_position[static_cast<std::size_t>(nodes[1])];
         const double dx = to[0] - from[0];

@@ -22,8 +22,7 @@ struct Rosette {
 /// Bin of an orientation in rad, of any size: an orientation and its opposite are the same.
 std::size_t rosette_bin(double orientation);
 
-/// \param contacts those whose cracks and facets count [c]; empty: all
-Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen, const std::vector<bool>& contacts = {});
+Rosette crack_rosette(const std::vector<Crack>& cracks, const Specimen& specimen);
 
 /// Share of a length by orientation that lies within 30° of the load (y), by whole bins; empty where there is no length at all.
 std::optional<double> share_along_load(const std::array<double, Rosette::n_bins>& length);

@@ -116,18 +116,4 @@ AllThresholds measure_all_thresholds(const RunData& run, const LoadCurve& curve,
             initiation_by_count(run, curve), initiation_by_damage(run, curve, cracks)};
 }
 
-const std::vector<ThresholdDefinition>& other_threshold_definitions() {
-    using All = AllThresholds;
-    static const std::vector<ThresholdDefinition> others{
-        {false, "crack strain, 2D", [](const All& t) { return t.plane.initiation_by_crack_strain; }},
-        {false, "lateral response, 2D", [](const All& t) { return t.plane.initiation_by_lateral_response; }},
-        {false, "lateral response, pseudo-3D", [](const All& t) { return t.pseudo_3d.initiation_by_lateral_response; }},
-        {false, "count of cracks, 1\u00a0%", [](const All& t) { return t.initiation_by_count; }},
-        {false, "1\u00a0% of the points damaged by 10\u00a0%", [](const All& t) { return t.initiation_by_damage[0]; }},
-        {false, "1\u00a0% of the points damaged by 50\u00a0%", [](const All& t) { return t.initiation_by_damage[1]; }},
-        {false, "1\u00a0% of the points damaged by 90\u00a0%", [](const All& t) { return t.initiation_by_damage[2]; }},
-        {true, "reversal of volumetric strain, 2D", [](const All& t) { return t.plane.damage; }}};
-    return others;
-}
-
 }  // namespace graincrack

@@ -69,14 +69,4 @@ inline constexpr const char* default_damage_name = "reversal of volumetric strai
 /// \param cracks the log of the run; without it no value is by damage
 AllThresholds measure_all_thresholds(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks);
 
-/// A definition beside the default ones.
-struct ThresholdDefinition {
-    bool is_damage = false;  ///< of crack damage CD, not of crack initiation CI
-    std::string by;          ///< "crack strain, 2D"
-    std::optional<double> (*stress)(const AllThresholds&) = nullptr;
-
-    [[nodiscard]] std::string name() const { return (is_damage ? "CD by " : "CI by ") + by; }
-};
-const std::vector<ThresholdDefinition>& other_threshold_definitions();
-
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-// Maps of a specimen: its grains, its cracks, its fragments.
+// Maps of a specimen: its grains, its cracks.
 #include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
@@ -16,9 +16,7 @@
 
 #include "post/chart/map_view.hpp"
 #include "post/chart/picture_folder.hpp"
-#include "post/cracks/fragments.hpp"
 #include "post/measure/caveats.hpp"
-#include "post/run/contact_classes.hpp"
 #include "post/run/crystals.hpp"
 #include "post/run/load_curve.hpp"
 #include "post/run/run_state.hpp"
@@ -74,12 +72,11 @@ struct Scene {
     const CrackMapOptions& options;
     const PictureStyle& style;
     Specimen specimen = run.specimen();
-    std::vector<Crack> cracks =
-        cracks_of(read_labelled_cracks(run, specimen, options.label), contacts_of_classes(specimen, options.classes, run.name()));
+    std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.label);
     RunData data = run_data(run);
     LoadCurve curve = load_curve(data);
     /// Below the maps: the definition of the cracks, and the caveats of the strength.
-    std::vector<std::string> notes = crack_notes(specimen, options.label.of(data.header), options.classes);
+    std::vector<std::string> notes = crack_notes(specimen, options.label.of(data.header));
     Scene(const RunReader& of, const CrackMapOptions& by, const PictureStyle& in) : run(of), options(by), style(in) {
         for (const Caveat& caveat : caveats_of(run, data)) notes.push_back(note_line(caveat));
     }
@@ -95,14 +92,12 @@ std::vector<LegendEntry> crack_legend(const Specimen& specimen, const std::strin
     return legend;
 }
 
-/// Platens where they stand, if the test has some.
-void draw_platens(MapView& map, const RunReader& run, const RunData& data, const Specimen& specimen, double axial_strain) {
-    if (has_platens_to_draw(data)) map.draw_platens(read_platen_faces(run.file(), specimen), -axial_strain * specimen.height / 2);
-}
-
 void draw_state(MapView& map, const Scene& scene, double time, const std::vector<Crack>& present) {
     map.draw_grains();
-    draw_platens(map, scene.run, scene.data, scene.specimen, scene.options.magnification * scene.at(time).axial_strain);
+    if (has_platens_to_draw(scene.data)) {
+        const double approach = -scene.options.magnification * scene.at(time).axial_strain * scene.specimen.height / 2;
+        map.draw_platens(read_platen_faces(scene.run.file(), scene.specimen), approach);
+    }
     draw_cracks(map, scene.specimen, present);
 }
 
@@ -241,60 +236,6 @@ void write_frames(const RunReader& run, const CrackMapOptions& options, const Pi
 
 namespace {
 
-/// Half-strong colours of the series, so that outlines stay visible.
-Colour fragment_colour(std::size_t fragment) {
-    if (fragment == 0) return palette::grain;
-    const Colour c = palette::series(fragment - 1);
-    const auto pale = [](std::uint8_t value) { return static_cast<std::uint8_t>(value + (255 - value) * 2 / 5); };
-    return {pale(c.red), pale(c.green), pale(c.blue)};
-}
-
-/// The share of the largest fragment, and equal-area diameters of the others.
-std::string fragment_sizes(const Fragments& fragments, const FragmentCount& count) {
-    const auto diameter = [](const Fragment& fragment) { return 1e3 * fragment.diameter(); };
-    const std::string largest = fmt::format("the largest has {:.1f} % of the area", 100 * count.largest_share);
-    return count.fragments < 2 ? largest
-                               : fmt::format("{}; diameters of the others: {:.3g} to {:.3g} mm", largest,
-                                             diameter(fragments.all.back()), diameter(fragments.all[1]));
-}
-
-}  // namespace
-
-Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style) {
-    const Specimen specimen = run.specimen();
-    Frame frame = read_frame(run, specimen, choose_frame(run, options.frame, options.time));
-    const Fragments fragments = find_fragments(specimen, frame.state);
-    const FragmentCount count = count_fragments(fragments, frame.time);
-    const RunData data = run_data(run);
-    ChartText text{test_title(run.header()),
-                   {counted(count.fragments, "fragment") +
-                        (count.single_grains > 0 ? ", of which " + counted(count.single_grains, "single grain") : ""),
-                    fragment_sizes(fragments, count)}};
-    std::optional<Standing> now;
-    if (const auto curve = load_curve_if_any(data)) {
-        now = standing(data, *curve, frame.time);
-        text.subtitle.push_back(standing_label(*now, stress_name(data), options.magnification));
-    }
-    MapView map(specimen, moved_nodes(specimen, frame, options.magnification), text, {style});
-    map.draw_grains([&](std::size_t grain) { return fragment_colour(fragments.of_grain[grain]); });
-    if (now) draw_platens(map, run, data, specimen, options.magnification * now->axial_strain);
-    constexpr double line = 5;
-    const auto grains = grains_of_contacts(specimen);
-    const auto parts = [&](std::size_t contact) {
-        return fragments.of_grain[grains[contact][0]] != fragments.of_grain[grains[contact][1]];
-    };
-    map.draw_boundaries(parts, line);
-    std::vector<LegendEntry> legend{{palette::grain, "largest fragment"}};
-    if (count.fragments > 1) {
-        legend.push_back({fragment_colour(1), "others, coloured"});
-        legend.push_back({Stroke{palette::ink, line}, "between fragments"});
-    }
-    map.draw_legend(legend);
-    return std::move(map).drawing();
-}
-
-namespace {
-
 ChartText specimen_heading(const Specimen& specimen) {
     const MeshStatistics& mesh = specimen.statistics;
     const bool is_round = !has_end_faces(specimen) && specimen.shape != "polygon";
@@ -328,7 +269,7 @@ void draw_strengths(MapView& map, const Specimen& specimen, const std::string& f
     if (factors.empty()) {
         throw InputError(file + ": its contacts have no strength factors; graincrack-mesh --strength-modulus gives them");
     }
-    map.draw_grains([](std::size_t /*grain*/) { return palette::white; });
+    map.draw_grains(palette::white);
     const double width = std::clamp(0.12 * specimen.statistics.mean_edge * map.pixels_per_metre(), 1.2, 6.0);
     for (auto step = strength_steps.rbegin(); step != strength_steps.rend(); ++step) {
         const double to = step == strength_steps.rbegin() ? std::numeric_limits<double>::infinity() : std::prev(step)->from;

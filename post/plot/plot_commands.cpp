@@ -6,13 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 
 #include "post/chart/picture.hpp"
 #include "post/cracks/export.hpp"
 #include "post/measure/caveats.hpp"
 #include "post/plot/plots.hpp"
-#include "post/run/contact_classes.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
@@ -30,13 +28,10 @@ struct PlotOptions {
     PictureSize size;
     PictureStyle style;
     std::vector<std::string> labels;      ///< "RUN=TEXT"
-    std::vector<std::string> laboratory;  ///< tables of measured curves or strengths
+    std::vector<std::string> laboratory;  ///< tables of measured curves
     std::string material;
     SpecimenColour colour = SpecimenColour::phase;
-    CrackMapOptions map;  ///< its label and classes also of pictures that are no maps
-    CountsOptions counts;
-    EventOptions events;
-    ThresholdMarks marks = ThresholdMarks::usual;
+    CrackMapOptions map;  ///< its label also of pictures that are no maps
     EnvelopeOptions envelope;
     ccd::SolveOptions problem;
     LawPlotOptions law;
@@ -96,8 +91,6 @@ void frame(OptionSet set, PlotOptions& options) {
 }
 
 void crack_label(OptionSet set, PlotOptions& options) { add_crack_label(set, options.map.label); }
-void classes(OptionSet set, PlotOptions& options) { add_classes(set, options.map.classes); }
-void events(OptionSet set, PlotOptions& options) { add_events(set, options.events); }
 void envelope(OptionSet set, PlotOptions& options) { add_envelope_options(set, options.envelope); }
 void laboratory_material(OptionSet set, PlotOptions& options) { add_laboratory_material(set, options.material); }
 
@@ -110,27 +103,6 @@ void colour(OptionSet set, PlotOptions& options) {
 void laboratory_curves(OptionSet set, PlotOptions& options) {
     add_texts(set, "--laboratory", options.laboratory, "FILE",
               "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
-}
-
-void laboratory_strengths(OptionSet set, PlotOptions& options) {
-    add_texts(set, "--laboratory", options.laboratory, "FILE",
-              "table of measured strengths: confining_pressure_MPa, strength_MPa");
-}
-
-void abscissa(OptionSet set, PlotOptions& options) {
-    add_choice<Abscissa>(set, "--x", options.counts.abscissa, {{"time", Abscissa::time}, {"strain", Abscissa::strain}},
-                         "level axis: time, which spreads what happens at the peak, or axial strain");
-}
-
-void by_class(OptionSet set, PlotOptions& options) {
-    add_flag(set, "--classes", options.counts.by_class, "a curve for each class of contacts (pair of minerals) and mode");
-}
-
-void definitions(OptionSet set, PlotOptions& options) {
-    add_choice<ThresholdMarks>(set, "--definitions", options.marks,
-                               {{"default", ThresholdMarks::usual}, {"all", ThresholdMarks::all}},
-                               "what has a mark: crack initiation and damage as strain gauges tell them, or by all "
-                               "definitions of the table moduli");
 }
 
 void problem(OptionSet set, PlotOptions& options) {
@@ -188,41 +160,16 @@ Drawing strength_picture(const PlotOptions& options, const Call& call) {
 Drawing rosette_picture(const PlotOptions& options, const Call& call) {
     const RunReader run(call.file());
     const Specimen specimen = run.specimen();
-    const auto& [label, chosen] = std::tie(options.map.label, options.map.classes);
-    const Rosette rosette =
-        crack_rosette(read_labelled_cracks(run, specimen, label), specimen, contacts_of_classes(specimen, chosen, run.name()));
-    return draw_rosette(rosette, test_title(run.header()), limited_to(run.name(), chosen),
-                        limited_to(definition_of(label.of(run.header())), chosen), options.style);
-}
-
-Drawing counts_picture(const PlotOptions& options, const Call& call) {
-    const RunReader run(call.file());
-    const RunData data = run_data(run);
-    const Specimen specimen = run.specimen();
-    const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.map.label);
-    return draw_counts(count_cracks_by_row(data, load_curve(data), specimen, cracks), data,
-                       definition_of(options.map.label.of(run.header())), options.counts, options.style);
-}
-
-Drawing emission_picture(const PlotOptions& options, const Call& call) {
-    const RunReader run(call.file());
-    const std::vector<EmissionEvent> found = emission_of(run, run.specimen(), options.events);
-    return draw_emission(found, test_title(run.header()), run.name(), options.style);
-}
-
-Drawing thresholds_picture(const PlotOptions& options, const Call& call) {
-    const RunReader run(call.file());
-    const bool all = options.marks == ThresholdMarks::all;
-    return draw_thresholds(run_data(run), options.marks, options.style, all ? run.cracks() : std::vector<Crack>{});
+    const CrackLabelChoice& label = options.map.label;
+    return draw_rosette(crack_rosette(read_labelled_cracks(run, specimen, label), specimen), test_title(run.header()), run.name(),
+                        definition_of(label.of(run.header())), options.style);
 }
 
 Drawing envelope_picture(const PlotOptions& options, const Call& call) {
     const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
-    std::vector<LaboratoryStrengths> laboratory;
-    for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_strengths(file));
     const EnvelopeTests tests = collect_envelope_tests(runs, options.envelope);
     print_left_out(call.diagnostics(), "envelope", tests.left_out);
-    return draw_envelope(tests, runs.front().header.material, laboratory, options.style);
+    return draw_envelope(tests, runs.front().header.material, options.style);
 }
 
 Drawing size_effect_picture(const PlotOptions& options, const Call& call) {
@@ -270,55 +217,33 @@ std::vector<Plot> plots_of_states() {
          "crack map: tensile red, shear black",
          {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --frame all --magnify 10 -o frames"},
          one_run,
-         {picture, frame, crack_label, classes},
+         {picture, frame, crack_label},
          [](const PlotOptions& options, const Call& call) {
              return draw_cracks(RunReader(call.file()), options.map, options.style);
-         }},
-        {"fragments",
-         "grains that are still connected, by fragment",
-         {"brazilian.h5 -o fragments.png", "uniaxial.h5 --frame peak -o fragments.svg"},
-         one_run,
-         {picture, frame},
-         [](const PlotOptions& options, const Call& call) {
-             return draw_fragments(RunReader(call.file()), options.map, options.style);
          }},
         {"rosette",
          "directions of the cracks by mode, over those of the facets",
          {"uniaxial.h5 -o rosette.png", "brazilian.h5 --crack-event broken -o rosette.svg"},
          one_run,
-         {picture, crack_label, classes},
+         {picture, crack_label},
          rosette_picture},
     };
 }
 
 std::vector<Plot> plots_over_loading() {
     return {
-        {"counts",
-         "micro-cracks over the loading by mode",
-         {"uniaxial.h5 -o counts.png", "brazilian.h5 --classes -o counts.svg"},
-         one_run,
-         {chart, abscissa, by_class, crack_label},
-         counts_picture},
-        {"emission",
-         "acoustic emission: number of events by magnitude, b-value",
-         {"uniaxial.h5 -o emission.png", "uniaxial.h5 --event-distance 4mm -o emission.svg"},
-         one_run,
-         {chart, events},
-         emission_picture},
         {"energy",
          "the energy balance over a test",
-         {"uniaxial.h5 -o energy.png", "brazilian.h5 --x strain -o energy.svg"},
+         {"uniaxial.h5 -o energy.png", "brazilian.h5 --width 84mm -o energy.svg"},
          one_run,
-         {chart, abscissa},
-         [](const PlotOptions& options, const Call& call) {
-             return draw_energy(read_run_data(call.file()), options.counts.abscissa, options.style);
-         }},
+         {chart},
+         [](const PlotOptions& options, const Call& call) { return draw_energy(read_run_data(call.file()), options.style); }},
         {"thresholds",
          "crack initiation and damage on axial, lateral and volumetric strain",
-         {"uniaxial.h5 -o thresholds.png", "triaxial.h5 --definitions all -o thresholds.svg"},
+         {"uniaxial.h5 -o thresholds.png", "triaxial.h5 --width 84mm -o thresholds.svg"},
          one_run,
-         {chart, definitions},
-         thresholds_picture},
+         {chart},
+         [](const PlotOptions& options, const Call& call) { return draw_thresholds(read_run_data(call.file()), options.style); }},
     };
 }
 
@@ -329,7 +254,7 @@ std::vector<Plot> plots_of_sets() {
          {"uniaxial.h5 triaxial.h5 -o envelope.png",
           "uniaxial.h5 triaxial.h5 brazilian.h5 --strength largest --capped accept -o envelope.svg"},
          several_runs,
-         {chart, envelope, laboratory_strengths},
+         {chart, envelope},
          envelope_picture},
         {"size-effect",
          "strength against mean edge with the power law",

@@ -9,8 +9,6 @@
 #include "post/chart/drawing.hpp"
 #include "post/chart/picture.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/cracks/crack_counts.hpp"
-#include "post/cracks/emission.hpp"
 #include "post/cracks/rosette.hpp"
 #include "post/fit/envelope.hpp"
 #include "post/fit/size_effect.hpp"
@@ -66,20 +64,16 @@ struct CrackMapOptions {
     std::optional<double> time;  ///< s
     double magnification = 1;    ///< of the displacements
     CrackLabelChoice label = {};
-    std::vector<std::string> classes = {};  ///< of the contacts whose cracks are drawn, as `contacts_of_classes` reads them
-    double largest_height = 1400;           ///< of a single map without its texts, pixels of the page
+    double largest_height = 1400;  ///< of a single map without its texts, pixels of the page
 };
 
-/// \throws InputError, UsageError as `choose_frames`, `read_labelled_cracks` and `contacts_of_classes`
+/// \throws InputError, UsageError as `choose_frames` and `read_labelled_cracks`
 Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
 
 /// All frames as numbered pictures of one size and scale in a folder.
 /// \throws UsageError for the name of a file, InputError as `draw_cracks`, OutputError as `write_picture_folder`, Interrupted
 void write_frames(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style, const std::string& folder,
                   const PictureSize& size, Verbosity verbosity);
-
-/// The largest fragment pale, the others coloured, where they moved to. \throws InputError, UsageError as `choose_frame`
-Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style = {});
 
 /// Two roses, tensile and shear: petals are shares of the length of cracks in bins of 10°, the line behind them the
 /// shares of the specimen's own facets. Petals are as long as the share; an orientation has no sense, so both halves are equal.
@@ -88,56 +82,20 @@ Drawing draw_fragments(const RunReader& run, const CrackMapOptions& options, con
 Drawing draw_rosette(const Rosette& rosette, const std::string& title, const std::string& run, const std::string& definition,
                      const PictureStyle& style = {});
 
-/// The level axis of a picture of the course of a test. Time spreads what happens at a peak: the platens slow down
-/// there, and the strain hardly changes while a specimen breaks.
-enum class Abscissa { time, strain };
-
-struct CountsOptions {
-    Abscissa abscissa = Abscissa::time;
-    bool by_class = false;  ///< curves for each pair of minerals
-};
-
-/// Counts over a test, stress behind them on a scale of its own: tensile red, shear black. By class: a colour a pair, shear
-/// dashed; pairs without cracks of a mode have no curve, and beyond six those with the fewest share one.
-/// \param counts at every row of the run's history \param definition of its cracks in words
-Drawing draw_counts(const CrackCounts& counts, const RunData& run, const std::string& definition,
-                    const CountsOptions& options = {}, const PictureStyle& style = {});
-
-/// log10 of the number of events at or above a magnitude, with the slope b from the completeness on, if
-/// the magnitudes lie on one.
-/// \throws InputError without events
-Drawing draw_emission(const std::vector<EmissionEvent>& events, const std::string& title, const std::string& run,
-                      const PictureStyle& style = {});
-
 /// The terms of the energy balance over a test, per metre of thickness, and where its largest stress is; the largest residual in
 /// the subtitle. Terms below a thousandth of the largest are named, not drawn.
-Drawing draw_energy(const RunData& run, Abscissa abscissa = Abscissa::time, const PictureStyle& style = {});
-
-/// Which definitions of crack initiation and damage have a mark: the default ones (`AllThresholds`), or the others too.
-enum class ThresholdMarks { usual, all };
+Drawing draw_energy(const RunData& run, const PictureStyle& style = {});
 
 /// As laboratories draw it (Martin & Chandler 1994): above, the stress over axial (to the right), lateral (to the left) and
 /// volumetric strain, ε1 + 2 ε3, with level lines at CI and CD; below, over the axial strain, the volumetric strain, at whose
 /// largest value CD is read, and the crack volumetric strain, at whose onset CI is. Strains are those of the gauges since the
 /// start of axial loading. Limits of the style are those of the upper chart.
-/// \param cracks the log of the run, for the definitions by damage \throws InputError for a test that is no compression test
-Drawing draw_thresholds(const RunData& run, ThresholdMarks marks = ThresholdMarks::usual, const PictureStyle& style = {},
-                        const std::vector<Crack>& cracks = {});
-
-/// Measured strengths, Pa.
-struct LaboratoryStrengths {
-    std::string name;
-    std::vector<double> confining;
-    std::vector<double> strength;  ///< peak σ1
-};
-/// Columns confining_pressure_MPa and strength_MPa. \throws InputError
-LaboratoryStrengths read_laboratory_strengths(const std::string& path);
+/// \throws InputError for a test that is no compression test
+Drawing draw_thresholds(const RunData& run, const PictureStyle& style = {});
 
 /// Half circles of all tests, a colour a confining pressure; tension by its circle from −σt to 0, brazilian by that of the
-/// disc's centre, from −σt to 3σt. Mohr–Coulomb as a line, Hoek–Brown (compression only) as a dashed curve; measured
-/// strengths as dashed circles.
-Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title,
-                      const std::vector<LaboratoryStrengths>& laboratory = {}, const PictureStyle& style = {});
+/// disc's centre, from −σt to 3σt. Mohr–Coulomb as a line, Hoek–Brown (compression only) as a dashed curve.
+Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, const PictureStyle& style = {});
 
 /// Every run as a point, each series with its power law (log–log) and, for tensile strengths, the slope of the theory.
 Drawing draw_size_effect(const std::vector<SizeSeries>& series, const PictureStyle& style = {});

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <numbers>
 #include <set>
@@ -19,7 +18,6 @@
 #include "post/measure/strength_summary.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
-#include "share/base/table_file.hpp"
 
 namespace graincrack {
 
@@ -216,17 +214,12 @@ std::string strength_label(const EnvelopeTests& tests) {
     return label;
 }
 
-Chart envelope_page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title,
-                    const std::vector<LaboratoryStrengths>& laboratory, const PictureStyle& style) {
+Chart envelope_page(const EnvelopeTests& tests, const Envelope& envelope, const std::string& title, const PictureStyle& style) {
     double right = 0;
     double radius = 0;
-    const auto include = [&](double confining, double strength) {
-        right = std::max(right, strength * in_megapascals);
-        radius = std::max(radius, (strength - confining) / 2 * in_megapascals);
-    };
-    for (const auto& test : tests.compression) include(test.confining, test.strength);
-    for (const auto& set : laboratory) {
-        for (std::size_t i = 0; i < set.strength.size(); ++i) include(set.confining[i], set.strength[i]);
+    for (const auto& test : tests.compression) {
+        right = std::max(right, test.strength * in_megapascals);
+        radius = std::max(radius, (test.strength - test.confining) / 2 * in_megapascals);
     }
     double left = 0.06 * right;
     for (const auto* strengths : {&tests.brazilian, &tests.direct_tension}) {
@@ -259,28 +252,12 @@ void draw_circles(Chart& chart, const EnvelopeTests& tests) {
     tensile(tests.direct_tension, 0, Stroke{palette::tensile, 2.5}, "direct tension");
 }
 
-void draw_laboratory_strengths(Chart& chart, const std::vector<LaboratoryStrengths>& laboratory) {
-    const Stroke stroke{palette::rim, 3.5, Dash::dotted};
-    for (const auto& set : laboratory) {
-        for (std::size_t i = 0; i < set.strength.size(); ++i) draw_circle(chart, set.confining[i], set.strength[i], stroke);
-        chart.legend(stroke, "laboratory: " + set.name);
-    }
-}
-
 }  // namespace
 
-LaboratoryStrengths read_laboratory_strengths(const std::string& path) {
-    const TableFile table(path);
-    return {std::filesystem::path(table.name()).filename().string(), times(table.numbers("confining_pressure_MPa"), 1e6),
-            times(table.numbers("strength_MPa"), 1e6)};
-}
-
-Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, const std::vector<LaboratoryStrengths>& laboratory,
-                      const PictureStyle& style) {
+Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, const PictureStyle& style) {
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
-    Chart chart = envelope_page(tests, envelope, title, laboratory, style);
+    Chart chart = envelope_page(tests, envelope, title, style);
     draw_circles(chart, tests);
-    draw_laboratory_strengths(chart, laboratory);
     double right = 0;
     for (const auto& test : tests.compression) right = std::max(right, test.strength * in_megapascals);
     if (std::isfinite(envelope.cohesion.value)) {

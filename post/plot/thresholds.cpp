@@ -1,7 +1,6 @@
 #include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -94,68 +93,6 @@ std::string legend_of(const Threshold& threshold, double peak_stress) {
     return name + fmt::format("{:.1f} MPa, {:.2f} of the peak", *threshold.stress, *threshold.stress / peak_stress);
 }
 
-/// Stresses as near as this, MPa, share a mark.
-constexpr double same_stress = 0.05;
-
-/// A mark of other definitions, whose stresses coincide.
-struct OtherMark {
-    bool is_damage = false;
-    double stress = 0;  ///< MPa
-    std::vector<std::string> by;
-};
-
-/// The marks of other definitions; those that coincide with a default threshold are named in its legend, and those that are
-/// not reached in the note.
-struct OtherMarks {
-    std::vector<OtherMark> marks;
-    std::array<std::string, 2> like_default;  ///< CI, CD
-    std::vector<std::string> not_reached;
-};
-
-OtherMarks other_marks(const AllThresholds& all, const std::array<Threshold, 2>& defaults) {
-    OtherMarks others;
-    for (const ThresholdDefinition& definition : other_threshold_definitions()) {
-        const auto pascals = definition.stress(all);
-        if (!pascals) {
-            others.not_reached.push_back(definition.name());
-            continue;
-        }
-        const double stress = 1e-6 * *pascals;
-        const auto is_near = [&](double other) { return std::abs(stress - other) <= same_stress; };
-        const std::size_t kind = definition.is_damage ? 1 : 0;
-        if (defaults[kind].stress && is_near(*defaults[kind].stress)) {
-            others.like_default[kind] += "; the same by " + definition.by;
-            continue;
-        }
-        const auto same = std::find_if(others.marks.begin(), others.marks.end(), [&](const OtherMark& mark) {
-            return mark.is_damage == definition.is_damage && is_near(mark.stress);
-        });
-        if (same == others.marks.end()) {
-            others.marks.push_back({definition.is_damage, stress, {definition.by}});
-        } else {
-            same->by.push_back(definition.by);
-        }
-    }
-    std::stable_sort(others.marks.begin(), others.marks.end(),
-                     [](const OtherMark& a, const OtherMark& b) { return a.stress < b.stress; });
-    return others;
-}
-
-void draw_others(Chart& chart, const OtherMarks& others, const Strains& s) {
-    using enum MarkerShape;
-    constexpr std::array shapes{triangle, diamond, square, disc, leaves};  // a cross is damage
-    for (std::size_t i = 0; i < others.marks.size(); ++i) {
-        const OtherMark& mark = others.marks[i];
-        const Marker marker = mark.is_damage ? Marker{palette::series(i), cross, 20}
-                                             : Marker{palette::series(i), shapes[i % shapes.size()], 26, true};
-        chart.point({at_stress(s, s.axial, mark.stress), mark.stress}, marker,
-                    fmt::format("{} by {}: {:.1f} MPa", mark.is_damage ? "CD" : "CI", fmt::join(mark.by, "; "), mark.stress));
-    }
-    if (!others.not_reached.empty()) {
-        chart.add_note(fmt::format("Not reached before the peak: {}.", fmt::join(others.not_reached, "; ")));
-    }
-}
-
 using Places = std::vector<Chart::Place>;
 
 /// Symbols on the curves and lines of the upper chart, where they cover nothing.
@@ -204,8 +141,7 @@ void label_curves(Chart& chart, const Strains& s, const std::array<Threshold, 2>
 /// The frames of both charts begin at one place.
 constexpr double left_edge = 140;
 
-Drawing stress_chart(const RunData& run, const Strains& s, const AllThresholds& all, ThresholdMarks marks,
-                     const PictureStyle& style) {
+Drawing stress_chart(const RunData& run, const Strains& s, const AllThresholds& all, const PictureStyle& style) {
     const double high = range_to_peak(s, s.axial).second;
     const double left = std::min(range_to_peak(s, s.lateral).first, range_to_peak(s, s.volume).first);
     const double low = std::clamp(left, -0.6 * high, 0.0);
@@ -213,25 +149,19 @@ Drawing stress_chart(const RunData& run, const Strains& s, const AllThresholds& 
     ChartText text{
         test_title(run.header),
         {"plane " + std::string(name_of(run.header.plane)) + "; contraction positive; the third strain is taken as ε3"}};
-    if (marks == ThresholdMarks::all) text.notes.emplace_back("2D values do not compare with laboratory ones.");
     Chart chart(style, text, x, Axis{"axial stress, MPa", 0, 1.1 * largest(s.stress)}, {.min_left = left_edge});
     const auto defaults = default_thresholds(all);
-    const OtherMarks others = marks == ThresholdMarks::all ? other_marks(all, defaults) : OtherMarks{};
     for (const Threshold& threshold : defaults) {
         if (threshold.stress) chart.line({x.low, *threshold.stress}, {x.high, *threshold.stress}, threshold.stroke);
     }
     chart.line(s.volume, s.stress, volume_stroke);
     chart.line(s.lateral, s.stress, lateral_stroke);
     chart.line(s.axial, s.stress, axial_stroke);
-    for (const OtherMark& mark : others.marks) chart.keep_clear({at_stress(s, s.axial, mark.stress), mark.stress}, 15);
     label_curves(chart, s, defaults, x);
     chart.legend(axial_stroke, "axial strain ε1");
     chart.legend(lateral_stroke, "lateral strain ε3");
     chart.legend(volume_stroke, "volumetric strain ε1 + 2 ε3");
-    for (std::size_t i = 0; i < defaults.size(); ++i) {
-        chart.legend(defaults[i].stroke, legend_of(defaults[i], s.stress[s.peak]) + others.like_default[i]);
-    }
-    draw_others(chart, others, s);
+    for (const Threshold& threshold : defaults) chart.legend(threshold.stroke, legend_of(threshold, s.stress[s.peak]));
     return chart.finish();
 }
 
@@ -268,14 +198,14 @@ Drawing volume_chart(const Strains& s, const AllThresholds& all, const PictureSt
 
 }  // namespace
 
-Drawing draw_thresholds(const RunData& run, ThresholdMarks marks, const PictureStyle& style, const std::vector<Crack>& cracks) {
+Drawing draw_thresholds(const RunData& run, const PictureStyle& style) {
     if (!is_compression(run.header)) {
         throw InputError(run.name + ": a " + run.header.test + " test; thresholds are read from uniaxial and triaxial ones");
     }
     const LoadCurve curve = load_curve(run);
     const Strains s = strains_of(curve);
-    const AllThresholds all = measure_all_thresholds(run, curve, cracks);
-    return stacked({stress_chart(run, s, all, marks, style), volume_chart(s, all, style)});
+    const AllThresholds all = measure_all_thresholds(run, curve, {});
+    return stacked({stress_chart(run, s, all, style), volume_chart(s, all, style)});
 }
 
 }  // namespace graincrack

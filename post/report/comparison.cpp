@@ -148,36 +148,6 @@ std::string explanation_of(const std::vector<ComparisonRow>& rows, const Materia
     return text;
 }
 
-/// Crack initiation and damage of uniaxial tests by other definitions than the default. Definitions whose values are equal to
-/// three digits share a row.
-std::string other_thresholds(const std::vector<SeedGroup>& groups) {
-    std::vector<std::pair<std::string, std::string>> rows;  // names, value
-    for (const SeedGroup& group : groups) {
-        if (!group.first().data.header.is_unconfined_compression()) continue;
-        const std::size_t first = rows.size();
-        for (const ThresholdDefinition& definition : other_threshold_definitions()) {
-            const auto sample = group.sample_of([&](const MeasuredRun& t) { return t.threshold(definition.stress); });
-            if (!sample) continue;
-            std::string value = number(sample->mean.value * in_megapascals, 3);
-            if (sample->mean.low) {
-                value += fmt::format(" ({} to {})", number(*sample->mean.low * in_megapascals, 3),
-                                     number(*sample->mean.high * in_megapascals, 3));
-            }
-            const auto same = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(first), rows.end(),
-                                           [&](const auto& row) { return row.second == value; });
-            if (same == rows.end()) {
-                rows.emplace_back(group.with_specimen(definition.name()), value);
-            } else {
-                same->first += "\n" + definition.name();
-            }
-        }
-    }
-    if (rows.empty()) return "";
-    html::Table table({"definition", "stress, MPa (95\u00a0% interval)"});
-    for (const auto& [name, value] : rows) table.row({name, value});
-    return html::details("Other definitions of crack initiation and damage", table.str());
-}
-
 }  // namespace
 
 std::string fitted_table(const std::optional<Material>& material) {
@@ -218,7 +188,6 @@ std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<F
         "crack volumetric strain sets in, which is that strain less its elastic line. CD: stress at which the volume begins to "
         "grow. E and ν: chord to half the peak. C and φ: line through the compression tests. UCS and σ1: first peaks; a "
         "test that did not fail has none.");
-    text += other_thresholds(groups);
     if (const std::string fitted = fitted_table(material); !fitted.empty()) {
         text += "<h3>What the calibration fitted</h3>\n" + fitted;
     }

@@ -10,8 +10,8 @@
 namespace graincrack {
 
 /// The table property, laboratory, computed, difference, agreement, origin, kind; a row for each group of runs that has the
-/// property. Properties of the laboratory without a test among the runs are "not tested". Below, other definitions of crack
-/// initiation, and [fitted] of the material. \param envelopes of the fabrics that have one \param caveats paragraphs for below
+/// property. Properties of the laboratory without a test among the runs are "not tested". Below,
+/// [fitted] of the material. \param envelopes of the fabrics that have one \param caveats paragraphs for below
 /// the table
 std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<FabricEnvelope>& envelopes,
                        const std::optional<Material>& material, const std::string& caveats = "");

@@ -1,16 +1,13 @@
 #include "post/report/html.hpp"
 
 #include <fmt/format.h>
+#include <glib.h>
 
-#include <array>
-#include <cctype>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
+#include <memory>
 
 #include "post/chart/page.hpp"
 #include "post/chart/picture.hpp"
-#include "share/base/error.hpp"
 #include "share/base/units.hpp"
 
 namespace graincrack::html {
@@ -28,16 +25,8 @@ const char* const script =
 }  // namespace
 
 std::string base64(const std::vector<unsigned char>& bytes) {
-    static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t word = 0;
-        for (std::size_t k = 0; k < 3; ++k) word = (word << 8) | (k < left ? bytes[i + k] : 0U);
-        for (std::size_t k = 0; k < 4; ++k) out += k <= left ? letters[(word >> (18 - 6 * k)) & 63U] : '=';
-    }
-    return out;
+    const std::unique_ptr<gchar, decltype(&g_free)> letters(g_base64_encode(bytes.data(), bytes.size()), g_free);
+    return letters.get();
 }
 
 namespace {
@@ -48,25 +37,23 @@ std::string image(const Drawing& drawing, const std::string& caption) {
     const std::string svg = drawing.n_marks() < many_marks ? to_svg(drawing) : "";
     const bool is_svg = !svg.empty() && svg.size() < long_svg;
     // As data of an image: several SVG elements in a page would share the names of their letters.
-    return fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">", escaped(caption + ": " + drawing.words()),
+    return fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">", escape_xml(caption + ": " + drawing.words()),
                        is_svg ? "svg+xml" : "png",
                        base64(is_svg ? std::vector<unsigned char>(svg.begin(), svg.end()) : png_bytes(drawing)));
 }
 
 }  // namespace
 
-std::string escaped(const std::string& text) { return escape_xml(text); }
-
 std::string Table::str() const {
     std::string out = fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", wraps_ ? " class=\"long\"" : "");
-    for (const std::string& column : columns_) out += "<th>" + escaped(column) + "</th>";
+    for (const std::string& column : columns_) out += "<th>" + escape_xml(column) + "</th>";
     out += "</tr></thead>\n<tbody>\n";
     for (const auto& [row, kind] : rows_) {
         out += kind.empty() ? "<tr>" : "<tr class=\"" + kind + "\">";
         for (std::size_t i = 0; i < row.size(); ++i) {
             const bool last_of_few = i + 1 == row.size() && row.size() < columns_.size();
             out += last_of_few ? fmt::format("<td colspan=\"{}\">", columns_.size() - i) : "<td>";
-            out += (row[i].empty() ? "–" : escaped(row[i])) + "</td>";
+            out += (row[i].empty() ? "–" : escape_xml(row[i])) + "</td>";
         }
         out += "</tr>\n";
     }
@@ -86,7 +73,7 @@ std::string figure(const Drawing& drawing, const std::string& caption, FigurePla
     const char* const style = place == FigurePlace::across   ? " class=\"across\""
                               : place == FigurePlace::middle ? " class=\"middle\""
                                                              : "";
-    return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", style, image(drawing, caption), escaped(caption));
+    return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", style, image(drawing, caption), escape_xml(caption));
 }
 
 std::string map_figure(std::size_t run, std::size_t frame, int height) {
@@ -109,7 +96,7 @@ std::string Figures::str() const {
 }
 
 std::string Figures::under(const std::string& heading) const {
-    return "<div class=\"kind\"><h3>" + escaped(heading) + "</h3>\n" + str() + "</div>\n";
+    return "<div class=\"kind\"><h3>" + escape_xml(heading) + "</h3>\n" + str() + "</div>\n";
 }
 
 std::string Figures::first() const {
@@ -121,30 +108,21 @@ std::string Figures::first() const {
         }
         const Drawing drawing = each.draw(figure_style_of(figures_.size() < 3 ? 480 : 350));
         content += fmt::format("<figure>{}<figcaption><a href=\"#{}\">{}</a></figcaption></figure>\n",
-                               image(drawing, each.caption), each.place, escaped(each.caption));
+                               image(drawing, each.caption), each.place, escape_xml(each.caption));
     }
     return fmt::format("<div class=\"first of{}\">\n{}</div>\n", figures_.size(), content);
 }
 
 std::string section(const std::string& id, const std::string& heading, const std::string& content) {
-    return fmt::format("<h2 id=\"{}\">{}</h2>\n{}", id, escaped(heading), content);
+    return fmt::format("<h2 id=\"{}\">{}</h2>\n{}", id, escape_xml(heading), content);
 }
 
 std::string paragraph(const std::string& text, const std::string& kind) {
-    return (kind.empty() ? "<p>" : "<p class=\"" + kind + "\">") + escaped(text) + "</p>\n";
-}
-
-std::string link(const std::string& path, const std::string& text) {
-    std::string address;
-    for (const unsigned char c : path) {
-        const bool is_plain = (std::isalnum(c) != 0 && c < 0x80) || std::strchr("-_.~/", c) != nullptr;
-        address += is_plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
-    }
-    return "<p><a href=\"" + address + "\">" + escaped(text) + "</a></p>\n";
+    return (kind.empty() ? "<p>" : "<p class=\"" + kind + "\">") + escape_xml(text) + "</p>\n";
 }
 
 std::string details(const std::string& summary, const std::string& content) {
-    return "<details><summary>" + escaped(summary) + "</summary>\n" + content + "</details>\n";
+    return "<details><summary>" + escape_xml(summary) + "</summary>\n" + content + "</details>\n";
 }
 
 std::string page(const std::string& title, const std::string& body, const std::string& maps) {
@@ -152,7 +130,7 @@ std::string page(const std::string& title, const std::string& body, const std::s
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, "
         "initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}{}<script>{}</script>\n</body>\n</html>\n",
-        escaped(title), style_sheet, body, maps, script);
+        escape_xml(title), style_sheet, body, maps, script);
 }
 
 std::string number(double value, int digits) {

@@ -11,7 +11,6 @@
 
 namespace graincrack::html {
 
-std::string escaped(const std::string& text);
 std::string base64(const std::vector<unsigned char>& bytes);
 
 /// A table; cells are text, escaped here. An empty cell shows as a dash.
@@ -81,8 +80,6 @@ private:
 std::string section(const std::string& id, const std::string& heading, const std::string& content);
 /// \param kind for the style sheet; "" for none
 std::string paragraph(const std::string& text, const std::string& kind = "");
-/// A paragraph that leads to a file. \param path relative to the page
-std::string link(const std::string& path, const std::string& text);
 /// Content that is shown when its summary is clicked, and in a print.
 std::string details(const std::string& summary, const std::string& content);
 

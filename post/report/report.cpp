@@ -124,7 +124,7 @@ std::string map_figures(const Content& content, std::size_t file, const RunReade
     for (const bool is_last : {false, true}) {
         if (const std::string map = crack_map(content, file, is_last, 560); !map.empty()) figures.add_map(map);
     }
-    figures.add("energy balance", [&](const PictureStyle& style) { return draw_energy(t.data, Abscissa::time, style); });
+    figures.add("energy balance", [&](const PictureStyle& style) { return draw_energy(t.data, style); });
     const std::vector<Crack> cracks = read_labelled_cracks(run, specimen, label);
     if (!cracks.empty()) {
         figures.add("directions of the cracks by the end", [&](const PictureStyle& style) {
@@ -133,8 +133,7 @@ std::string map_figures(const Content& content, std::size_t file, const RunReade
         });
     }
     if (is_compression(t.data.header)) {
-        figures.add("thresholds",
-                    [&](const PictureStyle& style) { return draw_thresholds(t.data, ThresholdMarks::usual, style); });
+        figures.add("thresholds", [&](const PictureStyle& style) { return draw_thresholds(t.data, style); });
     }
     return figures.under(name + " (" + t.data.name + ")");
 }
@@ -349,7 +348,7 @@ std::string envelope_section(const Content& content) {
         figures.add("Mohr circles and envelopes", [&](const PictureStyle& style) {
             const std::string title =
                 content.tests.front().data.header.material + (each.fabric.empty() ? "" : ", " + each.fabric);
-            return draw_envelope(each.tests, title, {}, style);
+            return draw_envelope(each.tests, title, style);
         });
     }
     return (figures.empty() ? "" : figures.str()) + content.envelope_note;
@@ -380,7 +379,7 @@ std::string first_figures(const Content& content, const ReportOptions& options) 
         figures.add(
             "Mohr circles and envelopes" + (envelope.fabric.empty() ? "" : ", " + envelope.fabric),
             [&](const PictureStyle& style) {
-                return draw_envelope(envelope.tests, content.tests.front().data.header.material, {}, style);
+                return draw_envelope(envelope.tests, content.tests.front().data.header.material, style);
             },
             "envelope");
     }
@@ -446,7 +445,7 @@ std::string parameters(const Content& content) {
     for (const TestReport& t : content.tests) planes.emplace(name_of(t.data.header.plane), &t);
     std::string out = "<div class=\"columns\">\n";
     for (const auto& [plane, test] : planes) {
-        out += "<div><h3>plane " + html::escaped(std::string(plane)) + "</h3>" + parameter_tables(*test) + "</div>\n";
+        out += "<div><h3>plane " + escape_xml(std::string(plane)) + "</h3>" + parameter_tables(*test) + "</div>\n";
     }
     return out + "</div>\n";
 }
@@ -473,11 +472,10 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     const RunHeader& header = content.tests.front().data.header;
     const std::string title =
         content.tests.size() == 1 ? test_title(header) : fmt::format("{}: {} tests", header.material, content.tests.size());
-    std::string body = "<h1>" + html::escaped(title) + "</h1>\n<p class=\"lead\">Numerical tests by Graincrack; contact law " +
-                       html::escaped(header.contact_law) +
+    std::string body = "<h1>" + escape_xml(title) + "</h1>\n<p class=\"lead\">Numerical tests by Graincrack; contact law " +
+                       escape_xml(header.contact_law) +
                        ". Strengths are positive; numbers of micro-cracks are numbers of contacts.</p>\n";
     if (!content.other_material.empty()) body += html::paragraph("Note: " + content.other_material + ".", "lead");
-    if (!options.view.empty()) body += html::link(options.view, "The tests in each of their states, to turn over");
     body += first_figures(content, options);
     body += html::section("laboratory", material ? "Against the laboratory" : "Properties",
                           comparison(content.groups, content.envelopes, material, caveat_paragraph(content)));

@@ -15,7 +15,6 @@ namespace graincrack {
 struct ReportOptions {
     std::optional<Material> material = {};  ///< for laboratory values and fractions of phases; default: that of the first run
     CrackLabelChoice label = {};            ///< of all cracks of the page
-    std::string view = {};  ///< file of the `view` of the runs, as seen from the page, which links to it; "" for none
 };
 
 /// The page: curve, crack map and envelope at a glance; properties against the laboratory; means over seeds; curves, quality

@@ -1,24 +1,3 @@
-// A click on the head of a column, or Enter, sorts the rows by it: by numbers, which stand before words, or by words; another one
-// turns the order round. Empty entries stay last. Rows that do not repeat their first entry get it.
-const sort = event => {
-  const head = event.target.closest("th");
-  if (!head || (event.key ?? "Enter") != "Enter") return;
-  const column = head.cellIndex, up = head.ariaSort != "ascending", rows = [...head.closest("table").rows].slice(1);
-  for (const other of head.parentNode.cells) other.ariaSort = null;
-  head.ariaSort = up ? "ascending" : "descending";
-  rows.forEach((row, i) => { if (i && !row.cells[0].textContent.trim()) row.cells[0].textContent = rows[i - 1].cells[0].textContent; });
-  const text = row => (row.cells[column] ?? row.lastElementChild).textContent.trim().replace(/^[–-]$/, "").replace("−", "-");
-  const order = (a, b) => {
-    const [m, n] = [parseFloat(a), parseFloat(b)];
-    if (!a || !b) return (up ? 1 : -1) * (!a - !b);
-    return isNaN(m) - isNaN(n) || m - n || a.localeCompare(b, "en", {numeric: true});
-  };
-  rows.sort((a, b) => (up ? 1 : -1) * order(text(a), text(b)));
-  for (const row of rows) row.parentNode.append(row);
-};
-for (const head of document.querySelectorAll("th")) head.tabIndex = 0;
-for (const kind of ["click", "keydown"]) document.addEventListener(kind, sort);
-
 // Maps of the runs, each in its figure, and what their colours mean.
 const maps = [...document.querySelectorAll("figure.map")], plain = {zoom: 1, x: 0, y: 0, fill: "phase", cracks: "mode", pair: -1, factor: 1, outlines: true};
 let panes = [];

@@ -115,7 +115,7 @@ public:
         Json part{{"file", printable(run_.name())}, {"title", printable(test_title(data_.header))}};
         part["facts"] =
             fmt::format("seed {}, {}, plane {}", specimen_.seed, grains_label(specimen_), name_of(data_.header.plane));
-        part["notes"] = crack_notes(specimen_, label_, {});
+        part["notes"] = crack_notes(specimen_, label_);
         for (const Caveat& caveat : caveats_of(run_, data_)) part["notes"].push_back(note_line(caveat));
         part["specimen"] = specimen_part();
         part["platens"] = platens();
@@ -290,7 +290,7 @@ std::string make_view(const std::vector<std::string>& runs, const ViewOptions& o
         progress.update(static_cast<double>(all.size()) / static_cast<double>(runs.size()), run.name());
     }
     progress.finish();
-    return fmt::format(fmt::runtime(skeleton), fmt::arg("title", html::escaped(title)), fmt::arg("style", style_sheet),
+    return fmt::format(fmt::runtime(skeleton), fmt::arg("title", escape_xml(title)), fmt::arg("style", style_sheet),
                        fmt::arg("maps", map_scripts(all)), fmt::arg("script", script));
 }
 

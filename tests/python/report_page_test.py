@@ -18,17 +18,9 @@ from browser import Browser, skip_without
 
 MEASURE = """<script>
 for (const each of document.querySelectorAll("details")) each.open = true;
-const column = (table, i) => [...table.rows].slice(1).map(row => (row.cells[i] ?? row.lastElementChild).textContent.trim());
-const sorted = [...document.querySelectorAll("table")].map(table => [...table.rows[0].cells].map((head, i) => {
-  const before = column(table, i).sort();
-  head.click();
-  const up = column(table, i);
-  head.dispatchEvent(new KeyboardEvent("keydown", {key: "Enter", bubbles: true}));
-  return {name: head.textContent, before, up, down: column(table, i)};
-}));
 const page = document.documentElement, broken = [...document.images].filter(each => !each.naturalWidth).length;
 parent.document.body.append(Object.assign(parent.document.createElement("pre"), {id: "measured", textContent: JSON.stringify({
-  window: innerWidth, width: page.scrollWidth, images: document.images.length, broken, sorted})}));
+  window: innerWidth, width: page.scrollWidth, images: document.images.length, broken})}));
 </script>"""
 # Two marks at opposite corners of each figure and of the first row of each table: where they are in a print, these are.
 MARK = """<script>
@@ -44,11 +36,6 @@ document.querySelectorAll("figure").forEach((each, i) => mark("FIG", each, i));
 document.querySelectorAll("thead > tr > th:last-child").forEach((each, i) => mark("TAB", each, i));
 </script>"""
 A4 = (595, 842)  # points
-
-
-def number(text):
-    match = re.match(r"[-+−]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", text, re.I)
-    return float(match[0].replace("−", "-")) if match else None
 
 
 class Printer(Browser):
@@ -97,17 +84,6 @@ class Page(unittest.TestCase):
                     cls.browser(page, f"--screenshot={Path(pictures).resolve()}/{page.stem}-{width}.png", f"--window-size={width},6000")
                 cls.browser(page, f"--print-to-pdf={Path(pictures).resolve()}/{page.stem}.pdf", "--no-pdf-header-footer", "--virtual-time-budget=20000")
 
-    def expect_sorted(self, column, page):
-        up, down = column["up"], column["down"]
-        for order in (up, down):
-            if column["name"] not in ("run", "specimen", "test"):  # whose empty entries are filled
-                self.assertEqual(sorted(order), column["before"], (page, column["name"]))
-            empty = [each in ("", "–", "-") for each in order]
-            self.assertEqual(empty, sorted(empty), f"{page}: {column['name']}: empty entries last")
-        for order, sign in ((up, 1), (down, -1)):
-            numbers = [number(each) for each in order if number(each) is not None]
-            self.assertEqual(numbers, sorted(numbers, reverse=sign < 0), f"{page}: {column['name']}")
-
     def test_no_report_is_wider_than_its_window_or_writes_to_the_console_or_asks_for_another_file(self):
         for page in self.reports:
             for width in (400, 800, 1200):
@@ -120,13 +96,6 @@ class Page(unittest.TestCase):
             # Nor when a link is followed.
             for link in re.findall(r"\b(?:src|href|action|data|srcset)\s*=\s*\"([^\"]*)", page.read_text()):
                 self.assertRegex(link, r"^(data:image/(png|svg\+xml);base64,|#)", page)
-
-    def test_tables_sort_by_a_click_and_by_enter(self):
-        for page in self.reports:
-            found, _ = self.browser.measured(page, 1200, MEASURE)
-            self.assertGreater(len(found["sorted"]), 3)
-            for column in (column for table in found["sorted"] for column in table):
-                self.expect_sorted(column, page)
 
     def test_a_print_on_a4_cuts_no_figure_and_no_table(self):
         for page in self.reports:

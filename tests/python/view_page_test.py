@@ -12,7 +12,6 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
-from urllib.parse import unquote
 
 from browser import Browser, skip_without
 
@@ -148,12 +147,6 @@ class Page(unittest.TestCase):
                 if page != self.pages[1]:
                     self.assertIn(NAME.replace("\\", ""), found["title"])
                     self.assertEqual(found["files"][0], FILE)
-
-    def test_a_report_links_to_the_page(self):
-        self.run_in_folder("mkdir -p sub; graincrack-post report brazilian.h5 --view 'sub/a #1%&:.html' --quiet -o report.html")
-        link = re.search(r'<a href="(sub/[^"]*)">', (self.folder / "report.html").read_text())[1]
-        self.assertRegex(link, r"^[\w/.%-]+$")
-        self.assertEqual((self.folder / unquote(link)).read_text(), self.pages[1].read_text())
 
     def test_two_runs_have_one_slider(self):
         found, _ = self.browser.measured(self.pages[2], 1100, MEASURE)

@@ -61,18 +61,13 @@ TEST_P(Layout, PicturesOfOneRun) {
     expect_fit_to_print(draw_curves({data}, {}, definition, {}, style_), "curve");
     expect_fit_to_print(draw_cracks(run, {"last", std::nullopt, 1}, style_), "cracks");
     expect_fit_to_print(draw_cracks(run, {"first,peak,last", std::nullopt, 1}, style_), "maps");
-    expect_fit_to_print(draw_fragments(run, {"last", std::nullopt, 1}, style_), "fragments");
     expect_fit_to_print(draw_rosette(crack_rosette(all, recipe_.specimen), "Uniaxial compression", "run.h5", definition, style_),
                         "rosette");
-    expect_fit_to_print(
-        draw_counts(count_cracks_by_row(data, load_curve(data), recipe_.specimen, all), data, definition, {}, style_), "counts");
-    expect_fit_to_print(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5", style_), "emission");
-    expect_fit_to_print(draw_energy(data, Abscissa::time, style_), "energy");
-    expect_fit_to_print(draw_thresholds(data, ThresholdMarks::usual, style_), "thresholds");
+    expect_fit_to_print(draw_energy(data, style_), "energy");
+    expect_fit_to_print(draw_thresholds(data, style_), "thresholds");
     RunData opening = data;
     test::widen(opening.history, recipe_, 4e-7);
-    expect_fit_to_print(draw_thresholds(opening, ThresholdMarks::usual, style_), "thresholds that are reached");
-    expect_fit_to_print(draw_thresholds(opening, ThresholdMarks::all, style_, all), "thresholds by all definitions");
+    expect_fit_to_print(draw_thresholds(opening, style_), "thresholds that are reached");
     LawPlotOptions laws;
     expect_fit_to_print(draw_laws(data.header.contact, "Augig granite, plane strain", laws, style_), "law");
     laws.all = true;
@@ -98,7 +93,7 @@ TEST_P(Layout, PicturesOfSeveralRuns) {
     for (const double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, 120e6 + 9 * s, 1});
     tests.brazilian = {8e6};
     tests.direct_tension = {7e6};
-    expect_fit_to_print(draw_envelope(tests, "Augig granite", {}, style_), "envelope");
+    expect_fit_to_print(draw_envelope(tests, "Augig granite", style_), "envelope");
     std::vector<RunData> coarse{runs[0], runs[2]};
     for (RunData& run : coarse) run.specimen.mean_edge *= 2;
     const auto sizes = collect_sizes({runs[0], runs[2], coarse[0], coarse[1]},
@@ -125,7 +120,7 @@ TEST_P(Layout, ALongTitleIsBrokenIntoLines) {
     const RunReader run(path("run.h5"));
     expect_fit_to_print(draw_cracks(run, {"first,peak,last", std::nullopt, 1}, style_), "maps");
     expect_fit_to_print(draw_cracks(run, {"last", std::nullopt, 1}, style_), "map");
-    expect_fit_to_print(draw_energy(run_data(run), Abscissa::time, style_), "energy");
+    expect_fit_to_print(draw_energy(run_data(run), style_), "energy");
     expect_fit_to_print(draw_lennard_jones(style_), "lennard-jones");
 }
 

@@ -113,14 +113,9 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     };
     expect(draw_rosette(crack_rosette(all, recipe_.specimen), "title", "run.h5", "what a crack is"),
            {"tensile:", "shear:", "own facets", "what a crack is"});
-    expect(draw_counts(count_cracks_by_row(data, load_curve(data), recipe_.specimen, all), data, "what a crack is"),
-           {"tensile", "shear", "stress", "what a crack is"});
-    expect(draw_emission(find_events(all, data.header.rock, {0.01, 1}), "title", "run.h5"), {"events"});
-    expect(draw_fragments(run, {"last", std::nullopt, 1}), {"1 fragment\n", "100.0 % of the area"});
     expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
     expect(draw_thresholds(data), {"the third strain is taken as ε3", "crack initiation CI: not reached before the peak",
                                    "crack damage CD: not reached before the peak"});
-    expect(draw_thresholds(data, ThresholdMarks::all, {}, all), {"do not compare with laboratory", "count of cracks, 1\u00a0%"});
     LawPlotOptions laws;
     laws.all = true;
     expect(draw_laws(data.header.contact, "granite", laws), {"literal", "consistent", "under 20 MPa"});
@@ -136,7 +131,6 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_strengths({data}, std::nullopt), {"uniaxial", "plane strain: uniaxial"});
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
-    test::expect_one_line<InputError>([&] { (void)draw_emission({}, "title", "run.h5"); }, {"run.h5", "no events"});
 }
 
 TEST_F(Picture, NotesSayWhatSpeaksAgainstAStrength) {
@@ -234,10 +228,6 @@ TEST_F(Picture, EnvelopeShowsCirclesAndBothCurves) {
     for (const char* words : {"σ3 = 4 MPa", "Mohr–Coulomb", "Hoek–Brown", "centre of the disc", "φ = 53.1"}) {
         EXPECT_NE(svg.find(words), std::string::npos) << words;  // sin φ = 8/10
     }
-    std::ofstream(path("lab.tsv")) << "confining_pressure_MPa\tstrength_MPa\n0\t100\n8\t400\n";
-    const std::vector<LaboratoryStrengths> laboratory{read_laboratory_strengths(path("lab.tsv"))};
-    EXPECT_EQ(laboratory[0].strength, (std::vector<double>{100e6, 400e6}));
-    EXPECT_NE(to_svg(draw_envelope(tests, "rock", laboratory)).find("laboratory: lab.tsv"), std::string::npos);
     EXPECT_NE(svg.find("σ1 is the largest stress of a test"), std::string::npos);
     tests.kind = StrengthKind::first_peak;
     tests.compression_runs = 4;

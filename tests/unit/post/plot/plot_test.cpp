@@ -22,13 +22,6 @@ using test::lines_of;
 
 bool says(const Drawing& drawing, const std::string& words) { return drawing.words().find(words) != std::string::npos; }
 
-double distance(Pixel p, Pixel a, Pixel b) {
-    const Pixel d{b.x - a.x, b.y - a.y};
-    const double length = d.x * d.x + d.y * d.y;
-    const double share = length > 0 ? std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / length, 0.0, 1.0) : 0;
-    return std::hypot(p.x - a.x - share * d.x, p.y - a.y - share * d.y);
-}
-
 class Plot : public ::testing::Test {
 protected:
     void SetUp() override { test::write_run(path("run.h5"), recipe_); }
@@ -80,36 +73,7 @@ TEST_F(ThresholdsPlot, VolumeTurnsWhereCrackDamageIs) {
     EXPECT_NEAR(highest->x, lines_of(page, palette::shear, 3)[2].points[0].x, 0.5);
 }
 
-TEST_F(ThresholdsPlot, AllDefinitionsHaveMarksAndThoseThatCoincideShareOne) {
-    std::vector<Crack> cracks = test::synthetic_cracks(test::Recipe().specimen);
-    for (Crack& crack : cracks) crack.damaged_10.time = crack.damaged_50.time = 0.6;
-    PictureStyle wide;
-    wide.page_width = 2000;  // each entry of the legend has one line
-    const Drawing page = draw_thresholds(data_, ThresholdMarks::all, wide, cracks);
-    EXPECT_TRUE(says(page, "count of cracks, 1\u00a0%: ")) << page.words();
-    EXPECT_TRUE(
-        says(page, "CI by 1\u00a0% of the points damaged by 10\u00a0%; 1\u00a0% of the points damaged by 50\u00a0%: 75.0 MPa\n"))
-        << page.words();
-    EXPECT_TRUE(says(page, "Not reached before the peak: CI by 1\u00a0% of the points damaged by 90\u00a0%."));
-    EXPECT_TRUE(says(page, "CD by reversal of volumetric strain, 2D: ") && says(page, "crack damage CD: ")) << page.words();
-    // The mark of the smallest stress lies on the axial strain.
-    const auto axial = lines_of(page, palette::series(0), 4.5);
-    const auto markers = lines_of(page, palette::series(0), 0.15 * 26);  // in the frame and in the legend
-    ASSERT_EQ(axial.size(), 2U);
-    ASSERT_EQ(markers.size(), 2U);
-    const auto& curve = axial[0].points;
-    const Pixel place{markers[0].points[0].x, markers[0].points[0].y + 1.2 * 13};  // below the tip of the triangle
-    double nearest = 1e300;
-    for (std::size_t i = 1; i < curve.size(); ++i) nearest = std::min(nearest, distance(place, curve[i - 1], curve[i]));
-    EXPECT_LT(nearest, 0.5);
-    // A definition that coincides with the default is named there.
-    const double initiation = *measure_thresholds(load_curve(data_), VolumeKind::pseudo_3d).initiation_by_crack_strain;
-    for (Crack& crack : cracks) crack.damaged_10.time = initiation / 125e6 - 1e-9;
-    const Drawing same = draw_thresholds(data_, ThresholdMarks::all, wide, cracks);
-    EXPECT_TRUE(says(same, "of the peak; the same by 1\u00a0% of the points damaged by 10\u00a0%\n")) << same.words();
-}
-
-TEST_F(Plot, EnergyIsOverTimeOrStrainAndLeavesOutWhatIsNothing) {
+TEST_F(Plot, EnergyIsOverTimeAndLeavesOutWhatIsNothing) {
     RunData data = run();
     for (double& value : data.history[HistoryColumn::energy_external]) value = 1000;
     for (double& value : data.history[HistoryColumn::energy_kinetic]) value = 0.9;
@@ -120,37 +84,6 @@ TEST_F(Plot, EnergyIsOverTimeOrStrainAndLeavesOutWhatIsNothing) {
     EXPECT_TRUE(says(page, "below 0.1 % of the largest, and not shown: "));
     EXPECT_TRUE(says(page, "kinetic")) << page.words();
     EXPECT_TRUE(lines_of(page, palette::series(6), 2.5).empty());
-    EXPECT_TRUE(says(draw_energy(data, Abscissa::strain), "axial strain, %\n"));
-}
-
-TEST_F(Plot, CountsNamePairsOfMineralsAndLeaveOutThoseWithoutCracks) {
-    const RunData data = run();
-    CrackCounts counts;
-    counts.classes = {"k_feldspar-k_feldspar", "k_feldspar-mica", "mica-mica", "quartz-quartz"};
-    for (std::size_t row = 0; row < data.history.size(); ++row) {
-        CrackCounts::Moment moment;
-        moment.by_class.resize(4);
-        moment.by_class[1].tensile = static_cast<double>(row);
-        moment.all = moment.by_class[1];
-        counts.moments.push_back(moment);
-    }
-    const Drawing usual = draw_counts(counts, data, "what a crack is");
-    EXPECT_TRUE(says(usual, "\ntensile\nshear\nstress, right\n")) << usual.words();
-    EXPECT_FALSE(says(usual, "feldspar"));
-    const CountsOptions classes{.by_class = true};
-    const Drawing few = draw_counts(counts, data, "what a crack is", classes);
-    EXPECT_TRUE(says(few, "K-feldspar–mica, tensile\n")) << few.words();
-    EXPECT_FALSE(says(few, "shear") || says(few, "quartz")) << few.words();
-    EXPECT_TRUE(says(few, "pairs without cracks of a mode have no curve\n"));
-    for (int k = 0; k < 6; ++k) counts.classes.push_back("mineral" + std::to_string(k));
-    for (CrackCounts::Moment& moment : counts.moments) {
-        moment.by_class.resize(10);
-        for (std::size_t k = 0; k < 10; ++k) moment.by_class[k].shear = static_cast<double>(10 - k);
-        moment.all.shear = 55;
-    }
-    const Drawing many = draw_counts(counts, data, "what a crack is", classes);
-    EXPECT_TRUE(says(many, "other pairs, shear\n"));
-    EXPECT_FALSE(says(many, "mineral5"));
 }
 
 TEST_F(Plot, TheLawOfTheMaterialHasACurveOfItsOwn) {
@@ -180,17 +113,6 @@ TEST_F(Plot, CountsBesideACurveBeginWithTheFirstCrack) {
         const auto on_axis = [&](const Pixel& at) { return at.y > frame[0].points[0].y - 0.5; };
         EXPECT_LE(std::count_if(points.begin(), points.end(), on_axis), 1);
     }
-}
-
-TEST_F(Plot, FragmentsStandBetweenThePlatensWithTheStressOfTheFrame) {
-    const Drawing page = draw_fragments(RunReader(path("run.h5")), {"peak", std::nullopt, 1});
-    EXPECT_TRUE(says(page, "1 fragment\nthe largest has 100.0 % of the area\nstrain ")) << page.words();
-    EXPECT_TRUE(says(page, "stress 125.0 MPa (peak)")) << page.words();
-    const auto is_platen = [](const Drawing::Shape& shape) {
-        const auto* polygons = std::get_if<Polygons>(&shape);
-        return polygons != nullptr && polygons->fill == palette::platen;
-    };
-    EXPECT_TRUE(std::any_of(page.shapes().begin(), page.shapes().end(), is_platen));
 }
 
 TEST_F(Plot, MapsSideBySideHaveOneScaleBarAndTellWhereTheyStand) {

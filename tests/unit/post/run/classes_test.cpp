@@ -47,19 +47,6 @@ TEST_F(Classes, OnlyThoseWithContactsHaveNames) {
     EXPECT_EQ(classes.of_contact.size(), recipe_.specimen.n_contacts());
 }
 
-TEST_F(Classes, AreChosenByEitherOrderOfTheirNames) {
-    const Specimen& s = recipe_.specimen;
-    const std::vector<bool> chosen = contacts_of_classes(s, {"mica-feldspar"}, "run.h5");
-    EXPECT_EQ(chosen, contacts_of_classes(s, {"feldspar-mica"}, "run.h5"));
-    EXPECT_EQ(std::ranges::count(chosen, true), 12);  // the upright sides of one line of the grid
-    const std::vector<bool> all = contacts_of_classes(s, {}, "run.h5");
-    EXPECT_EQ(std::ranges::count(all, true), static_cast<std::ptrdiff_t>(s.n_contacts()));
-    const std::vector<bool> two = contacts_of_classes(s, {"mica-feldspar", "mica-mica"}, "run.h5");
-    EXPECT_GT(std::ranges::count(two, true), 12);
-    test::expect_one_line<UsageError>([&] { (void)contacts_of_classes(s, {"quartz-mica"}, "run.h5"); },
-                                      {"--class quartz-mica", "run.h5", "quartz-quartz, quartz-feldspar, feldspar-feldspar"});
-}
-
 TEST_F(Classes, CountsAddUpToThoseOfTheRun) {
     const RunReader run(path("run.h5"));
     const std::vector<Crack> log = test::synthetic_cracks(recipe_.specimen);
@@ -90,8 +77,9 @@ TEST_F(Classes, CountsAddUpToThoseOfTheRun) {
 }
 
 TEST_F(Classes, CracksOfOneClassAreInItsRowAlone) {
-    const std::vector<Crack> log =
-        cracks_of(test::synthetic_cracks(recipe_.specimen), contacts_of_classes(recipe_.specimen, {"quartz-quartz"}, ""));
+    std::vector<Crack> log = test::synthetic_cracks(recipe_.specimen);
+    const ContactClasses classes = classes_of(recipe_.specimen);
+    std::erase_if(log, [&](const Crack& crack) { return classes.name_of(crack) != "quartz-quartz"; });
     ASSERT_FALSE(log.empty());
     for (const ClassCounts& each : count_by_class(recipe_.specimen, log, std::nullopt)) {
         EXPECT_FALSE(each.at_peak);
@@ -127,29 +115,6 @@ TEST_F(Classes, CrackLogNamesTheClassWhereThereAreSeveralPhases) {
     const std::string table = table_of(recipe_.specimen);
     for (std::size_t i = 0; i < log.size(); ++i) EXPECT_EQ(test::field(table, "class", i), classes.name_of(log[i]));
     EXPECT_EQ(test::field(table_of(test::grid_specimen(6, 12, 0.06, 0.12)), "class", 0), "");
-}
-
-TEST_F(Classes, MapsAndRosettesShowTheChosenOnes) {
-    const RunReader run(path("run.h5"));
-    const auto svg = [&](const std::vector<std::string>& names) {
-        CrackMapOptions options;
-        options.classes = names;
-        return to_svg(draw_cracks(run, options));
-    };
-    const RunClasses counts = read_classes(run, {});
-    const ClassCounts& quartz = counts.classes.front();
-    ASSERT_EQ(quartz.name, "quartz-quartz");
-    ASSERT_GT(quartz.at_end.shear, 0);
-    EXPECT_NE(svg({"quartz-quartz"}).find("shear cracks: " + std::to_string(static_cast<int>(quartz.at_end.shear)) + "\n"),
-              std::string::npos);
-    EXPECT_NE(svg({"quartz-quartz"}).find("quartz-quartz only"), std::string::npos);
-    EXPECT_EQ(svg({}).find(" only"), std::string::npos);
-    EXPECT_NE(svg({}).find("mica"), std::string::npos);  // in the legend
-    const Rosette rosette = crack_rosette(test::synthetic_cracks(recipe_.specimen), recipe_.specimen,
-                                          contacts_of_classes(recipe_.specimen, {"mica-feldspar"}, ""));
-    EXPECT_NEAR(rosette.facet[9], 0.12, 1e-12);  // upright sides alone
-    EXPECT_NEAR(std::accumulate(rosette.facet.begin(), rosette.facet.end(), 0.0), 0.12, 1e-12);
-    EXPECT_EQ(std::accumulate(rosette.shear.begin(), rosette.shear.end(), 0.0), 0);  // those are inclined
 }
 
 TEST_F(Classes, SpecimensAreDrawnByPhaseOrStrength) {
