@@ -158,21 +158,21 @@ void MapView::draw_outline(std::int32_t from, std::int32_t to, double width, Col
 }
 
 template <class Draw>
-void MapView::each_grain(const std::optional<Colour>& all, const Draw& draw) const {
+void MapView::each_grain(const Draw& draw) const {
     for (std::size_t e = 0; e < specimen_.n_elements(); ++e) {
         const auto& nodes = specimen_.element_nodes[e];
         const auto place = [&](std::size_t k) { return positions_[static_cast<std::size_t>(nodes[k])]; };
         const auto [a, b, c] = std::array{place(0), place(1), place(2)};
         if (!visible({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3})) continue;
         const auto grain = static_cast<std::size_t>(specimen_.element_grain[e]);
-        draw(pixel(a), pixel(b), pixel(c), all.value_or(palette::phase(specimen_.grain_phase[grain])));
+        draw(pixel(a), pixel(b), pixel(c), palette::phase(specimen_.grain_phase[grain]));
     }
 }
 
-void MapView::draw_grains(const std::optional<Colour>& all) {
+void MapView::draw_grains() {
     const double edge = specimen_.statistics.mean_edge > 0 ? specimen_.statistics.mean_edge * scale_ : 1e3;
-    if (edge < min_edge) return draw_small_grains(all);
-    each_grain(all, [&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
+    if (edge < min_edge) return draw_small_grains();
+    each_grain([&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
     const double thin = std::clamp(0.03 * edge, 0.3, 1.2);
     const auto apart = [&](std::int32_t a, std::int32_t b) {
         const auto& p = positions_[static_cast<std::size_t>(a)];
@@ -202,9 +202,9 @@ bool MapView::draw_pre_existing_cracks(double width) {
     return any;
 }
 
-void MapView::draw_small_grains(const std::optional<Colour>& all) {
+void MapView::draw_small_grains() {
     PixelFill fill(pixel({low_[0], high_[1]}), pixel({high_[0], low_[1]}));
-    each_grain(all, [&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });
+    each_grain([&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });
     fill.draw(drawing_);
     for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.5, palette::rim);
 }

@@ -60,8 +60,7 @@ public:
     MapView(const Specimen& specimen, Positions positions, const ChartText& text, const MapPage& page = {});
 
     /// Fills the grains and draws their outlines, unless they are too small for that, those within crystals thinner, and the rim.
-    /// \param all colour of every grain; by phase without it
-    void draw_grains(const std::optional<Colour>& all = {});
+    void draw_grains();
     /// Contacts that start broken. \return whether there are any
     bool draw_pre_existing_cracks(double width);
     /// A stroke between two places; left out if its middle lies off the map.
@@ -80,8 +79,8 @@ public:
 private:
     /// Calls `draw` with the corners of each triangle on the map and its colour.
     template <class Draw>
-    void each_grain(const std::optional<Colour>& all, const Draw& draw) const;
-    void draw_small_grains(const std::optional<Colour>& all);
+    void each_grain(const Draw& draw) const;
+    void draw_small_grains();
     [[nodiscard]] Pixel pixel(std::array<double, 2> place) const;
     [[nodiscard]] bool visible(std::array<double, 2> place) const;
     void draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour);

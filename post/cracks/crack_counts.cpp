@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
-#include <utility>
 
 #include "post/cracks/fragments.hpp"
 #include "post/run/contact_classes.hpp"
@@ -16,64 +14,6 @@
 #include <fmt/format.h>
 
 namespace graincrack {
-
-namespace {
-
-/// Rows of the history at evenly spaced strains and at the peak, ascending.
-std::vector<std::size_t> moments_of(const LoadCurve& curve, std::size_t n) {
-    const double last = *std::max_element(curve.axial_strain.begin(), curve.axial_strain.end());
-    std::vector<std::size_t> rows{curve.peak};
-    for (std::size_t i = 0; i <= n; ++i) {
-        const double wanted = last * static_cast<double>(i) / static_cast<double>(n);
-        const auto at = std::find_if(curve.axial_strain.begin(), curve.axial_strain.end(), [&](double e) { return e >= wanted; });
-        if (at != curve.axial_strain.end()) rows.push_back(static_cast<std::size_t>(at - curve.axial_strain.begin()));
-    }
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    return rows;
-}
-
-}  // namespace
-
-CrackCounts count_cracks(const RunData& run, const LoadCurve& curve, const Specimen& specimen, std::vector<Crack> cracks,
-                         std::size_t n_moments) {
-    std::stable_sort(cracks.begin(), cracks.end(), [](const Crack& a, const Crack& b) { return a.time < b.time; });
-    const ContactClasses classes = classes_of(specimen);
-    const auto& times = run.history[HistoryColumn::time];
-    CrackCounts counts{classes.names, {}};
-    CrackCounts::Moment now;
-    now.by_class.resize(classes.names.size());
-    auto next = cracks.begin();
-    for (const std::size_t row : moments_of(curve, n_moments)) {
-        for (; next != cracks.end() && next->time <= times[row]; ++next) {
-            now.all.add(*next);
-            now.by_class[classes.of_contact[static_cast<std::size_t>(next->contact)]].add(*next);
-        }
-        now.time = times[row];
-        now.axial_strain = curve.axial_strain[row];
-        now.stress = curve.stress[row];
-        now.is_peak = row == curve.peak;
-        counts.moments.push_back(now);
-    }
-    return counts;
-}
-
-void write_crack_counts(std::ostream& out, const CrackCounts& counts, TableFormat format) {
-    using namespace unit;
-    using M = CrackCounts::Moment;
-    Columns<M> columns{{"time", second, [](const M& m) { return m.time; }},
-                       {"axial_strain", none, [](const M& m) { return m.axial_strain; }},
-                       {"stress", megapascal, [](const M& m) { return m.stress; }},
-                       {"is_peak", none, [](const M& m) { return m.is_peak ? 1 : 0; }},
-                       {"tensile_cracks", none, [](const M& m) { return count_cell(m.all.tensile); }},
-                       {"shear_cracks", none, [](const M& m) { return count_cell(m.all.shear); }}};
-    for (std::size_t i = 0; i < counts.classes.size(); ++i) {
-        const std::string& name = counts.classes[i];
-        columns.push_back({"tensile_cracks_" + name, none, [i](const M& m) { return count_cell(m.by_class[i].tensile); }});
-        columns.push_back({"shear_cracks_" + name, none, [i](const M& m) { return count_cell(m.by_class[i].shear); }});
-    }
-    write_table(out, columns, counts.moments, format);
-}
 
 namespace {
 

@@ -289,9 +289,6 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     table("summary", [&](std::ostream& out) {
         write_crack_summary(out, data, curve, {log, specimen, label}, events, breakup.last, format);
     });
-    if (curve) {
-        table("counts", [&](std::ostream& out) { write_crack_counts(out, count_cracks(data, *curve, specimen, shown), format); });
-    }
     const std::optional<double> peak = curve ? std::optional(data.history[HistoryColumn::time][curve->peak]) : std::nullopt;
     const std::vector<RunClasses> classes{classes_of_run(data.name, specimen, shown, label, peak)};
     table("classes", [&](std::ostream& out) { write_class_counts(out, classes, format); });

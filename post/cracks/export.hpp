@@ -28,9 +28,9 @@ struct CrackExportOptions {
 };
 
 /// Writes `folder`/{grains.pvd, cracks.pvd} with the frames they name, and the tables cracks.tsv, rosette.tsv, summary.tsv,
-/// counts.tsv, classes.tsv, events.tsv, fragments.tsv, fragment-counts.tsv, of a specimen with crystals of several grains
+/// classes.tsv, events.tsv, fragments.tsv, fragment-counts.tsv, of a specimen with crystals of several grains
 /// crystals.tsv; the .pvd files last, so that a series that exists is complete. A run whose axial stress never rises has no
-/// counts.tsv and no peak in summary.tsv. \throws InputError for a run without frames, OutputError
+/// peak in summary.tsv. \throws InputError for a run without frames, OutputError
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);
 
 /// The crack log, every column with its unit; the class of the contact where the specimen has several phases.

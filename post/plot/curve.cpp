@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 
 #include "post/chart/axis.hpp"
@@ -15,7 +14,6 @@
 #include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
 #include "share/base/error.hpp"
-#include "share/base/table_file.hpp"
 
 namespace graincrack {
 
@@ -61,11 +59,6 @@ struct Extent {
     double stress = 0;
     double strain = 0;
     double lateral = 0;
-    void include(const std::vector<double>& axial, const std::vector<double>& across, const std::vector<double>& load) {
-        stress = std::max(stress, 1e-6 * largest(load));
-        strain = std::max(strain, 100 * largest(axial));
-        lateral = std::min(lateral, 100 * smallest(across));
-    }
 };
 
 double max_cracks(const RunData& run) {
@@ -151,13 +144,6 @@ void draw_run(Chart& chart, const Run& run, std::size_t index) {
     draw_strength(chart, run, colour);
 }
 
-void draw_laboratory_curve(Chart& chart, const LaboratoryCurve& curve, std::size_t index) {
-    const std::vector<double> stress = times(curve.stress, 1e-6);
-    const Stroke stroke{palette::ink, 2.5 + 1.5 * static_cast<double>(index), Dash::long_dashed};
-    chart.line(times(curve.axial_strain, 100), stress, stroke, "laboratory: " + curve.name);
-    if (!curve.lateral_strain.empty()) chart.line(times(curve.lateral_strain, 100), stress, stroke);
-}
-
 /// Arrows where lateral branches leave the frame, and how far they go on.
 void mark_cut_branches(Chart& chart, const std::vector<Run>& runs, const Extent& extent, double left) {
     if (extent.lateral >= left) return;
@@ -177,30 +163,17 @@ std::string legend_label(const Run& run, const std::string& name) {
     return fmt::format("{}: {} {:.4g} MPa", name, peak, 1e-6 * (strength ? strength->stress : run.curve.peak_stress()));
 }
 
-std::vector<double> strains(const TableFile& table, const std::string& name) {
-    return table.has(name) ? table.numbers_or_nan(name) : times(table.numbers_or_nan(name + "_percent"), 0.01);
-}
-
 }  // namespace
 
-LaboratoryCurve read_laboratory_curve(const std::string& path) {
-    const TableFile table(path);
-    LaboratoryCurve curve;
-    curve.name = std::filesystem::path(table.name()).filename().string();
-    curve.axial_strain = strains(table, "axial_strain");
-    curve.stress = times(table.numbers_or_nan("stress_MPa"), 1e6);
-    if (table.has("lateral_strain") || table.has("lateral_strain_percent")) {
-        curve.lateral_strain = strains(table, "lateral_strain");
-    }
-    return curve;
-}
-
-Drawing draw_curves(const std::vector<RunData>& data, const std::vector<LaboratoryCurve>& laboratory,
-                    const std::string& definition, const std::vector<std::string>& caveats, const PictureStyle& style) {
+Drawing draw_curves(const std::vector<RunData>& data, const std::string& definition, const std::vector<std::string>& caveats,
+                    const PictureStyle& style) {
     const std::vector<Run> runs = prepare(data);
     Extent extent;
-    for (const Run& run : runs) extent.include(run.curve.axial_strain, run.lateral, run.curve.stress);
-    for (const LaboratoryCurve& curve : laboratory) extent.include(curve.axial_strain, curve.lateral_strain, curve.stress);
+    for (const Run& run : runs) {
+        extent.stress = std::max(extent.stress, 1e-6 * largest(run.curve.stress));
+        extent.strain = std::max(extent.strain, 100 * largest(run.curve.axial_strain));
+        extent.lateral = std::min(extent.lateral, 100 * smallest(run.lateral));
+    }
     const bool counts = runs.size() == 1 && max_cracks(data.front()) > 0;
     Chart chart = curve_page(runs, common_material(data, "Stress and strain"), extent, counts ? definition : "", caveats, style);
     const std::vector<std::string> names = names_apart(data);
@@ -222,7 +195,6 @@ Drawing draw_curves(const std::vector<RunData>& data, const std::vector<Laborato
     if (std::any_of(runs.begin(), runs.end(), std::mem_fn(&Run::has_residual))) {
         chart.legend(residual_stroke, "residual strength");
     }
-    for (std::size_t i = 0; i < laboratory.size(); ++i) draw_laboratory_curve(chart, laboratory[i], i);
     if (!style.x_limits) mark_cut_branches(chart, runs, extent, 1.1 * drawn_lateral(extent));
     return chart.finish();
 }

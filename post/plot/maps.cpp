@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -250,53 +247,12 @@ ChartText specimen_heading(const Specimen& specimen) {
                          mesh.psi6)}};
 }
 
-/// Lower ends of the steps of strength factors, whose mean is 1, and their colours: even steps of viridis (van der Walt & Smith
-/// 2015), the weaker the darker, so that they stay apart in grey and for colour-blind eyes.
-struct StrengthStep {
-    double from;
-    Colour colour;
-    const char* label;
-};
-constexpr std::array<StrengthStep, 5> strength_steps{{{0, {68, 1, 84}, "< 0.5"},
-                                                      {0.5, {59, 82, 139}, "0.5 to 0.75"},
-                                                      {0.75, {33, 145, 140}, "0.75 to 1"},
-                                                      {1, {94, 201, 98}, "1 to 1.25"},
-                                                      {1.25, {253, 231, 37}, "> 1.25"}}};
-
-/// Contacts as strokes, the weaker the darker and the later drawn.
-void draw_strengths(MapView& map, const Specimen& specimen, const std::string& file, std::vector<LegendEntry>& legend) {
-    const std::vector<double>& factors = specimen.contact_strength_factor;
-    if (factors.empty()) {
-        throw InputError(file + ": its contacts have no strength factors; graincrack-mesh --strength-modulus gives them");
-    }
-    map.draw_grains(palette::white);
-    const double width = std::clamp(0.12 * specimen.statistics.mean_edge * map.pixels_per_metre(), 1.2, 6.0);
-    for (auto step = strength_steps.rbegin(); step != strength_steps.rend(); ++step) {
-        const double to = step == strength_steps.rbegin() ? std::numeric_limits<double>::infinity() : std::prev(step)->from;
-        for (std::size_t c = 0; c < factors.size(); ++c) {
-            if (factors[c] < step->from || factors[c] >= to) continue;
-            const auto at = [&](std::size_t k) {
-                return map.positions()[static_cast<std::size_t>(specimen.contact_nodes[c][k])];
-            };
-            map.stroke(at(0), at(1), width, step->colour);
-        }
-    }
-    for (const StrengthStep& step : strength_steps) {
-        legend.push_back({Stroke{step.colour, 6}, (legend.empty() ? "strength factor " : "") + std::string(step.label)});
-    }
-}
-
 }  // namespace
 
-Drawing draw_specimen(const Specimen& specimen, const std::string& file, SpecimenColour colour, const PictureStyle& style) {
+Drawing draw_specimen(const Specimen& specimen, const PictureStyle& style) {
     MapView map(specimen, specimen.node_position, specimen_heading(specimen), {style});
-    std::vector<LegendEntry> legend;
-    if (colour == SpecimenColour::strength) {
-        draw_strengths(map, specimen, file, legend);
-    } else {
-        map.draw_grains();
-        legend = phase_legend(specimen);
-    }
+    map.draw_grains();
+    std::vector<LegendEntry> legend = phase_legend(specimen);
     if (map.draw_pre_existing_cracks(4)) legend.push_back({Stroke{palette::pre_existing, 4}, "pre-existing crack"});
     map.draw_legend(legend);
     return std::move(map).drawing();

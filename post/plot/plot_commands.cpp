@@ -27,10 +27,8 @@ struct PlotOptions {
     std::string picture;  ///< .png, .svg or .pdf, or the folder of all frames
     PictureSize size;
     PictureStyle style;
-    std::vector<std::string> labels;      ///< "RUN=TEXT"
-    std::vector<std::string> laboratory;  ///< tables of measured curves
+    std::vector<std::string> labels;  ///< "RUN=TEXT"
     std::string material;
-    SpecimenColour colour = SpecimenColour::phase;
     CrackMapOptions map;  ///< its label also of pictures that are no maps
     EnvelopeOptions envelope;
     ccd::SolveOptions problem;
@@ -94,17 +92,6 @@ void crack_label(OptionSet set, PlotOptions& options) { add_crack_label(set, opt
 void envelope(OptionSet set, PlotOptions& options) { add_envelope_options(set, options.envelope); }
 void laboratory_material(OptionSet set, PlotOptions& options) { add_laboratory_material(set, options.material); }
 
-void colour(OptionSet set, PlotOptions& options) {
-    add_choice<SpecimenColour>(set, "--colour", options.colour,
-                               {{"phase", SpecimenColour::phase}, {"strength", SpecimenColour::strength}},
-                               "grains by their phase (mineral), or contacts by the factor on their strengths");
-}
-
-void laboratory_curves(OptionSet set, PlotOptions& options) {
-    add_texts(set, "--laboratory", options.laboratory, "FILE",
-              "table of a measured curve: axial_strain (or axial_strain_percent), stress_MPa, perhaps lateral_strain");
-}
-
 void problem(OptionSet set, PlotOptions& options) {
     ccd::add_model(set, options.problem.model);
     ccd::add_goals(set, options.problem.goals);
@@ -127,14 +114,7 @@ void columns(OptionSet set, PlotOptions& options) {
     add_flag(set, "--points", options.columns.points, "points instead of lines");
 }
 
-Drawing specimen_picture(const PlotOptions& options, const Call& call) {
-    const H5Input file(call.file());
-    return draw_specimen(read_specimen(file), file.name(), options.colour, options.style);
-}
-
 Drawing curve_picture(const PlotOptions& options, const Call& call) {
-    std::vector<LaboratoryCurve> laboratory;
-    for (const std::string& file : options.laboratory) laboratory.push_back(read_laboratory_curve(file));
     std::vector<RunData> runs;
     CaveatCount doubts;
     std::vector<std::string> lines;  // of the only run
@@ -145,8 +125,8 @@ Drawing curve_picture(const PlotOptions& options, const Call& call) {
         doubts.add(runs.back(), caveats);
         for (const Caveat& caveat : caveats) lines.push_back(note_line(caveat));
     }
-    return draw_curves(runs, laboratory, definition_of(options.map.label.of(runs.front().header)),
-                       runs.size() == 1 ? lines : doubts.lines(), options.style);
+    return draw_curves(runs, definition_of(options.map.label.of(runs.front().header)), runs.size() == 1 ? lines : doubts.lines(),
+                       options.style);
 }
 
 Drawing strength_picture(const PlotOptions& options, const Call& call) {
@@ -199,13 +179,15 @@ std::vector<Plot> plots_of_states() {
          "the grains of a specimen",
          {"disc.h5 -o disc.png", "uniaxial.h5 -o specimen.svg"},
          FileArguments{"file", "specimen or run"},
-         {picture, colour},
-         specimen_picture},
+         {picture},
+         [](const PlotOptions& options, const Call& call) {
+             return draw_specimen(read_specimen(H5Input(call.file())), options.style);
+         }},
         {"curve",
          "stress against axial and lateral strain, several runs on one plot",
-         {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --laboratory measured.tsv --width 84mm -o curve.pdf"},
+         {"uniaxial.h5 triaxial.h5 -o curves.png", "uniaxial.h5 --label uniaxial=dry --width 84mm -o curve.pdf"},
          several_runs,
-         {chart, run_labels, laboratory_curves, crack_label},
+         {chart, run_labels, crack_label},
          curve_picture},
         {"strength",
          "strengths by test with means and intervals, beside the laboratory's",

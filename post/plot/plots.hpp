@@ -22,26 +22,8 @@
 
 namespace graincrack {
 
-/// The meaning of the colours of a specimen.
-enum class SpecimenColour {
-    phase,    ///< grains by phase
-    strength  ///< contacts by their strength factor
-};
-/// \throws InputError for colours of strength factors that the specimen does not have; its file has the name `file`
-Drawing draw_specimen(const Specimen& specimen, const std::string& file, SpecimenColour colour = SpecimenColour::phase,
-                      const PictureStyle& style = {});
-
-/// A measured curve: strains as they are drawn (positive in the sense of the test, widening negative), stress in Pa.
-struct LaboratoryCurve {
-    std::string name;
-    std::vector<double> axial_strain;
-    std::vector<double> lateral_strain;  ///< empty if not measured
-    std::vector<double> stress;
-};
-
-/// Reads a table with the columns axial_strain or axial_strain_percent, stress_MPa, and perhaps lateral_strain or
-/// lateral_strain_percent (widening negative, as laboratories plot it). \throws InputError
-LaboratoryCurve read_laboratory_curve(const std::string& path);
+/// Grains by their phase, and contacts that start broken.
+Drawing draw_specimen(const Specimen& specimen, const PictureStyle& style = {});
 
 /// Axial stress (positive in the sense of the test; brazilian: 2F/(πtD)) against axial strain to the right and lateral
 /// strain to the left, both from platens and rim. A first peak below the largest stress has a triangle, the residual strength a
@@ -49,8 +31,8 @@ LaboratoryCurve read_laboratory_curve(const std::string& path);
 /// \throws InputError if brazilian, tension and compression runs are mixed: their stresses do not mean the same
 /// \param definition of the cracks that the histories count, in words \param caveats caveats of the strength, a
 /// line each
-Drawing draw_curves(const std::vector<RunData>& runs, const std::vector<LaboratoryCurve>& laboratory,
-                    const std::string& definition, const std::vector<std::string>& caveats = {}, const PictureStyle& style = {});
+Drawing draw_curves(const std::vector<RunData>& runs, const std::string& definition, const std::vector<std::string>& caveats = {},
+                    const PictureStyle& style = {});
 
 /// Every run as a point (a cross if it reached no peak), the mean of each test, confining pressure and grain size with its
 /// 95 % interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the

@@ -187,9 +187,8 @@ void add_maps(Content& content, const ReportOptions& options) {
         const Specimen specimen = run.specimen();
         const std::string kind = row.with_specimen(specimen.shape);
         if (seen.insert(kind).second) {
-            content.mesh.add_specimen(kind + ", of " + t.data.name, [specimen, file = t.data.name](const PictureStyle& style) {
-                return draw_specimen(specimen, file, SpecimenColour::phase, style);
-            });
+            content.mesh.add_specimen(kind + ", of " + t.data.name,
+                                      [specimen](const PictureStyle& style) { return draw_specimen(specimen, style); });
             content.grains += grains_paragraph(run.file(), specimen, kind + ", of " + t.data.name);
             content.minerals.add_phases(kind, specimen, t.data.header, options.material);
         }
@@ -335,8 +334,7 @@ std::string curve_figures(const Content& content, const ReportOptions& options) 
         const std::string& kind = each.first;
         const std::vector<RunData>& runs = each.second;
         figures.add("stress and strain: " + kind, [&](const PictureStyle& style) {
-            return draw_curves(runs, {}, definition_of(options.label.of(runs.front().header)), caveat_lines(content, kind),
-                               style);
+            return draw_curves(runs, definition_of(options.label.of(runs.front().header)), caveat_lines(content, kind), style);
         });
     }
     return figures.str();
@@ -369,7 +367,7 @@ std::string first_figures(const Content& content, const ReportOptions& options) 
     figures.add(
         curves.size() < content.tests.size() ? "stress and strain of the first run of each kind" : "stress and strain",
         [&](const PictureStyle& style) {
-            return draw_curves(curves, {}, definition_of(options.label.of(curves.front().header)), {}, style);
+            return draw_curves(curves, definition_of(options.label.of(curves.front().header)), {}, style);
         },
         "curves");
     const std::string map = crack_map(content, shown.indices.front(), true, 420);

@@ -281,15 +281,6 @@ TEST(PictureStyle, ALabelNamesAFileOfThePicture) {
     }
 }
 
-TEST(PictureStyle, LettersGrowLessThanThePicture) {
-    const auto points = [](double width) { return letters::text * width / 0.0254 * 72 / page_width_on_paper(width); };
-    EXPECT_GE(points(0.06), 6);
-    EXPECT_GE(points(0.084), 6);
-    EXPECT_LT(points(0.084), 7);
-    EXPECT_GT(points(0.174), 7.5);
-    EXPECT_LT(points(0.174), 9);
-}
-
 TEST(PictureStyle, EveryPictureTakesTheOptions) {
     const test::TemporaryFolder folder;
     const std::string run = folder.file("run.h5");

@@ -57,8 +57,8 @@ TEST_P(Layout, PicturesOfOneRun) {
     const RunData data = run_data(run);
     const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
     const std::string definition = definition_of({});
-    expect_fit_to_print(draw_specimen(recipe_.specimen, "run.h5", SpecimenColour::phase, style_), "specimen");
-    expect_fit_to_print(draw_curves({data}, {}, definition, {}, style_), "curve");
+    expect_fit_to_print(draw_specimen(recipe_.specimen, style_), "specimen");
+    expect_fit_to_print(draw_curves({data}, definition, {}, style_), "curve");
     expect_fit_to_print(draw_cracks(run, {"last", std::nullopt, 1}, style_), "cracks");
     expect_fit_to_print(draw_cracks(run, {"first,peak,last", std::nullopt, 1}, style_), "maps");
     expect_fit_to_print(draw_rosette(crack_rosette(all, recipe_.specimen), "Uniaxial compression", "run.h5", definition, style_),
@@ -87,8 +87,8 @@ TEST_P(Layout, PicturesOfSeveralRuns) {
     expect_fit_to_print(
         draw_strengths(runs, material, {"Brazilian: first cracks outside 0.5 R (9 of 9 runs); look at them"}, style_),
         "strength");
-    expect_fit_to_print(
-        draw_curves({runs[2], runs[3], runs[4], runs[6]}, {}, "", {"σ3 = 4 MPa: did not fail (1 of 1 run)"}, style_), "curves");
+    expect_fit_to_print(draw_curves({runs[2], runs[3], runs[4], runs[6]}, "", {"σ3 = 4 MPa: did not fail (1 of 1 run)"}, style_),
+                        "curves");
     EnvelopeTests tests;
     for (const double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, 120e6 + 9 * s, 1});
     tests.brazilian = {8e6};

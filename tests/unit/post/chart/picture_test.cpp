@@ -121,8 +121,8 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_laws(data.header.contact, "granite", laws), {"literal", "consistent", "under 20 MPa"});
     EXPECT_LT(draw_laws(data.header.contact, "granite", laws).height(), 1900);
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
-    expect(draw_specimen(recipe_.specimen, "run.h5"), {"256 grains"});
-    expect(draw_curves({data}, {}, "what a crack is"), {"peak 124.4 MPa", "what a crack is", "plane strain"});
+    expect(draw_specimen(recipe_.specimen), {"256 grains"});
+    expect(draw_curves({data}, "what a crack is"), {"peak 124.4 MPa", "what a crack is", "plane strain"});
     expect(cracks("last"), {"tensile cracks:", "plane strain"});
     // One of the two points of a contact has failed: one micro-crack, not a half.
     test::write_run(path("odd.h5"), recipe_, {all.front()});
@@ -178,13 +178,13 @@ TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStr
     recipe_.plane_young_modulus = 2.6e9;  // so that the fall lasts 1 % of strain
     test::write_run(path("soft.h5"), recipe_);
     RunData run = read_run_data(path("soft.h5"));
-    const std::string falls = to_svg(draw_curves({run}, {}, ""));
+    const std::string falls = to_svg(draw_curves({run}, ""));
     EXPECT_NE(falls.find("first peak "), std::string::npos);
     EXPECT_EQ(falls.find("largest stress"), std::string::npos);
     EXPECT_NE(falls.find("residual strength"), std::string::npos);
     for (auto& column : run.history.columns) column.push_back(2 * column.back());
     run.history[HistoryColumn::axial_stress].back() = -200e6;
-    EXPECT_NE(to_svg(draw_curves({run}, {}, "")).find("largest stress"), std::string::npos);
+    EXPECT_NE(to_svg(draw_curves({run}, "")).find("largest stress"), std::string::npos);
     // If the stress rises again behind the fall, nothing is residual.
     RunData rises = read_run_data(path("soft.h5"));
     const LoadCurve curve = load_curve(rises);
@@ -193,7 +193,7 @@ TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStr
             rises.history[HistoryColumn::axial_stress][curve.start + row] = -2 * curve.stress[curve.peak];
         }
     }
-    const std::string hardens = to_svg(draw_curves({rises}, {}, ""));
+    const std::string hardens = to_svg(draw_curves({rises}, ""));
     EXPECT_NE(hardens.find("first peak"), std::string::npos);
     EXPECT_EQ(hardens.find("residual strength"), std::string::npos);
 }
@@ -201,23 +201,9 @@ TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStr
 TEST_F(Picture, CurvesOfSeveralMaterialsNameThem) {
     std::vector<RunData> runs(2, read_run_data(path("run.h5")));
     runs[1].header.material = "Gabbro";
-    const std::string words = draw_curves(runs, {}, "").words();
+    const std::string words = draw_curves(runs, "").words();
     EXPECT_NE(words.find("Stress and strain"), std::string::npos) << words;
     for (const RunData& run : runs) EXPECT_NE(words.find("uniaxial, " + run.header.material + ":"), std::string::npos) << words;
-}
-
-TEST_F(Picture, LaboratoryCurvesStandBesideRuns) {
-    std::ofstream(path("lab.tsv")) << "axial_strain_percent\tlateral_strain_percent\tstress_MPa\n0\t0\t0\n0.3\t-0.1\t80\n";
-    const LaboratoryCurve curve = read_laboratory_curve(path("lab.tsv"));
-    EXPECT_DOUBLE_EQ(curve.axial_strain[1], 0.003);
-    EXPECT_DOUBLE_EQ(curve.lateral_strain[1], -0.001);
-    EXPECT_DOUBLE_EQ(curve.stress[1], 80e6);
-    const std::vector<RunData> runs{read_run_data(path("run.h5"))};
-    const std::string svg = to_svg(draw_curves(runs, {curve}, ""));
-    EXPECT_NE(svg.find("laboratory: lab.tsv"), std::string::npos);
-    EXPECT_EQ(to_svg(draw_curves(runs, {}, "")).find("laboratory"), std::string::npos);
-    std::ofstream(path("bad.tsv")) << "axial_strain\tstress_MPa\n0\tmuch\n";
-    test::expect_one_line<InputError>([&] { (void)read_laboratory_curve(path("bad.tsv")); }, {"bad.tsv", "line 2", "much"});
 }
 
 TEST_F(Picture, EnvelopeShowsCirclesAndBothCurves) {
@@ -250,7 +236,7 @@ TEST_F(Picture, CurvesOfDifferentTestsDoNotShareAPlot) {
     other.test = "brazilian";
     other.peak = 8e6;
     test::write_run(path("brazilian.h5"), other);
-    EXPECT_THROW((void)draw_curves({read_run_data(path("run.h5")), read_run_data(path("brazilian.h5"))}, {}, ""), InputError);
+    EXPECT_THROW((void)draw_curves({read_run_data(path("run.h5")), read_run_data(path("brazilian.h5"))}, ""), InputError);
 }
 
 TEST_F(Picture, AWidthOnPaperSetsPixelsOfAPngAndPointsOfSvgAndPdf) {
@@ -298,13 +284,6 @@ TEST_F(Picture, AResolutionThatMeansNothingIsRefused) {
     test::expect_one_line<OutputError>([&] { (void)png_bytes(Drawing(100, 100), {2, 2400}); }, {"188976", "--dpi"});
 }
 
-TEST(Font, WidthsAreMeasured) {
-    EXPECT_GT(text_width("WWWW", 20), 2.5 * text_width("iiii", 20));
-    EXPECT_NEAR(text_width("strength", 40), 2 * text_width("strength", 20), 0.1);
-    EXPECT_GT(text_width("strength", 20, true), text_width("strength", 20));
-    EXPECT_NEAR(text_width("0123456789", 20), 10 * text_width("0", 20), 0.1);
-}
-
 TEST_F(Picture, NamesAndPlacesThatCannotBeAreOneError) {
     const Drawing drawing(10, 10);
     EXPECT_THROW(write_picture(drawing, path("picture.jpg")), UsageError);
@@ -313,11 +292,11 @@ TEST_F(Picture, NamesAndPlacesThatCannotBeAreOneError) {
 }
 
 TEST_F(Picture, ManyGrainsAreNoLargerThanTheirPage) {
-    const Drawing drawing = draw_specimen(test::grid_specimen(300, 300, 0.08, 0.08), "run.h5");  // edges of 3 pixels
+    const Drawing drawing = draw_specimen(test::grid_specimen(300, 300, 0.08, 0.08));  // edges of 3 pixels
     EXPECT_LT(drawing.n_marks(), 4000U);  // 944 rows, 1,200 edges of the rim, legend and title
     write_picture(drawing, path("many.png"));
     EXPECT_GT(pixels_of(path("many.png"), palette::phase(0)), 930 * 930);  // the page without its margins and the rim
-    EXPECT_GT(draw_specimen(test::grid_specimen(30, 30, 0.08, 0.08), "run.h5").n_marks(), 1800U);  // each grain and outline
+    EXPECT_GT(draw_specimen(test::grid_specimen(30, 30, 0.08, 0.08)).n_marks(), 1800U);  // each grain and outline
 }
 
 }  // namespace

@@ -262,9 +262,6 @@ TEST_F(CrackMap, CrackLogAndRosetteAreTables) {
     EXPECT_EQ(test::parse_tsv(test::read_text(map("fragment-counts.tsv"))).size(), 4U);
     EXPECT_EQ(test::parse_tsv(test::read_text(map("fragments.tsv"))).size(), 2U);
     EXPECT_GT(test::parse_tsv(test::read_text(map("events.tsv"))).size(), 2U);
-    const std::string counts = test::read_text(map("counts.tsv"));
-    EXPECT_EQ(test::field(counts, "tensile_cracks_rock-rock", test::parse_tsv(counts).size() - 2),
-              test::field(counts, "tensile_cracks", test::parse_tsv(counts).size() - 2));
 }
 
 TEST_F(CrackMap, ATimeStandsOnceInTheSeries) {

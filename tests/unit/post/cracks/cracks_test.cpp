@@ -58,43 +58,6 @@ TEST(Fragments, HalfAContactStillHolds) {
     EXPECT_DOUBLE_EQ(count_fragments(apart, 1).largest_share, 0.5);
 }
 
-/// Quartz below the diagonal of each cell, feldspar above.
-Specimen two_minerals() {
-    Specimen s = test::grid_specimen(4, 4, 0.04, 0.04);
-    s.phase_names = {"quartz", "feldspar"};
-    for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = g % 2;
-    return s;
-}
-
-TEST(CrackCounts, GoByModeAndPairOfMinerals) {
-    test::Recipe recipe;
-    recipe.specimen = two_minerals();
-    RunData run;
-    run.header = test::synthetic_header(recipe);
-    run.history = test::synthetic_history(recipe);
-    const LoadCurve curve = load_curve(run);
-    std::vector<Crack> cracks(4);
-    for (std::size_t i = 0; i < cracks.size(); ++i) {
-        cracks[i].contact = 0;  // inside the first cell: quartz on feldspar
-        cracks[i].time = 0.25 * static_cast<double>(i + 1);
-        cracks[i].mode = i < 3 ? CrackMode::tensile : CrackMode::shear;
-    }
-    const CrackCounts counts = count_cracks(run, curve, recipe.specimen, cracks, 20);
-    ASSERT_EQ(counts.classes, (std::vector<std::string>{"quartz-feldspar"}));  // the grid has no others
-    EXPECT_DOUBLE_EQ(counts.moments.front().all.tensile, 0);
-    EXPECT_DOUBLE_EQ(counts.moments.back().all.tensile, 1.5);
-    EXPECT_DOUBLE_EQ(counts.moments.back().by_class[0].shear, 0.5);
-    std::size_t peaks = 0;
-    for (const auto& m : counts.moments) {
-        EXPECT_DOUBLE_EQ(m.all.tensile, 0.5 * std::min(3.0, std::floor(m.time / 0.25 + 1e-9)));
-        peaks += m.is_peak ? 1U : 0U;
-    }
-    EXPECT_EQ(peaks, 1U);
-    std::ostringstream out;
-    write_crack_counts(out, counts, TableFormat::tsv);
-    EXPECT_EQ(test::field(out.str(), "tensile_cracks_quartz-feldspar", counts.moments.size() - 1), "1.5");
-}
-
 const Rock rock{25.8e9, 0.23, 2650, 1.5e6, 3.0e6, 8.8e6};
 const double shear_modulus = 25.8e9 / (2 * 1.23);
 

@@ -103,19 +103,6 @@ TEST(MeshFile, CrystalsOfSeveralGrainsAreEntities) {
 /// Two triangles side by side, split by a diagonal: six nodes at four places.
 Specimen square() { return test::one_diagonal_grid(1, 1, 0.2, 0.1); }
 
-TEST(SharedMesh, HasEachPointOnceInTheOrderOfItsLowestNode) {
-    const Specimen s = square();
-    ASSERT_EQ(s.n_nodes(), 6U);
-    const SharedMesh mesh = share_nodes(s);
-    ASSERT_EQ(mesh.points.size(), 4U);
-    // The nodes of the first grain are its own; of the second, one is.
-    for (std::size_t node = 0; node < 3; ++node) EXPECT_EQ(mesh.points[node], s.node_position[node]);
-    EXPECT_EQ(mesh.points[3], s.node_position[5]);
-    ASSERT_EQ(mesh.triangles.size(), 2U);
-    EXPECT_EQ(mesh.triangles[0], (std::array<std::int32_t, 3>{0, 1, 2}));
-    EXPECT_EQ(mesh.triangles[1], (std::array<std::int32_t, 3>{0, 2, 3}));
-}
-
 TEST(SharedMesh, APointLiesWhereItsLowestNodeDoes) {
     Specimen s = square();
     const auto lowest = s.node_position[0];
@@ -168,18 +155,19 @@ TEST(SharedMesh, BoundaryKeepsItsOrderAndDirection) {
 
 TEST(SharedMesh, CracksAndFlawsAreSidesWithNames) {
     Specimen s = test::jittered_grid(3, 3, 0.3, 0.3, 0);
-    ASSERT_GE(s.n_contacts(), 6U);
+    ASSERT_GE(s.n_contacts(), 7U);
     s.flaw_names = {"vein", "joint"};
     s.contact_flaw.assign(s.n_contacts(), 0);
     s.contact_flaw[1] = 2;
     s.contact_flaw[2] = 1;
     s.contact_flaw[4] = 2;
     s.contact_kind[3] = s.contact_kind[4] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
+    s.contact_kind[5] = static_cast<std::uint8_t>(ContactKind::open_boundary);
     const SharedMesh mesh = share_nodes(s);
-    EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"bottom", "right", "top", "left", "crack", "flaw-vein", "flaw-joint",
-                                                         "flaw-joint-broken"}));
-    ASSERT_EQ(mesh.sides.size(), s.n_boundary_edges() + 4);
-    const std::array<const char*, 4> names{"flaw-joint", "flaw-vein", "crack", "flaw-joint-broken"};
+    EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"bottom", "right", "top", "left", "open-boundary", "crack", "flaw-vein",
+                                                         "flaw-joint", "flaw-joint-broken"}));
+    ASSERT_EQ(mesh.sides.size(), s.n_boundary_edges() + 5);
+    const std::array<const char*, 5> names{"flaw-joint", "flaw-vein", "crack", "flaw-joint-broken", "open-boundary"};
     for (std::size_t i = 0; i < names.size(); ++i) {
         const NamedSide& side = mesh.sides[s.n_boundary_edges() + i];
         EXPECT_EQ(mesh.side_names[side.name], names[i]);
@@ -189,14 +177,6 @@ TEST(SharedMesh, CracksAndFlawsAreSidesWithNames) {
     }
 }
 
-TEST(SharedMesh, OpenBoundariesHaveANameOfTheirOwn) {
-    Specimen s = test::one_diagonal_grid(2, 2, 0.2, 0.2);
-    s.contact_kind[0] = static_cast<std::uint8_t>(ContactKind::open_boundary);
-    const SharedMesh mesh = share_nodes(s);
-    EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"bottom", "right", "top", "left", "open-boundary"}));
-    EXPECT_EQ(mesh.sides.size(), s.n_boundary_edges() + 1);
-}
-
 TEST(SharedMesh, APartThatIsCalledCrackAndCracksHaveOneName) {
     Specimen s = test::one_diagonal_grid(2, 2, 0.2, 0.2);
     test::name_boundary(s, "crack", [](double, double y) { return y < -0.09; });
@@ -204,13 +184,6 @@ TEST(SharedMesh, APartThatIsCalledCrackAndCracksHaveOneName) {
     const SharedMesh mesh = share_nodes(s);
     EXPECT_EQ(mesh.side_names, (std::vector<std::string>{"right", "top", "left", "crack"}));
     EXPECT_EQ(std::count_if(mesh.sides.begin(), mesh.sides.end(), [](const NamedSide& side) { return side.name == 3; }), 4);
-}
-
-TEST(SharedMesh, SaysWhetherContactsHaveStrengthFactors) {
-    Specimen s = square();
-    EXPECT_FALSE(share_nodes(s).has_strength_factors);
-    s.contact_strength_factor.assign(s.n_contacts(), 1.1);
-    EXPECT_TRUE(share_nodes(s).has_strength_factors);
 }
 
 }  // namespace

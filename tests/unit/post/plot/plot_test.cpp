@@ -103,7 +103,7 @@ TEST_F(Plot, TheLawOfTheMaterialHasACurveOfItsOwn) {
 // Before the first crack they would cover the axis.
 TEST_F(Plot, CountsBesideACurveBeginWithTheFirstCrack) {
     const RunData data = run();
-    const Drawing page = draw_curves({data}, {}, "what a crack is");
+    const Drawing page = draw_curves({data}, "what a crack is");
     const std::vector<Polyline> frame = lines_of(page, palette::ink, 1.8);
     ASSERT_EQ(frame.size(), 1U);
     for (const Colour colour : {palette::tensile, palette::shear}) {
@@ -159,12 +159,6 @@ TEST_F(Plot, StrengthsStandBesideTheLaboratorysAtTheirPressure) {
     };
     EXPECT_EQ(marks({run(), confined}), marks({run()}) + 1);
     EXPECT_FALSE(says(draw_strengths({run()}, std::nullopt), "laboratory"));
-}
-
-TEST_F(Plot, WarningsStandBelowNotInTheHeading) {
-    const std::string words = draw_strengths({run()}, std::nullopt, {"uniaxial: did not fail (1 of 1 run)"}).words();
-    EXPECT_GT(words.find("did not fail (1 of 1 run)"), words.find("strength of a run")) << words;
-    EXPECT_NE(words.find("did not fail (1 of 1 run)"), std::string::npos);
 }
 
 }  // namespace

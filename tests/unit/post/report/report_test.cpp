@@ -6,8 +6,6 @@
 #include "post/chart/picture.hpp"
 #include "post/report/html.hpp"
 #include "post/report/test_report.hpp"
-#include "share/base/error.hpp"
-#include "tests/support/check.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -221,11 +219,6 @@ TEST_F(Report, CountsCracksByOneRule) {
     const std::string by_sign = page({folder_.file("u.h5")}, {.label = {std::nullopt, CrackModeRule::sign}});
     EXPECT_NE(counts(html), counts(by_sign));
     EXPECT_NE(row_of(html, "what counts as a crack"), row_of(by_sign, "what counts as a crack"));
-}
-
-TEST_F(Report, AMissingFileIsOneLine) {
-    const std::string first = run("u.h5", recipe("uniaxial", 120e6));
-    test::expect_one_line<InputError>([&] { (void)page({first, folder_.file("none.h5")}); }, {"none.h5"});
 }
 
 TEST(ReportHtml, TextIsEscapedAndEmptyCellsAreDashes) {

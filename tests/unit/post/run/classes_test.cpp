@@ -4,27 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 
 #include "post/chart/picture.hpp"
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/export.hpp"
-#include "post/cracks/rosette.hpp"
 #include "post/plot/plots.hpp"
-#include "share/base/error.hpp"
-#include "tests/support/check.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
 namespace {
 
-/// Columns of quartz, feldspar and mica, from left to right; the factor of a contact is 0.6 or 1.1.
+/// Columns of quartz, feldspar and mica, from left to right.
 Specimen three_minerals() {
     Specimen s = test::grid_specimen(6, 12, 0.06, 0.12);
     s.phase_names = {"quartz", "feldspar", "mica"};
     for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = static_cast<std::uint8_t>(g / 2 % 6 / 2);
-    for (std::size_t c = 0; c < s.n_contacts(); ++c) s.contact_strength_factor.push_back(c % 2 == 0 ? 0.6 : 1.1);
     return s;
 }
 
@@ -117,24 +112,9 @@ TEST_F(Classes, CrackLogNamesTheClassWhereThereAreSeveralPhases) {
     EXPECT_EQ(test::field(table_of(test::grid_specimen(6, 12, 0.06, 0.12)), "class", 0), "");
 }
 
-TEST_F(Classes, SpecimensAreDrawnByPhaseOrStrength) {
-    const std::string by_phase = to_svg(draw_specimen(recipe_.specimen, "specimen.h5"));
+TEST_F(Classes, SpecimensAreDrawnByPhase) {
+    const std::string by_phase = to_svg(draw_specimen(recipe_.specimen));
     for (const char* name : {"quartz", "feldspar", "mica"}) EXPECT_NE(by_phase.find(name), std::string::npos) << name;
-    const Drawing by_strength = draw_specimen(recipe_.specimen, "specimen.h5", SpecimenColour::strength);
-    EXPECT_NE(by_strength.words().find("strength factor < 0.5"), std::string::npos);
-    // Strokes of the two factors, of one colour each, beside the legend's.
-    std::vector<std::size_t> sizes;
-    for (const auto& shape : by_strength.shapes()) {
-        if (const auto* strokes = std::get_if<Strokes>(&shape); strokes != nullptr && strokes->width > 1.3) {
-            sizes.push_back(strokes->size());
-        }
-    }
-    const std::size_t contacts = recipe_.specimen.n_contacts();
-    EXPECT_EQ(std::ranges::count(sizes, contacts / 2), contacts % 2 == 0 ? 2 : 1);
-    Specimen uniform = recipe_.specimen;
-    uniform.contact_strength_factor.clear();
-    test::expect_one_line<InputError>([&] { (void)draw_specimen(uniform, "specimen.h5", SpecimenColour::strength); },
-                                      {"specimen.h5", "no strength factors", "--strength-modulus"});
 }
 
 }  // namespace
