@@ -123,9 +123,7 @@ bool Chart::inside(Pixel at) const {
 }
 
 void Chart::draw_grid() {
-    const bool has_numbers = !x_.axis.label.empty();
-    for (const double tick :
-         has_numbers ? ticks_along(x_.axis, x_.to - x_.from, letters::text, 8).values : std::vector<double>{}) {
+    for (const double tick : ticks_along(x_.axis, x_.to - x_.from, letters::text, 8).values) {
         drawing_.line({x_(tick), y_.from}, {x_(tick), y_.to}, faint_line, palette::faint);
     }
     for (const double tick : upright_ticks(y_.axis, y_.from - y_.to).values) {
@@ -214,40 +212,13 @@ bool Chart::label_line(std::span<const Place> places, const std::string& label, 
 
 double Chart::draw_x_ticks() {
     const double first = y_.from + tick_length + tick_gap + 0.75 * letters::text;
-    if (named_ticks_.empty()) {
-        const Ticks ticks = ticks_along(x_.axis, x_.to - x_.from, letters::text, 8);
-        for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-            const double x = x_(ticks.values[i]);
-            drawing_.line({x, y_.from}, {x, y_.from + tick_length}, 1.6, palette::ink);
-            drawing_.text({{x, first}, ticks.texts[i], letters::text, palette::ink, Anchor::middle});
-        }
-        return first;
+    const Ticks ticks = ticks_along(x_.axis, x_.to - x_.from, letters::text, 8);
+    for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+        const double x = x_(ticks.values[i]);
+        drawing_.line({x, y_.from}, {x, y_.from + tick_length}, 1.6, palette::ink);
+        drawing_.text({{x, first}, ticks.texts[i], letters::text, palette::ink, Anchor::middle});
     }
-    double last = first;
-    const double slot = 0.94 * (x_.to - x_.from) / static_cast<double>(named_ticks_.size());
-    // All texts stand upright if a word is longer than its place.
-    const bool upright = std::any_of(named_ticks_.begin(), named_ticks_.end(), [&](const auto& tick) {
-        const auto lines = broken_lines(tick.second, letters::text, slot);
-        return std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.find("…") != std::string::npos; });
-    });
-    for (const auto& [tick, label] : named_ticks_) {
-        drawing_.line({x_(tick), y_.from}, {x_(tick), y_.from + tick_length}, 1.6, palette::ink);
-        const double top = y_.from + tick_length + tick_gap;
-        if (upright) {
-            const Text text{
-                {x_(tick) + digit_rise * letters::text, top}, label, letters::text, palette::ink, Anchor::end, false, true};
-            drawing_.text(text);
-            last = std::max(last, box_of(text).bottom);
-            continue;
-        }
-        double y = first;
-        for (const std::string& line : broken_lines(label, letters::text, slot)) {
-            drawing_.text({{x_(tick), y}, line, letters::text, palette::ink, Anchor::middle});
-            last = std::max(last, y);
-            y += 1.15 * letters::text;
-        }
-    }
-    return last;
+    return first;
 }
 
 void Chart::draw_y_ticks(const Scale& scale, bool right) {

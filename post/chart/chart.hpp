@@ -50,8 +50,6 @@ public:
     /// Text in a gap of a line, at the first of its places where it covers no other text, no point of `others`, and stays in the
     /// frame. \return whether there is such a place
     bool label_line(std::span<const Place> places, const std::string& label, Colour colour, std::span<const Place> others);
-    /// Ticks along x replaced by texts at points, a line each.
-    void name_ticks(const std::vector<std::pair<double, std::string>>& ticks) { named_ticks_ = ticks; }
 
     /// A line of text below the legend.
     void add_note(const std::string& note) { notes_.push_back(note); }
@@ -93,7 +91,6 @@ private:
     std::vector<LegendEntry> legend_;
     std::vector<std::string> notes_;  ///< below the legend
     std::vector<TextBox> taken_;      ///< by texts and markers in the frame
-    std::vector<std::pair<double, std::string>> named_ticks_;
 };
 
 }  // namespace graincrack

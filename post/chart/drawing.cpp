@@ -1,6 +1,5 @@
 #include "post/chart/drawing.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -56,9 +56,7 @@ void write_picture_folder(const std::string& folder, std::size_t count,
     std::error_code cause;
     fs::remove_all(part, cause);
     const std::shared_ptr<void> unfinished(nullptr, [&](void* /*none*/) { fs::remove_all(part, cause); });  // unless renamed
-    if (!fs::create_directory(part, cause)) {
-        throw OutputError(fmt::format("{}: cannot be made: {}", folder, cause.message()));
-    }
+    if (!fs::create_directory(part, cause)) throw OutputError(fmt::format("{}: cannot be made: {}", folder, cause.message()));
     for (std::size_t i = 0; i < count; ++i) {
         throw_if_interrupted();
         const std::vector<unsigned char> bytes = picture(i);

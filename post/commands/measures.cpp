@@ -108,7 +108,7 @@ Command properties_command() {
         {"uniaxial.h5 triaxial.h5 brazilian.h5 --material augig-granite", "brazilian.h5 --material augig-granite --format jsonl"},
         FileArguments{several_runs.name, several_runs.help, false, true},
         [](OptionSet set, Options& options) {
-            add_laboratory_material(set, options.material).required();
+            add_text(set, "--material", options.material, "material with the laboratory values to compare with").required();
             add_envelope_options(set, options.envelope);
             add_format(set, options.format);
         },

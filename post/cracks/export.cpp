@@ -140,9 +140,8 @@ void write_table(const std::string& path, const std::function<void(std::ostream&
     write_whole_file(path, text.str());
 }
 
-/// Fragments frame by frame.
+/// Fragments and crystals of the last frame.
 struct Breakup {
-    std::vector<FragmentCount> counts;
     Fragments last;
     std::vector<Crystal> crystals;  ///< in the last frame, if the specimen has any
 };
@@ -191,8 +190,6 @@ Breakup write_frames(const Series& series, const std::vector<std::size_t>& frame
             return fmt::format("{}/{}_{:04}.{}", series.folder, stem, i, suffix);
         };
         breakup.last = find_fragments(series.specimen, frame.state);
-        breakup.counts.push_back(count_fragments(breakup.last, frame.time));
-        breakup.counts.back().split_crystals = count_split_crystals(series.specimen, frame.state);
         if (i + 1 == n && has_crystals) {
             breakup.crystals = find_crystals(series.specimen, series.cracks, frame.state, breakup.last);
         }
@@ -285,7 +282,6 @@ void export_cracks(const RunReader& run, const std::string& folder, const CrackE
     table("events", [&](std::ostream& out) { write_events(out, events, format); });
     table("fragments", [&](std::ostream& out) { write_fragments(out, breakup.last, format); });
     if (!breakup.crystals.empty()) table("crystals", [&](std::ostream& out) { write_crystals(out, breakup.crystals, format); });
-    table("fragment-counts", [&](std::ostream& out) { write_fragment_counts(out, breakup.counts, format); });
     table("summary", [&](std::ostream& out) {
         write_crack_summary(out, data, curve, {log, specimen, label}, events, breakup.last, format);
     });

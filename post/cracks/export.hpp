@@ -28,7 +28,7 @@ struct CrackExportOptions {
 };
 
 /// Writes `folder`/{grains.pvd, cracks.pvd} with the frames they name, and the tables cracks.tsv, rosette.tsv, summary.tsv,
-/// classes.tsv, events.tsv, fragments.tsv, fragment-counts.tsv, of a specimen with crystals of several grains
+/// classes.tsv, events.tsv, fragments.tsv, of a specimen with crystals of several grains
 /// crystals.tsv; the .pvd files last, so that a series that exists is complete. A run whose axial stress never rises has no
 /// peak in summary.tsv. \throws InputError for a run without frames, OutputError
 void export_cracks(const RunReader& run, const std::string& folder, const CrackExportOptions& options, Verbosity verbosity);

@@ -101,21 +101,6 @@ void write_fragments(std::ostream& out, const Fragments& fragments, TableFormat 
     write_table(out, columns, fragments.all, format);
 }
 
-FragmentCount count_fragments(const Fragments& fragments, double time) {
-    return {time, fragments.all.size(), fragments.single_grains(), fragments.all.front().area / total_area(fragments), 0};
-}
-
-void write_fragment_counts(std::ostream& out, const std::vector<FragmentCount>& counts, TableFormat format) {
-    using namespace unit;
-    static const Columns<FragmentCount> columns{
-        {"time", second, [](const FragmentCount& c) { return c.time; }},
-        {"fragments", none, [](const FragmentCount& c) { return c.fragments; }},
-        {"single_grains", none, [](const FragmentCount& c) { return c.single_grains; }},
-        {"largest_share_of_area", none, [](const FragmentCount& c) { return c.largest_share; }},
-        {"split_crystals", none, [](const FragmentCount& c) { return c.split_crystals; }}};
-    write_table(out, columns, counts, format);
-}
-
 namespace {
 
 /// The crystals of the two grains of a contact.
@@ -187,12 +172,6 @@ void write_crystals(std::ostream& out, const std::vector<Crystal>& crystals, Tab
                              {"pieces", none, [](const C& c) { return c.pieces; }},
                              {"fragments", none, [](const C& c) { return c.fragments; }}};
     write_table(out, columns, crystals, format);
-}
-
-std::size_t count_split_crystals(const Specimen& specimen, const std::vector<std::array<std::uint8_t, 2>>& state) {
-    if (specimen.grain_crystal.empty()) return 0;
-    const std::vector<std::size_t> pieces = count_pieces(specimen, state);
-    return static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](std::size_t n) { return n > 1; }));
 }
 
 ModeCounts count_cracked_crystals(const Specimen& specimen, const std::vector<Crack>& cracks, std::optional<double> until) {

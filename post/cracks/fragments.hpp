@@ -35,19 +35,6 @@ Fragments find_fragments(const Specimen& specimen, const std::vector<std::array<
 /// Table: fragment, grains, area_mm2, diameter_mm, share_of_area, x_mm, y_mm, crystals.
 void write_fragments(std::ostream& out, const Fragments& fragments, TableFormat format);
 
-/// Fragmentation of a specimen: one row a frame.
-struct FragmentCount {
-    double time = 0;  ///< s
-    std::size_t fragments = 0;
-    std::size_t single_grains = 0;
-    double largest_share = 0;        ///< area of the largest over that of all
-    std::size_t split_crystals = 0;  ///< as of `count_split_crystals`
-};
-/// \return without the number of split crystals
-FragmentCount count_fragments(const Fragments& fragments, double time);
-/// Table: time_s, fragments, single_grains, largest_share_of_area, split_crystals.
-void write_fragment_counts(std::ostream& out, const std::vector<FragmentCount>& counts, TableFormat format);
-
 struct Crystal {
     std::string phase;
     std::size_t grains = 0;
@@ -66,9 +53,6 @@ std::vector<Crystal> find_crystals(const Specimen& specimen, const std::vector<C
 /// Table: crystal, phase, grains, area_mm2, x_mm, y_mm, tensile_cracks_within, shear_cracks_within, tensile_cracks_around,
 /// shear_cracks_around, pieces, fragments.
 void write_crystals(std::ostream& out, const std::vector<Crystal>& crystals, TableFormat format);
-
-/// Crystals of more than one piece. \param state of a frame, [c]
-std::size_t count_split_crystals(const Specimen& specimen, const std::vector<std::array<std::uint8_t, 2>>& state);
 
 /// Crystals with cracks of a mode within them; one with cracks of both modes counts for both. \param cracks labelled ones
 /// \param until only cracks that are there at this time, s

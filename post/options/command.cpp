@@ -46,10 +46,6 @@ Option add_output(OptionSet set, std::string& output, const std::string& help, c
     return add_output_file(set, output, help, endings).required();
 }
 
-Option add_laboratory_material(OptionSet set, std::string& material) {
-    return add_text(set, "--material", material, "material with the laboratory values to compare with");
-}
-
 Material read_material_of(const Call& call, const std::string& name_or_file) {
     Material material = read_material(name_or_file);
     write_notes(call.diagnostics(), call.command, material);

@@ -85,8 +85,6 @@ void add_columns(OptionSet set, ColumnOptions& options);
 TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out);
 /// -o, --output, which is required. \param help what is written \param endings as of `add_output_file`
 Option add_output(OptionSet set, std::string& output, const std::string& help, const std::vector<std::string>& endings);
-/// --material of a command that shows laboratory values of a rock beside results.
-Option add_laboratory_material(OptionSet set, std::string& material);
 /// The material of an option; notes on its values go to the diagnostics of the call. \throws InputError as `read_material`
 Material read_material_of(const Call& call, const std::string& name_or_file);
 /// The same of a material that may lack keys.

@@ -65,12 +65,10 @@ void add_limits(OptionSet set, const std::string& option, std::optional<AxisLimi
         what + " in its unit, such as 0,0.4; what lies outside is cut off", "LOW,HIGH", "");
 }
 
-void y_limits(OptionSet set, PlotOptions& options) { add_limits(set, "--y-limits", options.style.y_limits, "upright axis"); }
-
 void chart(OptionSet set, PlotOptions& options) {
     picture(set, options);
     add_limits(set, "--x-limits", options.style.x_limits, "level axis");
-    y_limits(set, options);
+    add_limits(set, "--y-limits", options.style.y_limits, "upright axis");
 }
 
 void run_labels(OptionSet set, PlotOptions& options) {
@@ -90,7 +88,6 @@ void frame(OptionSet set, PlotOptions& options) {
 
 void crack_label(OptionSet set, PlotOptions& options) { add_crack_label(set, options.map.label); }
 void envelope(OptionSet set, PlotOptions& options) { add_envelope_options(set, options.envelope); }
-void laboratory_material(OptionSet set, PlotOptions& options) { add_laboratory_material(set, options.material); }
 
 void problem(OptionSet set, PlotOptions& options) {
     ccd::add_model(set, options.problem.model);
@@ -129,14 +126,6 @@ Drawing curve_picture(const PlotOptions& options, const Call& call) {
                        options.style);
 }
 
-Drawing strength_picture(const PlotOptions& options, const Call& call) {
-    std::optional<Material> material;
-    if (!options.material.empty()) material = read_material_of(call, options.material);
-    CaveatCount doubts;
-    const std::vector<RunData> runs = read_doubted_runs(call.files, doubts, call.command, call.diagnostics());
-    return draw_strengths(runs, material, doubts.lines(), options.style);
-}
-
 Drawing rosette_picture(const PlotOptions& options, const Call& call) {
     const RunReader run(call.file());
     const Specimen specimen = run.specimen();
@@ -173,7 +162,7 @@ Drawing law_picture(const PlotOptions& options, const Call& call) {
                      fmt::format("{}, plane {}", material.name, name_of(options.plane)), own, options.style);
 }
 
-std::vector<Plot> plots_of_states() {
+std::vector<Plot> plots_of_runs() {
     return {
         {"specimen",
          "the grains of a specimen",
@@ -189,12 +178,6 @@ std::vector<Plot> plots_of_states() {
          several_runs,
          {chart, run_labels, crack_label},
          curve_picture},
-        {"strength",
-         "strengths by test with means and intervals, beside the laboratory's",
-         {"uniaxial.h5 brazilian.h5 -o strength.png", "uniaxial.h5 brazilian.h5 --material augig-granite -o strength.svg"},
-         several_runs,
-         {picture, y_limits, laboratory_material},
-         strength_picture},
         {"cracks",
          "crack map: tensile red, shear black",
          {"brazilian.h5 --frame before,peak,after -o cracks.png", "uniaxial.h5 --frame all --magnify 10 -o frames"},
@@ -209,11 +192,6 @@ std::vector<Plot> plots_of_states() {
          one_run,
          {picture, crack_label},
          rosette_picture},
-    };
-}
-
-std::vector<Plot> plots_over_loading() {
-    return {
         {"energy",
          "the energy balance over a test",
          {"uniaxial.h5 -o energy.png", "brazilian.h5 --width 84mm -o energy.svg"},
@@ -305,7 +283,7 @@ Command command_of(const Plot& plot) {
 
 std::vector<Command> plot_commands() {
     std::vector<Command> commands;
-    for (const auto& plots : {plots_of_states(), plots_over_loading(), plots_of_sets()}) {
+    for (const auto& plots : {plots_of_runs(), plots_of_sets()}) {
         for (const Plot& plot : plots) commands.push_back(command_of(plot));
     }
     return commands;

@@ -34,12 +34,6 @@ Drawing draw_specimen(const Specimen& specimen, const PictureStyle& style = {});
 Drawing draw_curves(const std::vector<RunData>& runs, const std::string& definition, const std::vector<std::string>& caveats = {},
                     const PictureStyle& style = {});
 
-/// Every run as a point (a cross if it reached no peak), the mean of each test, confining pressure and grain size with its
-/// 95 % interval, and the laboratory's value where the material has one; logarithmic, because tension and compression share the
-/// axis. \throws InputError if the runs are not of one material \param caveats caveats of the strength, a line each
-Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
-                       const std::vector<std::string>& caveats = {}, const PictureStyle& style = {});
-
 /// Which state is drawn, and how.
 struct CrackMapOptions {
     std::string frame = "last";  ///< as `choose_frames` reads it: several are drawn side by side

@@ -1,4 +1,4 @@
-// Strengths of several tests: by test, as an envelope, and against the size of grains.
+// Strengths of several tests: as an envelope, and against the size of grains.
 #include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
@@ -7,15 +7,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
 
 #include "post/chart/axis.hpp"
 #include "post/chart/chart.hpp"
 #include "post/fit/envelope.hpp"
-#include "post/laboratory/comparison.hpp"
-#include "post/measure/caveats.hpp"
 #include "post/measure/strength.hpp"
-#include "post/measure/strength_summary.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
 
@@ -24,119 +20,6 @@ namespace graincrack {
 namespace {
 
 constexpr Colour interval{205, 214, 224};
-const Marker peak{palette::series(0), MarkerShape::disc, 15};
-const Marker no_peak{palette::series(1), MarkerShape::cross, 17};
-const Stroke mean_stroke{palette::ink, 4};
-const Stroke laboratory_stroke{palette::tensile, 3.5, Dash::dashed};
-constexpr double half_width = 0.32;  ///< of what is drawn for a test, in distances between tests
-
-/// The laboratory's strength of the tests of each group, MPa.
-std::vector<std::optional<double>> laboratory_of(const std::vector<RunData>& runs, const std::vector<StrengthGroup>& groups,
-                                                 const std::optional<Material>& material) {
-    std::vector<std::optional<double>> values(groups.size());
-    for (std::size_t i = 0; i < groups.size() && material; ++i) {
-        const RunSettings& settings = runs[groups[i].runs.front()].header;
-        std::vector<double> pressures;
-        if (groups[i].confining_pressure > 0) pressures.push_back(groups[i].confining_pressure);
-        for (const LaboratoryProperty& each : laboratory_properties(material, pressures)) {
-            const bool is_its_strength = each.target.property.value == &strength_of && settings.heat == 0 &&
-                                         is_measured_by(each.target, settings, groups[i].shape);
-            if (is_its_strength && each.is_measured()) values[i] = each.target.value * in_megapascals;
-        }
-    }
-    return values;
-}
-
-std::vector<double> all_values(const std::vector<RunData>& runs, const std::vector<std::optional<double>>& laboratory) {
-    std::vector<double> values;
-    for (const RunData& run : runs) {
-        const Strength strength = measure_strength(run);
-        values.push_back(strength.strength.value_or(strength.largest.stress) * in_megapascals);
-    }
-    for (const auto& value : laboratory) {
-        if (value) values.push_back(*value);
-    }
-    return values;
-}
-
-/// Mean, interval, runs and laboratory of a test about its tick. \param lowest what the axis shows, MPa
-void draw_row(Chart& chart, const std::vector<RunData>& runs, const StrengthGroup& row, double x,
-              const std::optional<double>& laboratory, double lowest) {
-    const Estimate& mean = row.strength.mean;
-    const auto level = [&](double value, double half, const Stroke& stroke) {
-        chart.line({x - half, value}, {x + half, value}, stroke);
-    };
-    // The interval of few runs may reach below zero, which a logarithmic axis cannot show.
-    if (mean.low) {
-        const double low = std::max(*mean.low * in_megapascals, lowest);
-        chart.box(x - half_width, x + half_width, low, *mean.high * in_megapascals, interval);
-    }
-    if (row.strength.n > 1) level(mean.value * in_megapascals, half_width, mean_stroke);
-    if (laboratory) level(*laboratory, 1.3 * half_width, laboratory_stroke);
-    // Runs side by side in their order, symmetric about the tick.
-    const double n = static_cast<double>(row.runs.size());
-    for (std::size_t i = 0; i < row.runs.size(); ++i) {
-        const Strength strength = measure_strength(runs[row.runs[i]]);
-        const double at = x + 1.5 * half_width * ((static_cast<double>(i) + 0.5) / n - 0.5);
-        const double stress = strength.strength.value_or(strength.largest.stress);
-        chart.point({at, stress * in_megapascals}, strength.strength ? peak : no_peak);
-    }
-}
-
-/// "plane stress: Brazilian", a line for each plane condition.
-std::vector<std::string> plane_lines(const std::vector<StrengthGroup>& groups) {
-    std::vector<std::string> lines;
-    for (const PlaneCondition plane : {PlaneCondition::stress, PlaneCondition::strain}) {
-        std::string tests;
-        std::set<std::string> named;
-        for (const StrengthGroup& group : groups) {
-            const std::string test = series_label(group.test, group.confining_pressure, group.shape);
-            if (group.plane != plane || !named.insert(test).second) continue;
-            tests += (tests.empty() ? "" : ", ") + test;
-        }
-        if (!tests.empty()) lines.push_back(fmt::format("plane {}: {}", name_of(plane), tests));
-    }
-    return lines;
-}
-
-}  // namespace
-
-Drawing draw_strengths(const std::vector<RunData>& runs, const std::optional<Material>& material,
-                       const std::vector<std::string>& caveats, const PictureStyle& style) {
-    const std::vector<StrengthGroup> rows = group_strengths(runs);
-    const auto laboratory = laboratory_of(runs, rows, material);
-    const auto [low, high] = padded_range(all_values(runs, laboratory), 0);
-    const Axis strength{"strength, MPa (logarithmic)", low / 1.6, high * 1.6, true};
-    Chart chart(style, {common_material(runs, "Strengths"), plane_lines(rows), caveats},
-                Axis{"", 0.5, static_cast<double>(rows.size()) + 0.5}, strength);
-    if (std::any_of(runs.begin(), runs.end(), [](const RunData& run) { return is_compression(run.header); })) {
-        chart.add_note("strength in compression: first peak");
-    }
-    std::vector<std::pair<double, std::string>> names;
-    std::size_t without_peak = 0;
-    bool mean = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const StrengthGroup& group = rows[i];
-        const double x = static_cast<double>(i) + 1;
-        std::string name = group.name();
-        for (std::size_t at = name.find(", "); at != std::string::npos; at = name.find(", ", at + 2)) name[at + 1] = '\n';
-        names.emplace_back(x, name);
-        draw_row(chart, runs, group, x, laboratory[i], strength.low);
-        without_peak += group.without_peak;
-        mean = mean || group.strength.n > 1;
-    }
-    chart.name_ticks(names);
-    if (without_peak < runs.size()) chart.legend(peak, "strength of a run");
-    if (without_peak > 0) chart.legend(no_peak, "did not fail: largest stress");
-    if (mean) {
-        chart.legend(mean_stroke, "mean");
-        chart.legend(interval, "95 % interval");
-    }
-    if (material) chart.legend(laboratory_stroke, "laboratory");
-    return chart.finish();
-}
-
-namespace {
 
 struct Points {
     std::vector<double> x;

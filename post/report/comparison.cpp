@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "post/report/html.hpp"
@@ -159,7 +158,7 @@ std::string fitted_table(const std::optional<Material>& material) {
     html::Table table({"property", "fitted to", "computed on new specimens", "95\u00a0% interval of the mean", "specimens"});
     for (const FittedEntry& entry : fitted_entries(*material)) {
         if (!entry.text.empty()) {
-            table.row_for_all(entry.name, entry.text);
+            table.row({entry.name, entry.text});
             continue;
         }
         table.row({entry.name, entry.asked, rounded(entry.computed) + (entry.unit.empty() ? "" : "\u00a0" + entry.unit),

@@ -121,10 +121,6 @@ std::string paragraph(const std::string& text, const std::string& kind) {
     return (kind.empty() ? "<p>" : "<p class=\"" + kind + "\">") + escape_xml(text) + "</p>\n";
 }
 
-std::string details(const std::string& summary, const std::string& content) {
-    return "<details><summary>" + escape_xml(summary) + "</summary>\n" + content + "</details>\n";
-}
-
 std::string page(const std::string& title, const std::string& body, const std::string& maps) {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "

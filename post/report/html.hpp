@@ -18,10 +18,8 @@ class Table {
 public:
     /// \param wraps long cells are broken into lines
     explicit Table(std::vector<std::string> columns, bool wraps = false) : columns_(std::move(columns)), wraps_(wraps) {}
-    /// \param kind of the row, for the style sheet; "" for none
+    /// \param cells the last of fewer than there are columns holds for all others \param kind of the row, for the style sheet
     void row(std::vector<std::string> cells, std::string kind = "") { rows_.push_back({std::move(cells), std::move(kind)}); }
-    /// A row whose second cell holds for all other columns.
-    void row_for_all(const std::string& first, const std::string& second) { rows_.push_back({{first, second}, ""}); }
     [[nodiscard]] bool empty() const { return rows_.empty(); }
     [[nodiscard]] std::string str() const;
 
@@ -80,9 +78,6 @@ private:
 std::string section(const std::string& id, const std::string& heading, const std::string& content);
 /// \param kind for the style sheet; "" for none
 std::string paragraph(const std::string& text, const std::string& kind = "");
-/// Content that is shown when its summary is clicked, and in a print.
-std::string details(const std::string& summary, const std::string& content);
-
 /// The whole page. \param maps scripts that its maps need, as `map_scripts`
 std::string page(const std::string& title, const std::string& body, const std::string& maps);
 

@@ -217,7 +217,7 @@ std::string quality_checks(const std::vector<TestReport>& tests) {
         const bool same = std::all_of(cells.begin(), cells.end(), [&](const std::string& cell) { return cell == cells.front(); });
         if (same && cells.front().empty()) continue;
         if (same) {
-            table.row_for_all(check.name, cells.front());
+            table.row({check.name, cells.front()});
         } else {
             cells.insert(cells.begin(), check.name);
             table.row(std::move(cells));

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -264,44 +262,6 @@ Content read_content(const std::vector<std::string>& runs, ReportOptions& option
     return content;
 }
 
-std::string run_table(const Content& content) {
-    std::vector<std::string> columns{"run",
-                                     "test",
-                                     "seed",
-                                     "grains",
-                                     "mean edge, mm",
-                                     strength_heading,
-                                     "ended by",
-                                     "at strain, %",
-                                     "first yield, MPa",
-                                     "E, GPa",
-                                     "ν",
-                                     "E predicted",
-                                     "ν predicted"};
-    const bool has_phases = std::any_of(content.tests.begin(), content.tests.end(),
-                                        [](const TestReport& t) { return t.data.header.fabric.phases.size() > 1; });
-    if (has_phases) columns.emplace_back("E of the grains, Reuss to Voigt");
-    html::Table table(columns);
-    for (const TestReport& t : content.tests) {
-        std::vector<std::string> row{t.data.name,
-                                     series_label(t.data),
-                                     std::to_string(t.data.specimen.seed),
-                                     std::to_string(t.data.specimen.grains),
-                                     number(t.data.specimen.mean_edge * 1e3, 3),
-                                     t.strength.strength ? number(*t.strength.strength * 1e-6) : did_not_fail,
-                                     t.strength.peak_kind,
-                                     number(100 * t.strength.peak.strain, 3),
-                                     t.strength.first_yield ? number(*t.strength.first_yield * 1e-6) : "",
-                                     t.moduli ? number(t.moduli->chord.young_modulus * 1e-9) : "",
-                                     t.moduli ? number(t.moduli->chord.poisson_ratio, 3) : "",
-                                     number(t.predicted.young_modulus * 1e-9),
-                                     number(t.predicted.poisson_ratio, 3)};
-        if (has_phases) row.push_back(bounds_of(t.grains));
-        table.row(row);
-    }
-    return table.str();
-}
-
 std::string kind_of(const RunData& run) {
     return is_compression(run.header) ? "compression"
                                       : run.header.test + (distinct_shape(run).empty() ? "" : " " + distinct_shape(run));
@@ -322,12 +282,9 @@ std::string caveat_paragraph(const Content& content) {
     return lines.empty() ? "" : html::paragraph(fmt::format("Caveats of these strengths: {}.", fmt::join(lines, "; ")));
 }
 
-/// Strengths and curves; tests whose stresses mean the same share a chart.
+/// Curves; tests whose stresses mean the same share a chart.
 std::string curve_figures(const Content& content, const ReportOptions& options) {
     html::Figures figures;
-    figures.add("strengths by test", [&](const PictureStyle& style) {
-        return draw_strengths(data_of(content), options.material, caveat_lines(content), style);
-    });
     std::map<std::string, std::vector<RunData>> kinds;
     for (const TestReport& t : content.tests) kinds[kind_of(t.data)].push_back(t.data);
     for (const auto& each : kinds) {
@@ -402,7 +359,7 @@ std::string parameter_tables(const TestReport& test) {
     std::vector<std::vector<std::string>> rows;
     for (const std::string& name : test.class_names) rows.push_back({mineral_label(name)});
     const auto add = [&](const std::string& label, double value, Dimension dimension) {
-        table.row_for_all(label, format_quantity(value, dimension));
+        table.row({label, format_quantity(value, dimension)});
     };
     const auto add_contact = [&](const std::string& label, double ContactParameters::*value, Dimension dimension) {
         const std::vector<std::string> row = contact_row(label, classes, value, dimension);
@@ -430,7 +387,7 @@ std::string parameter_tables(const TestReport& test) {
     add_contact("critical sliding δcs", &ContactParameters::critical_sliding, Dimension::length);
     add_contact("ultimate opening δut", &ContactParameters::ultimate_opening, Dimension::length);
     add("platen friction", h.platen_friction, Dimension::angle);
-    table.row_for_all("contact law, fracture energy", h.contact_law + ", " + h.fracture_energy_choice);
+    table.row({"contact law, fracture energy", h.contact_law + ", " + h.fracture_energy_choice});
     if (columns.size() == 1) return table.str();
     html::Table by_class(columns);
     for (const auto& row : rows) by_class.row(row);
@@ -477,10 +434,9 @@ std::string make_report(const std::vector<std::string>& runs, const ReportOption
     body += first_figures(content, options);
     body += html::section("laboratory", material ? "Against the laboratory" : "Properties",
                           comparison(content.groups, content.envelopes, material, caveat_paragraph(content)));
-    body +=
-        html::section("means", "Means of runs that differ by their seed alone",
-                      group_table(content.groups) + caveat_paragraph(content) + html::details("Each run", run_table(content)));
-    body += html::section("curves", "Strengths and curves", curve_figures(content, options));
+    body += html::section("means", "Means of runs that differ by their seed alone",
+                          group_table(content.groups) + caveat_paragraph(content));
+    body += html::section("curves", "Curves", curve_figures(content, options));
     body += html::section("quality-checks", "Quality checks", quality_checks(content.tests));
     body += html::section("envelope", "Envelope", envelope_section(content));
     body += html::section("maps", "Cracks, directions, energy, thresholds", content.maps);

@@ -4,9 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "post/measure/caveats.hpp"
 #include "post/measure/toughness.hpp"
@@ -63,8 +60,6 @@ TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label)
     const std::vector<Crack> log = read_cracks(run, specimen);
     const RunHeader& header = report.data.header;
     const std::vector<Crack> cracks = labelled(log, label.of(header));
-    report.predicted = predict_moduli(header, specimen);
-    report.grains = grain_moduli(header, specimen);
     report.class_names = contact_class_names(specimen);
     if (is_compression(header)) report.thresholds = measure_all_thresholds(report.data, report.curve, log);
     if (header.loading() == Loading::bending) add_toughness(report, specimen);
@@ -105,8 +100,6 @@ std::string ratio_to_brazilian(const std::vector<SeedGroup>& groups, const SeedG
 
 }  // namespace
 
-const char* const strength_heading = "strength (compression: first peak), MPa";
-
 std::string mean_cell(const Sample& sample, double factor) {
     std::string text = number(sample.mean.value * factor);
     if (sample.deviation) text += " (" + number(*sample.deviation * factor, 2) + ")";
@@ -123,7 +116,7 @@ std::string group_table(const std::vector<SeedGroup>& groups) {
     const auto of = [](const char* head, double factor, const char* property) {
         return Value{head, factor, property_named(property).value};
     };
-    const Value values[] = {{strength_heading, in_megapascals, strength_of},
+    const Value values[] = {{"strength (compression: first peak), MPa", in_megapascals, strength_of},
                             of("strain at peak, %", 100, "strain_at_peak"),
                             of("E, GPa", 1e-9, "young_modulus"),
                             of("ν", 1, "poisson_ratio"),

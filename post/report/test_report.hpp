@@ -16,8 +16,6 @@ namespace graincrack {
 using ProvenanceEntries = std::vector<std::pair<std::string, std::string>>;
 
 struct TestReport : MeasuredRun {
-    fpz::AssemblageModuli predicted;
-    GrainModuli grains;
     std::vector<std::string> class_names;  ///< of the contacts, in the order of `RunSettings::fabric`
     std::vector<Caveat> caveats;           ///< caveats of the strength
     CrackBalance at_peak;                  ///< by the label of the page, at the strength
@@ -35,9 +33,6 @@ TestReport read_test_report(const RunReader& run, const CrackLabelChoice& label 
 /// "132.4 (4.8)\n124.8 to 140": mean, standard deviation and, on a line of its own, the 95 % interval of the mean. \param
 /// factor from SI to the unit of the table
 std::string mean_cell(const Sample& sample, double factor);
-
-/// Over strengths: "strength (compression: first peak), MPa".
-extern const char* const strength_heading;
 
 /// A row for each group: strength, moduli, strain at the peak and crack thresholds as means with their intervals.
 std::string group_table(const std::vector<SeedGroup>& groups);

@@ -205,7 +205,7 @@ class DrivesThePrograms(unittest.TestCase):
         parameters = inspect.signature(graincrack.brazilian).parameters
         self.assertEqual((parameters["max_strain"].default, parameters["sensitivity"].default), (0.015, False))
         self.assertEqual(parameters["specimen"].kind, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-        self.assertRegex(graincrack.plot.cracks.__doc__, "class_ : .*may be a list\n")
+        self.assertRegex(graincrack.plot.curve.__doc__, "label : .*may be a list\n")
         self.assertRegex(graincrack.uniaxial.__doc__, "contact_cohesion : quantity in Pa(.|\n)*MPa")
         self.assertRegex(graincrack.strength.__doc__, "Returns: Table\\.(.|\n)*Columns of `strength`(.|\n)*peak_compressive_stress_MPa : MPa\n")
         self.assertLessEqual({"half_disc", "import_", "size_effect", "calibrate", "map", "Run"}, set(dir(graincrack)))

@@ -295,7 +295,7 @@ TEST(PictureStyle, EveryPictureTakesTheOptions) {
         run_command_line(static_cast<int>(arguments.size()), arguments.data(), out);
         return test::read_text(picture);
     };
-    for (const char* plot : {"specimen", "curve", "strength", "cracks", "rosette", "energy", "thresholds"}) {
+    for (const char* plot : {"specimen", "curve", "cracks", "rosette", "energy", "thresholds"}) {
         EXPECT_NE(svg_of({plot, run, "--title", "My own words"}).find("My own words"), std::string::npos) << plot;
     }
     EXPECT_NE(svg_of({"cracks", run, "--frame", "first,last", "--title", "My own words"}).find("My own words"),

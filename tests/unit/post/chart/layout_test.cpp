@@ -76,27 +76,19 @@ TEST_P(Layout, PicturesOfOneRun) {
 }
 
 TEST_P(Layout, PicturesOfSeveralRuns) {
-    const std::vector<RunData> runs{run_of("brazilian", 9e6, 0, "b.h5"),
-                                    run_of("tension", 8e6, 0, "t.h5"),
-                                    run_of("uniaxial", 120e6, 0, "u.h5"),
-                                    run_of("triaxial", 150e6, 4e6, "t4.h5"),
-                                    run_of("triaxial", 180e6, 8e6, "t8.h5"),
-                                    run_of("triaxial", 200e6, 12e6, "t12.h5"),
+    const std::vector<RunData> runs{run_of("brazilian", 9e6, 0, "b.h5"), run_of("uniaxial", 120e6, 0, "u.h5"),
+                                    run_of("triaxial", 150e6, 4e6, "t4.h5"), run_of("triaxial", 180e6, 8e6, "t8.h5"),
                                     run_of("uniaxial", 125e6, 0, "a-long-name-of-a-file-with-words-that-never-end-and-end.h5")};
-    const Material material = read_material(std::string(GRAINCRACK_SOURCE) + "/share/materials/augig-granite.toml");
-    expect_fit_to_print(
-        draw_strengths(runs, material, {"Brazilian: first cracks outside 0.5 R (9 of 9 runs); look at them"}, style_),
-        "strength");
-    expect_fit_to_print(draw_curves({runs[2], runs[3], runs[4], runs[6]}, "", {"σ3 = 4 MPa: did not fail (1 of 1 run)"}, style_),
+    expect_fit_to_print(draw_curves({runs[1], runs[2], runs[3], runs[4]}, "", {"σ3 = 4 MPa: did not fail (1 of 1 run)"}, style_),
                         "curves");
     EnvelopeTests tests;
     for (const double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, 120e6 + 9 * s, 1});
     tests.brazilian = {8e6};
     tests.direct_tension = {7e6};
     expect_fit_to_print(draw_envelope(tests, "Augig granite", style_), "envelope");
-    std::vector<RunData> coarse{runs[0], runs[2]};
+    std::vector<RunData> coarse{runs[0], runs[1]};
     for (RunData& run : coarse) run.specimen.mean_edge *= 2;
-    const auto sizes = collect_sizes({runs[0], runs[2], coarse[0], coarse[1]},
+    const auto sizes = collect_sizes({runs[0], runs[1], coarse[0], coarse[1]},
                                      {.strain_limit_runs = StrainLimitRuns::accept, .strength = StrengthKind::largest});
     expect_fit_to_print(draw_size_effect(sizes, style_), "size effect");
 }

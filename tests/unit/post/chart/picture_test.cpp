@@ -128,7 +128,6 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     test::write_run(path("odd.h5"), recipe_, {all.front()});
     expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1\n"});
     expect(cracks("first,peak,last"), {"(b) peak", "plane strain"});
-    expect(draw_strengths({data}, std::nullopt), {"uniaxial", "plane strain: uniaxial"});
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
 }
@@ -153,8 +152,6 @@ TEST_F(Picture, NotesSayWhatSpeaksAgainstAStrength) {
     };
     const std::string run = path("disc.h5");
     EXPECT_NE(svg_of({"plot", "curve", run.c_str()}).find(line), std::string::npos);
-    EXPECT_NE(svg_of({"plot", "strength", run.c_str()}).find("Brazilian: open cracks never span 0.8 D (1 of 1 run)"),
-              std::string::npos);
 }
 
 TEST_F(Picture, TablesAreDrawnByTheirColumns) {

@@ -148,18 +148,5 @@ TEST_F(Plot, AllFramesAreNumberedPicturesOfOneSize) {
     test::expect_one_line<UsageError>([&] { write(path("frames.mp4")); }, {"frames.mp4", "name of a folder"});
 }
 
-TEST_F(Plot, StrengthsStandBesideTheLaboratorysAtTheirPressure) {
-    RunData confined = run();
-    confined.header.test = "triaxial";
-    confined.header.confining_pressure = 8e6;
-    const auto marks = [&](const std::vector<RunData>& runs) {
-        const Drawing page = draw_strengths(runs, read_material("augig-granite"), {});
-        EXPECT_TRUE(says(page, "strength, MPa (logarithmic)\n") && says(page, "laboratory")) << page.words();
-        return lines_of(page, palette::tensile, 3.5).size();
-    };
-    EXPECT_EQ(marks({run(), confined}), marks({run()}) + 1);
-    EXPECT_FALSE(says(draw_strengths({run()}, std::nullopt), "laboratory"));
-}
-
 }  // namespace
 }  // namespace graincrack

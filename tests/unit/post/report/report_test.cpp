@@ -76,16 +76,6 @@ TEST(Figures, LeaveNoColumnEmpty) {
     EXPECT_EQ(count(maps.str(), "class=\"middle\""), 0U);
 }
 
-TEST_F(Report, ATestThatHardensHasOneStrainAtItsPeak) {
-    test::Recipe hardens = recipe("uniaxial", 125e6);
-    hardens.drop = 0.36;
-    hardens.hardens_to = 160e6;
-    hardens.stop_reason = "strain limit";
-    const std::string html = page({run("hardens.h5", hardens)});
-    expect_texts(html, {"<td>drop</td><td>0.49</td>", "<td>0.4904</td>"});
-    EXPECT_EQ(html.find("<td>1.569"), std::string::npos) << "the strain of the largest stress";
-}
-
 TEST_F(Report, ASetHasAllSectionsAndNothingFromElsewhere) {
     const std::string html = page({run("u.h5", recipe("uniaxial", 120e6)), run("t.h5", recipe("triaxial", 160e6, 4e6)),
                                    run("b.h5", recipe("brazilian", 9e6))},
