@@ -143,7 +143,7 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
         write_whole_file(path(name), text);
         files[what] = name;
     };
-    Findings findings = findings_of(rock, problem, decision, finished.size());
+    const Findings findings = findings_of(rock, problem, decision, finished.size());
     if (decision.ending == Ending::requested) {
         write("wanted", "wanted.tsv", requested_table(rock, problem.study, decision.requested));
         out.requested_time = time_of(decision.requested, finished);

@@ -15,7 +15,6 @@ struct Sensitivity {
     std::string response;   ///< "first peak at 8 MPa"
     std::string parameter;  ///< "contact.cohesion"
     Estimate exponent;      ///< at the optimum, with its 95 % interval
-    [[nodiscard]] bool is_significant() const { return *exponent.low > 0 || *exponent.high < 0; }
 };
 
 /// What kind and runs expect of a response, SI.
