@@ -101,21 +101,6 @@ constexpr DefaultBox default_boxes[] = {
     {contrast, Of::all, false, contrast_of_variation, NAN, 0.17, 0.32, 0.17, 0.32,
      "coefficients of variation of published moduli, 0.17 to 0.32"}};
 
-struct DisplayUnit {
-    const char* symbol;
-    double si;
-};
-DisplayUnit unit_of(const std::string& key) {
-    const Quantity quantity = material_quantity(key);
-    switch (quantity.dimension) {
-        case Dimension::stress:
-            return quantity.name == quantity::young_modulus.name ? DisplayUnit{"GPa", 1e9} : DisplayUnit{"MPa", 1e6};
-        case Dimension::angle: return {"deg", degree};
-        case Dimension::one: return {"", 1};
-        default: return {si_unit(quantity.dimension).data(), 1};
-    }
-}
-
 Basis basis_of(const Material& rock, double edge) {
     const auto of = [&](const char* key) { return rock.laboratory_value(key).value_or(NAN); };
     Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional", false};
@@ -305,15 +290,26 @@ Point point_at(const std::vector<Parameter>& parameters, const DesignPoint& at) 
     return point;
 }
 
+DisplayUnit display_unit(const std::string& key) {
+    const Quantity quantity = material_quantity(key);
+    switch (quantity.dimension) {
+        case Dimension::stress:
+            return quantity.name == quantity::young_modulus.name ? DisplayUnit{"GPa", 1e9} : DisplayUnit{"MPa", 1e6};
+        case Dimension::angle: return {"deg", degree};
+        case Dimension::one: return {"", 1};
+        default: return {si_unit(quantity.dimension).data(), 1};
+    }
+}
+
 std::string value_text(const std::string& key, double value, const char* between) {
-    const DisplayUnit unit = unit_of(key);
+    const DisplayUnit unit = display_unit(key);
     return fmt::format("{:.6g}{}{}", value / unit.si, unit.symbol[0] == '\0' ? "" : between, unit.symbol);
 }
 
-double in_unit(const std::string& key, double value) { return value / unit_of(key).si; }
+double in_unit(const std::string& key, double value) { return value / display_unit(key).si; }
 
 std::string column_of(const std::string& key) {
-    const std::string unit = unit_of(key).symbol;
+    const std::string unit = display_unit(key).symbol;
     return key + (unit.empty() ? "" : "_" + unit);
 }
 

@@ -71,7 +71,13 @@ Box limits_of(const std::vector<Parameter>& parameters);
 DesignPoint first_guess(const std::vector<Parameter>& parameters);
 Point point_at(const std::vector<Parameter>& parameters, const DesignPoint& at);
 
-/// A value in the unit of files and reports, to six digits: "38.2MPa", "38.2 MPa" with a space between.
+/// The unit in which files and reports show the values of a key, and its value in SI.
+struct DisplayUnit {
+    const char* symbol;
+    double si;
+};
+DisplayUnit display_unit(const std::string& key);
+/// A value in that unit, to six digits: "38.2MPa", "38.2 MPa" with a space between.
 std::string value_text(const std::string& key, double value, const char* between = "");
 /// A value in that unit, and the name of its column in tables: "contact.cohesion_MPa".
 double in_unit(const std::string& key, double value);

@@ -252,9 +252,13 @@ Json json_of_targets(const Decision& decision) {
         const Target& t = o.target;
         const Estimate ours = o.ours ? o.ours->mean : Estimate{NAN, std::nullopt, std::nullopt};
         Json& row = targets[t.name()] = json_of(ours, t.property.quantity.dimension);
-        row.update({{"use", t.use == Use::fit ? "fit" : "predict"},
+        row.update({{"symbol", t.symbol()},
+                    {"display_unit", t.property.unit},
+                    {"display_si", t.property.si},
+                    {"use", t.use == Use::fit ? "fit" : "predict"},
                     {"laboratory", t.value},
                     {"bound", t.deviation},
+                    {"bound_is_relative", !t.property.absolute},
                     {"specimens", o.ours ? o.ours->n : 0},
                     {"tests", o.tests},
                     {"verdict", o.verdict}});
@@ -380,7 +384,11 @@ std::string outcome_text(const Findings& findings, const std::map<std::string, s
     const Decision& decision = findings.decision;
     Json values = Json::object();
     for (const FoundValue& found : found_values(findings.problem, decision)) {
-        values[found.key] = json_of(found.value, material_quantity(found.key).dimension);
+        Json& row = values[found.key] = json_of(found.value, material_quantity(found.key).dimension);
+        const DisplayUnit display = display_unit(found.key);
+        row.update({{"first_guess", found.parameter != nullptr ? Json(found.parameter->first) : Json()},
+                    {"display_unit", display.symbol},
+                    {"display_si", display.si}});
     }
     Json predictions = Json::object();
     for (const Prediction& p : findings.predictions) {

@@ -89,7 +89,7 @@ Option keep(OptionSet set, CLI::Option* added, Target& target) {
 }
 
 /// Adds an option with one value, whose bounds are kept for its description.
-Option add_bounded(OptionSet set, const std::string& option, ConfigurationFile::Value value, const std::string& help,
+Option add_bounded(OptionSet set, const std::string& option, const ConfigurationFile::Value& value, const std::string& help,
                    const std::string& type_name, const std::string& default_text) {
     CLI::callback_t callback = [read = value.read](const CLI::results_t& results) {
         for (const std::string& text : results) read(text);
@@ -100,7 +100,7 @@ Option add_bounded(OptionSet set, const std::string& option, ConfigurationFile::
     added->type_name(type_name);
     added->default_str(default_text);
     auto* const file = configuration_file(set.app());
-    if (file != nullptr) file->remember(added, std::move(value));
+    if (file != nullptr) file->remember(added, value);
     return {added, file};
 }
 

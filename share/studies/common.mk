@@ -109,7 +109,6 @@ $(HERE)/material.toml: $$(if $$(call same,$$(file <$$@),$$(file <$$(MATERIAL_FIL
 	@mkdir -p $(@D) && cp $(MATERIAL_FILE) $@
 # The query among the prerequisites, *.sql, of the tables among them.
 query = $(POST) summarize $(filter %.tsv,$^) --sql $(filter %.sql,$^)
-lib = $(foreach f,$(1),-f $(STUDIES)/lib/$(f).awk)
 # Verdicts on the claims of a study: its criteria.tsv, judged by the numbers of measured.tsv, which its measured.sql makes of its tables.
 ifneq ($(wildcard criteria.tsv),)
 judged := $(STUDIES)/lib/judged.sql $(STUDIES)/lib/measured.tsv

@@ -20,10 +20,10 @@ HERE := $(OUT)/by-kind
 .PHONY: all $(ROCKS)
 all: $(ROCKS)
 	@{ printf 'rock\tended\truns\tprocessor_s\n'; for r in $(ROCKS); do folder=$(HERE)/calibrate/$$r; \
-	    $(BIN)/graincrack-post summarize $$folder/strength.tsv --sql "SELECT '$$r' AS rock, '$$(sed -n '1s/.*: //p' $$folder/report.md)' \
+	    $(BIN)/graincrack-post summarize $$folder/strength.tsv --sql "SELECT '$$r' AS rock, '$$(../lib/outcomes endings $$folder/outcome.json | sed -n '2s/.*\t//p')' \
 	    AS ended, count(*) AS runs, round(sum(wall_time_s)) AS processor_s FROM strength" | tail -n +2; done; } >$(HERE)/by-kind.part
 	@mv $(HERE)/by-kind.part $(HERE)/by-kind.tsv
-	@for part in targets values; do awk -f ../lib/$$part.awk $(foreach r,$(ROCKS),$(HERE)/calibrate/$(r)/report.md) >$(HERE)/$$part.tsv; done
+	@for part in targets values; do ../lib/outcomes $$part $(foreach r,$(ROCKS),$(HERE)/calibrate/$(r)/outcome.json) >$(HERE)/$$part.tsv; done
 	@cat $(HERE)/by-kind.tsv
 $(ROCKS):
 	@-$(MAKE) --no-print-directory -C ../calibrate ROCK=$(CURDIR)/rocks/$@.toml BIN=$(BIN) OUT=$(HERE)
