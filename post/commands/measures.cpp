@@ -31,8 +31,9 @@ void add_strength_options(OptionSet set, StrengthOptions& options) {
     add_choice<StrengthKind>(
         set, "--strength", options.kind,
         {{name_of(StrengthKind::first_peak), StrengthKind::first_peak}, {name_of(StrengthKind::largest), StrengthKind::largest}},
-        "strength of a compression test in the table for the terminal and in --summary: the first peak, as "
-        "laboratories report it, or the largest stress; other tables have both");
+        "strength of a compression test, to which strains, cracks and means belong: the first peak, as laboratories report it, "
+        "or "
+        "the largest stress");
     add_flag(set, "--summary", options.summary, "means over seeds for each test and confining pressure, UCS/BTS and DTS/BTS");
 }
 

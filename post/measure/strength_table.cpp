@@ -24,7 +24,7 @@ namespace {
 struct StrengthRow {
     RunData run;
     Strength strength;
-    StrengthKind kind{};                  ///< for the terminal
+    StrengthKind kind{};                  ///< what the columns beside the strengths belong to
     std::optional<BrazilianSplit> split;  ///< of a Brazilian test
     double loading_arc = 0;               ///< of its disc, rad
     OtherCounts cracks;                   ///< at the strength
@@ -33,6 +33,10 @@ struct StrengthRow {
     /// A value that a checkpoint does not have yet.
     [[nodiscard]] Cell at_end(double value) const { return header().stop_reason == "checkpoint" ? Cell() : Cell(value); }
     [[nodiscard]] const CurveRow& shown() const { return strength.at(kind); }
+    [[nodiscard]] Cell shown_peak_kind() const {
+        if (strength.has_peak(kind)) return "drop";
+        return header().stop_reason == "strain limit" ? "cap" : "";
+    }
     /// True if the stress exceeds it later.
     [[nodiscard]] bool is_exceeded() const { return shown().row < strength.largest.row; }
     [[nodiscard]] bool is_pulled() const {
@@ -65,7 +69,8 @@ StrengthRow read_strength_row(const std::string& path, StrengthKind kind) {
         row.split = measure_split(row.run, curve, specimen, read_cracks(reader, specimen));
         row.loading_arc = specimen.loading_arc;
     }
-    row.cracks = count_other_labels(reader.cracks(), row.header().crack_event, row.run.history[HistoryColumn::time][curve.peak]);
+    row.cracks =
+        count_other_labels(reader.cracks(), row.header().crack_event, row.run.history[HistoryColumn::time][row.shown().row]);
     return row;
 }
 
@@ -82,11 +87,11 @@ const Columns<StrengthRow>& strength_columns() {
             {"confining_pressure", megapascal, [](const R& r) { return r.header().confining_pressure; }},
             {"peak_compressive_stress", megapascal, &R::largest_compression},
             {"tensile_strength", megapascal, [](const R& r) { return r.is_pulled() ? Cell(r.strength.strength) : Cell(); }},
-            {"strain_at_peak", none, [](const R& r) { return r.strength.peak.strain; }},
-            {"peak_kind", none, [](const R& r) { return r.strength.peak_kind; }},
+            {"strain_at_peak", none, [](const R& r) { return r.shown().strain; }},
+            {"peak_kind", none, &R::shown_peak_kind},
             {"first_yield", megapascal, [](const R& r) { return r.strength.first_yield; }},
-            {"tensile_cracks", none, [](const R& r) { return count_cell(r.strength.peak.tensile_cracks); }},
-            {"shear_cracks", none, [](const R& r) { return count_cell(r.strength.peak.shear_cracks); }},
+            {"tensile_cracks", none, [](const R& r) { return count_cell(r.shown().tensile_cracks); }},
+            {"shear_cracks", none, [](const R& r) { return count_cell(r.shown().shear_cracks); }},
             {"energy_balance_error", none, [](const R& r) { return r.at_end(r.header().energy_balance_error); }},
             {"platen_force_difference", none, [](const R& r) { return r.at_end(r.header().platen_force_difference); }},
             {"steps", none, [](const R& r) { return r.header().steps; }},
@@ -120,7 +125,7 @@ const Columns<StrengthRow>& strength_columns() {
             {"rate_tolerance", none, [](const R& r) { return r.header().rate_tolerance; }, further}};
         append_other_counts<R>(list, [](const R& r) -> const OtherCounts& { return r.cracks; });
         list.push_back({"plane", none, [](const R& r) { return name_of(r.header().plane); }, further});
-        list.push_back({"peak_load", kilonewton_per_metre, [](const R& r) { return r.strength.peak.load; }});
+        list.push_back({"peak_load", kilonewton_per_metre, [](const R& r) { return r.shown().load; }});
         list.push_back({"flexural_strength", megapascal, &R::flexural_strength});
         list.push_back(
             {"span", millimetre, [](const R& r) { return r.header().span > 0 ? Cell(r.header().span) : Cell(); }, further});
@@ -166,7 +171,7 @@ Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& r
             {"largest", megapascal, [](const R& r) { return r.is_exceeded() ? Cell(r.strength.largest.stress) : Cell(" "); }});
     }
     if (any([](const R& r) { return r.header().loading() == Loading::bending; })) {
-        columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.strength.peak.load; }});
+        columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.shown().load; }});
         columns.push_back({"flexural strength", megapascal, &R::flexural_strength});
     }
     return columns;

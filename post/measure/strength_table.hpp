@@ -11,9 +11,9 @@
 namespace graincrack {
 
 /// Writes the table `strength`, whose columns are those of share/doc/tables.md; all runs are measured before the first row is
-/// written. \param kind of the strengths for the terminal: first peaks of compression tests, or the largest stress of all
-/// \param diagnostics gets, after the table, a line for each
-/// reason to doubt the strength of a run, and one if direct tension is stronger than the Brazilian test
+/// written. \param kind of the strength that strains, cracks, loads and the terminal belong to: the first peak of a compression
+/// test, or the largest stress \param diagnostics gets, after the table, a line for each reason to doubt the strength of a run,
+/// and one if direct tension is stronger than the Brazilian test
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
                           StrengthKind kind = StrengthKind::first_peak, ColumnChoice columns = ColumnChoice::all);
 

@@ -22,10 +22,10 @@ using test::Recipe;
 
 class StrengthTable : public ::testing::Test {
 protected:
-    std::string table_of(const Recipe& recipe) {
+    std::string table_of(const Recipe& recipe, StrengthKind kind = StrengthKind::first_peak) {
         test::write_run(folder_.file("run.h5"), recipe);
         std::ostringstream out;
-        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_);
+        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_, kind);
         return out.str();
     }
     test::TemporaryFolder folder_;
@@ -227,6 +227,25 @@ TEST_F(StrengthTable, ForPeopleHasGroupsUnitsAndMeans) {
     EXPECT_EQ(words[8], (std::vector<std::string>{"σ3", "=", "5", "MPa,", "plane", "strain;", "strength:", "first", "peak"}));
     EXPECT_EQ(words[9][4], "199.4");
     for (const char* name : {"\t", "peak_compressive"}) EXPECT_EQ(out.str().find(name), std::string::npos);
+}
+
+TEST_F(StrengthTable, StrainCracksAndEndBelongToTheStrengthAskedFor) {
+    Recipe recipe;
+    recipe.drop = 0.2;
+    recipe.hardens_to = 150e6;
+    recipe.stop_reason = "strain limit";
+    const std::string of_first_peak = table_of(recipe);
+    const std::string of_largest = table_of(recipe, StrengthKind::largest);
+    const auto both = [&](const char* column) { return std::pair(field(of_first_peak, column), field(of_largest, column)); };
+    EXPECT_EQ(both("peak_compressive_stress_MPa"), std::pair(std::string("150"), std::string("150")));
+    EXPECT_EQ(both("peak_kind"), std::pair(std::string("drop"), std::string("cap")));
+    const auto [first_load, largest_load] = both("peak_load_kN/m");
+    EXPECT_NEAR(std::stod(first_load), 125e3 * recipe.specimen.width, 0.01 * 125e3 * recipe.specimen.width);
+    EXPECT_NEAR(std::stod(largest_load), 150e3 * recipe.specimen.width, 1e-6 * 150e3);
+    for (const char* column : {"strain_at_peak", "tensile_cracks", "shear_cracks"}) {
+        const auto [first, largest] = both(column);
+        EXPECT_GT(std::stod(largest), std::stod(first)) << column;
+    }
 }
 
 TEST_F(StrengthTable, WhatSpeaksAgainstAStrengthIsSaidBesideTheTable) {
