@@ -47,9 +47,10 @@ MeshFormat known_format(std::string_view bytes, const ImportRequest& request) {
     const auto format = request.format ? request.format : format_of(bytes);
     if (format) return *format;
     const bool is_abaqus = trimmed(bytes).starts_with('*');
-    throw InputError(
-        fmt::format("{}: begins with \"{}\"; {}", name, beginning(trimmed(bytes)),
-                    is_abaqus ? "a file of Abaqus is converted by: meshio convert --ascii mesh.inp mesh.msh" : known_formats));
+    throw InputError(fmt::format(
+        "{}: begins with \"{}\"; {}", name, beginning(trimmed(bytes)),
+        is_abaqus ? "a file of Abaqus is converted by: meshio convert --ascii --output-format gmsh22 mesh.inp mesh.msh"
+                  : known_formats));
 }
 
 LabelOptions label_options(const ImportRequest& request, const PhaseKey& key) {
