@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -109,6 +108,13 @@ std::optional<double> scaled_number(std::string_view text, double factor) {
 }
 
 }  // namespace
+
+std::optional<Dimension> dimension_of_unit(std::string_view si_unit) {
+    const auto* const row = std::find_if(dimension_rows.begin(), dimension_rows.end(),
+                                         [&](const DimensionRow& each) { return each.units.front().symbol == si_unit; });
+    if (row == dimension_rows.end()) return std::nullopt;
+    return static_cast<Dimension>(row - dimension_rows.begin());
+}
 
 std::vector<Unit> units_of(Dimension dimension) {
     const auto& units = row_of(dimension).units;

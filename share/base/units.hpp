@@ -1,6 +1,7 @@
 // Numbers with units, in the same spelling in every locale: from text to SI and back.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,8 @@ namespace graincrack {
 /// The units of a dimension, the SI unit first. Symbols are case-sensitive. Other spellings are read but not listed:
 /// "µm", "°", "MPa√m", "MPa*m^0.5", "J/m^2", "kg/m^3".
 std::vector<Unit> units_of(Dimension dimension);
+/// The dimension of an SI unit as files name it; empty if none has it.
+std::optional<Dimension> dimension_of_unit(std::string_view si_unit);
 
 /// Reads "4mm", "4 mm", "48.76deg", "5 mm/s", "1.5MPa.m^0.5", "90J/m2" or a bare SI number.
 /// Decimal units are exact: "5.13mm" and "0.00513" give the same double.

@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "share/base/error.hpp"
+#include "share/base/units.hpp"
 #include "share/file/file_checks.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
@@ -16,13 +16,6 @@ namespace graincrack {
 namespace {
 
 std::string group_of(const std::string& probe) { return std::string(schema::probes_group) + "/" + probe; }
-
-/// The dimension whose SI unit is `unit`.
-Dimension dimension_of(const std::string& unit) {
-    const auto* const row = std::find_if(dimension_rows.begin(), dimension_rows.end(),
-                                         [&](const DimensionRow& each) { return each.units.front().symbol == unit; });
-    return row == dimension_rows.end() ? Dimension::one : static_cast<Dimension>(row - dimension_rows.begin());
-}
 
 }  // namespace
 
@@ -54,8 +47,8 @@ ProbeHistory read_probe(const H5Input& file, const std::string& name) {
     ProbeHistory probe{name, {}, {}};
     for (const std::string& column : file.children(group_of(name))) {
         const std::string path = group_of(name) + "/" + column;
-        probe.columns.push_back(
-            {column, dimension_of(file.attribute<std::string>(path, "unit")), file.attribute<std::string>(path, "description")});
+        probe.columns.push_back({column, dimension_of_unit(file.attribute<std::string>(path, "unit")).value_or(Dimension::one),
+                                 file.attribute<std::string>(path, "description")});
         const std::size_t rows = rows_of(file, path);
         probe.values.push_back(read_finite(file, path, {probe.values.empty() ? rows : probe.values.front().size()}));
     }

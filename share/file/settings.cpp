@@ -45,11 +45,10 @@ SettingValue value_of(const Json& json) {
     return json.get<std::vector<double>>();
 }
 
-Dimension dimension_of_unit(const std::string& unit) {
-    const auto* const row = std::find_if(dimension_rows.begin(), dimension_rows.end(),
-                                         [&](const DimensionRow& each) { return each.units.front().symbol == unit; });
-    if (row == dimension_rows.end()) throw InputError("unknown unit " + unit);
-    return static_cast<Dimension>(row - dimension_rows.begin());
+Dimension dimension_of(const std::string& unit) {
+    const auto dimension = dimension_of_unit(unit);
+    if (!dimension) throw InputError("unknown unit " + unit);
+    return *dimension;
 }
 
 SettingGroup group_named(const std::string& name) {
@@ -147,7 +146,7 @@ Settings read_settings(const H5Input& file, const std::string& group) {
         const Json fields = Json::parse(file.attribute<std::string>(group, fields_attribute));
         for (const auto& [name, value] : request.items()) {
             const Json& field = fields.at(name);
-            settings.push_back({name, value_of(value), dimension_of_unit(field.at("unit")), group_named(field.at("group"))});
+            settings.push_back({name, value_of(value), dimension_of(field.at("unit")), group_named(field.at("group"))});
         }
     } catch (const Json::exception& error) {
         throw InputError(fmt::format("{}: attribute {} of {} is damaged ({}); make the file again", file.name(),

@@ -70,7 +70,8 @@ TEST(MeshFile, TellsFormatsByTheirContent) {
     const std::string needed = "\"; a mesh of Gmsh or Neper (.msh) or a picture of labels (PNG, or integers as text) is needed";
     EXPECT_EQ(reading_message("solid cube\n"), "file: begins with \"solid cube" + needed);
     EXPECT_EQ(reading_message("\n *Node\n1, 0., 0.\n"),
-              "file: begins with \"*Node\"; a file of Abaqus is converted by: meshio convert --ascii --output-format gmsh22 mesh.inp mesh.msh");
+              "file: begins with \"*Node\"; a file of Abaqus is converted by: meshio convert --ascii --output-format gmsh22 "
+              "mesh.inp mesh.msh");
 }
 
 TEST(MeshFile, GrainsAreElementsEntitiesOrPhysicalGroups) {
