@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graincrack {
 
@@ -73,7 +74,10 @@ std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_
     std::vector<double> deviator = moving_mean(curve.strain, curve.stress, smoothing_strain);
     for (double& stress : deviator) stress -= confining_pressure;
     std::optional<std::size_t> highest;
+    double furthest = -std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < deviator.size(); ++row) {
+        if (!(curve.strain[row] > furthest)) continue;
+        furthest = curve.strain[row];
         if (!highest && !(curve.failed[row] > 0 && deviator[row] > settled)) continue;
         if (!highest || deviator[row] > deviator[*highest]) {
             highest = row;
@@ -87,9 +91,13 @@ std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_
 bool has_fallen(const RunHeader& header, const CurveColumns& curve) {
     if (header.stop_reason == "peak drop") return true;
     if (!(curve.failed.back() > 0)) return false;
-    const auto largest = std::max_element(curve.stress.begin(), curve.stress.end());
-    const double deviator = *largest - (header.loading() == Loading::compression ? header.confining_pressure : 0);
-    return *std::min_element(largest, curve.stress.end()) <= *largest - peak_fall * deviator;
+    const std::size_t largest = row_of_largest(curve.stress);
+    const double peak = curve.stress[largest];
+    const double fallen = peak - peak_fall * (peak - (header.loading() == Loading::compression ? header.confining_pressure : 0));
+    for (std::size_t row = largest + 1; row < curve.stress.size(); ++row) {
+        if (curve.strain[row] > curve.strain[largest] && curve.stress[row] <= fallen) return true;
+    }
+    return false;
 }
 
 std::optional<Peak> find_strength(const RunHeader& header, const CurveColumns& curve) {

@@ -69,11 +69,13 @@ struct Peak {
 };
 
 /// The first maximum of the smoothed curve, since contacts have failed, that σ1 − σ3 falls behind by `peak_fall` before it
-/// exceeds it. Falls before any contact has failed are waves or play of the control. Empty if there is none. \param
-/// confining_pressure σ3, Pa \param settled σ1 − σ3 from which on there is a load, Pa
+/// exceeds it, under loading: where the platens retreat the stress falls without failure. Falls before any contact has failed are
+/// waves or play of the control. Empty if there is none. \param confining_pressure σ3, Pa \param settled σ1 − σ3 from which on
+/// there is a load, Pa
 std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure, double settled = 0);
 
-/// True if the largest stress is a peak: the test ended by its fall, or contacts failed and σ1 − σ3 fell by `peak_fall`.
+/// True if the largest stress is a peak: the test ended by its fall, or contacts failed and σ1 − σ3 fell by `peak_fall` at a
+/// larger strain.
 bool has_fallen(const RunHeader& header, const CurveColumns& curve);
 
 /// The strength of a test, and its row. In compression the first peak; also the largest stress if its fall ended the test and

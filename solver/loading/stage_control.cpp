@@ -29,7 +29,7 @@ const double* find_value(const NamedNumbers& numbers, const std::string& name) {
     const auto at = std::find(numbers.names.begin(), numbers.names.end(), name);
     return at == numbers.names.end() ? nullptr : &numbers.values[static_cast<std::size_t>(at - numbers.names.begin())];
 }
-double value_of(const NamedNumbers& numbers, const std::string& name) {
+const double& value_of(const NamedNumbers& numbers, const std::string& name) {
     if (const double* const value = find_value(numbers, name)) return *value;
     throw InputError(fmt::format("the saved state of the loading lacks \"{}\"; only a run's own checkpoint has it", name));
 }
@@ -120,7 +120,9 @@ void StageController::take_over(const StageControllerState& state) {
         if (value != nullptr) amplitudes_[amplitude].function.value = *value;
     });
     platens_.take_over(program_.platens ? state.platen_speed : 0, state.mean_compression);
-    if (find_value(state.boundary_conditions, program_keys::temperature) != nullptr) thermal_.set_thermal();
+    if (find_value(state.boundary_conditions, program_keys::temperature) == nullptr) return;
+    const double* const has_moved = find_value(state.progress, "platens_moved");
+    thermal_.take_over(has_moved != nullptr && *has_moved != 0 ? &value_of(state.progress, "locked_in") : nullptr);
 }
 
 void StageController::resume(const StageControllerState& state) {
@@ -137,6 +139,7 @@ void StageController::resume(const StageControllerState& state) {
     platens_origin_ = index_of("platens.origin");
     platens_.take_over(state.platen_speed, state.mean_compression);
     if (platens_origin_ != nowhere) platens_.set(*program_.stages[platens_origin_].platens, 0);
+    is_started_ = true;
     visit_state(*this, [&](const std::string& name, auto& member) {
         member = static_cast<std::decay_t<decltype(member)>>(value_of(state.progress, name));
     });
@@ -168,10 +171,15 @@ std::vector<double> StageController::values(double time) const {
 
 // --- stages ----------------------------------------------------------------------------------------------------------------
 
-void StageController::begin(const Feedback& feedback, const Rows& rows) {
+void StageController::begin(const Feedback& feedback) {
     feedback_ = feedback;
     start_functions(at_start);
+}
+
+void StageController::start_next(const Rows& rows) {
+    if (finished() || is_started_) return;
     start_stage(rows);
+    is_started_ = true;
 }
 
 void StageController::start_functions(int place) {
@@ -190,8 +198,7 @@ void StageController::start_stage(const Rows& rows) {
     const Stage& stage = now();
     stage_begin_ = feedback_.time;
     start_functions(number_of(stage));
-    const bool was_heated = at_ == 0 || program_.stage(program_.order[at_ - 1]).temperature;
-    thermal_.begin(stage, was_heated, program_.has_temperature() ? &amplitudes_.back() : nullptr, feedback_, rows.history);
+    thermal_.begin(stage, program_.has_temperature() ? &amplitudes_.back() : nullptr, feedback_, rows.history);
     if (stage.platens) {
         platens_.set(*stage.platens, feedback_.time);
         platens_origin_ = number_of(stage);
@@ -226,7 +233,7 @@ void StageController::check_stage_end(const Feedback& feedback, const Rows& rows
     if (!now().must_end_by.empty() && reason != now().must_end_by) refuse_end(reason);
     records_.push_back({now().name, stage_begin_, feedback_.time, reason});
     ++at_;
-    if (!finished()) start_stage(rows);
+    is_started_ = false;
 }
 
 void StageController::close(const std::string& reason) {

@@ -54,11 +54,12 @@ public:
     void resume(const StageControllerState& state);
     [[nodiscard]] StageControllerState state() const;
 
-    /// Starts the first stage.
-    void begin(const Feedback& feedback, const Rows& rows);
-    /// Records a new row: ends the stage if it has reached an end, and starts the next one.
-    /// \throws NumericalError if it is not the end that the stage must have
+    /// Begins the program, with its first row.
+    void begin(const Feedback& feedback);
+    /// Records a new row: ends the stage if it has reached an end. \throws NumericalError if it is not the end that it must have
     void check_stage_end(const Feedback& feedback, const Rows& rows);
+    /// Starts the stage that is to come, if there is one: to be called once the platens are where it has them.
+    void start_next(const Rows& rows);
     /// Ends the stage that is on, if there is one, for a reason of the run.
     void close(const std::string& reason);
     /// Loading of the next `duration` seconds after the last row.
@@ -111,6 +112,7 @@ private:
     PlatenControl platens_;
     int platens_origin_ = nowhere;
     std::size_t at_ = 0;
+    bool is_started_ = false;     ///< the stage that is on
     double stage_begin_ = 0;      ///< s
     double functions_end_ = 0;    ///< of those the stage set, s
     std::vector<StageEnd> ends_;  ///< of the stage that is on

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace graincrack {
 namespace {
@@ -35,9 +36,23 @@ bool has_fallen_below(double stress, const StageRow& row) {
     return std::abs(history[HistoryColumn::axial_stress][i]) < stress;
 }
 
-/// The axial stress falls below its highest of the stage since contacts have failed.
+/// True if the platens go further, in the sense of the largest load of the stage, than in all its rows before: what the stress
+/// loses where they retreat is no fall.
+bool is_loading(const StageRow& row) {
+    const History& history = row.rows.history;
+    const std::vector<double>& time = history[HistoryColumn::time];
+    const auto begin = std::lower_bound(time.begin(), time.end(), row.begin) - time.begin();
+    const std::span stress = std::span(history[HistoryColumn::axial_stress]).subspan(begin);
+    const std::span strain = std::span(history[HistoryColumn::axial_strain]).subspan(begin);
+    const auto [lowest, highest] = std::minmax_element(stress.begin(), stress.end());
+    const double sense = -*lowest > *highest ? -1 : 1;
+    return std::all_of(strain.begin(), strain.end() - 1, [&](double before) { return sense * before < sense * strain.back(); });
+}
+
+/// The axial stress falls, under loading, below its highest of the stage since contacts have failed.
 StageEnd peak_drop(double share) {
     return {ended_by_peak_drop, "highest", 0, [share](const StageRow& row, double& highest) {
+                if (!is_loading(row)) return false;
                 const double stress = std::abs(row.feedback.axial_compression);
                 const bool fails = cracks_in(row.rows.history) > row.cracks_before && stress >= row.least_load;
                 if (highest > 0 || fails) highest = std::max(highest, stress);

@@ -32,14 +32,16 @@ ThermalStage::ThermalStage(const Program& program, const Specimen& specimen, con
       scales_(heating_scales(specimen, rock, difference)),
       control_(default_rate_tolerance, scales_) {}
 
-void ThermalStage::begin(const Stage& stage, bool was_heated, const Amplitude* amplitude, const Feedback& feedback,
-                         const History& history) {
+void ThermalStage::begin(const Stage& stage, const Amplitude* amplitude, const Feedback& feedback, const History& history) {
     heats_ = stage.heating.has_value();
     if (heats_) {
         control_ = control_of(*stage.heating);
         from_ = amplitude->function.from;
     }
-    if (is_thermal_ && stage.platens && was_heated) locked_in_ = feedback.stored_energy;
+    if (is_thermal_ && stage.platens && !has_moved_) {
+        has_moved_ = true;
+        locked_in_ = feedback.stored_energy;
+    }
     cracks_before_ = is_thermal_ ? cracks_in(history) : 0;
 }
 

@@ -18,9 +18,14 @@ public:
     [[nodiscard]] bool is_thermal() const { return is_thermal_; }
     void set_thermal() { is_thermal_ = true; }
 
-    /// A stage begins. \param was_heated whether the stage before it had a temperature, or there was none
-    /// \param amplitude of the temperature, if it has one
-    void begin(const Stage& stage, bool was_heated, const Amplitude* amplitude, const Feedback& feedback, const History& history);
+    /// A stage begins. \param amplitude of the temperature, if it has one
+    void begin(const Stage& stage, const Amplitude* amplitude, const Feedback& feedback, const History& history);
+    /// Continues after another program. \param locked_in the energy that counts no more, J; null if no platens have moved in it
+    void take_over(const double* locked_in) {
+        is_thermal_ = true;
+        has_moved_ = locked_in != nullptr;
+        if (has_moved_) locked_in_ = *locked_in;
+    }
     /// Takes the control of a stage that resumes.
     void resume(const Stage& stage) {
         if (stage.heating) control_ = control_of(*stage.heating);
@@ -48,6 +53,7 @@ public:
     static void visit_state(Self& self, Visit&& visit) {
         visit("heats", self.heats_);
         visit("heating_from", self.from_);
+        visit("platens_moved", self.has_moved_);
         visit("locked_in", self.locked_in_);
         visit("cracks_before", self.cracks_before_);
         HeatingControl::visit_state(self.control_, visit);
@@ -62,7 +68,8 @@ private:
     HeatingControl control_;  ///< finds the rate of the temperature
     bool heats_ = false;
     double from_ = 0;           ///< temperature at the begin of the stage, K
-    double locked_in_ = 0;      ///< stored energy before the platens moved, J
+    bool has_moved_ = false;    ///< of the platens: in this stage or one before
+    double locked_in_ = 0;      ///< stored energy when they first did, J
     double cracks_before_ = 0;  ///< contacts
 };
 

@@ -24,18 +24,20 @@ std::size_t peak_row(const RunSettings& header, const History& history) {
     return static_cast<std::size_t>(peak - stress.begin());
 }
 
-double peak_time(const RunHeader& header, const History& history) {
-    if (history.size() == 0) return 0;
+std::size_t strength_row(const RunHeader& header, const History& history) {
     const auto strength = find_strength(header, history, sign_of_strength(header, history));
-    return history[HistoryColumn::time][strength ? strength->row : peak_row(header, history)];
+    return strength ? strength->row : peak_row(header, history);
+}
+
+double peak_time(const RunHeader& header, const History& history) {
+    return history.size() == 0 ? 0 : history[HistoryColumn::time][strength_row(header, history)];
 }
 
 namespace {
 
-/// Largest difference of the platen forces over their mean, before the peak while the mean exceeds half of it.
-double platen_force_difference(const RunSettings& header, const History& history, double width) {
+/// Largest difference of the platen forces over their mean, before the row of the strength while the mean exceeds half of it.
+double platen_force_difference(const RunSettings& header, const History& history, std::size_t peak, double width) {
     const double sign = sign_of_strength(header, history);
-    const std::size_t peak = peak_row(header, history);
     const double peak_stress = sign * history[HistoryColumn::axial_stress][peak];
     double worst = 0;
     for (std::size_t i = 0; i < peak; ++i) {
@@ -48,9 +50,8 @@ double platen_force_difference(const RunSettings& header, const History& history
 }
 
 /// Mean of the damping load over the travel of the platens from nine tenths of the strain at the peak to the peak.
-double damping_load_at_peak(const RunSettings& header, const History& history) {
+double damping_load_at_peak(const History& history, std::size_t peak) {
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
-    const std::size_t peak = peak_row(header, history);
     double sum = 0;
     double travel = 0;
     for (std::size_t i = peak; i > 0 && std::abs(strain[i - 1]) >= 0.9 * std::abs(strain[peak]); --i) {
@@ -84,8 +85,9 @@ void complete_header(const History& history, double width, RunHeader& header) {
     header.peak_axial_stress =
         sign_of_strength(header, history) * history[HistoryColumn::axial_stress][peak_row(header, history)];
     header.peak_time = peak_time(header, history);
-    header.platen_force_difference = platen_force_difference(header, history, width);
-    header.damping_load = damping_load_at_peak(header, history);
+    const std::size_t peak = strength_row(header, history);
+    header.platen_force_difference = platen_force_difference(header, history, peak, width);
+    header.damping_load = damping_load_at_peak(history, peak);
     const double external = history[HistoryColumn::energy_external].back();
     header.damping_share = external > 0 ? history[HistoryColumn::energy_damping].back() / external : 0;
     std::tie(header.confinement_mean, header.confinement_deviation) = achieved_confinement(history, header.isotropic_end_time);

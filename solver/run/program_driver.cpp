@@ -57,8 +57,7 @@ ProgramDriver::ProgramDriver(const Program& program, TestKind test, const Assemb
 void ProgramDriver::record(const Assemblage& assemblage, const Boundary& boundary, const State& state, const History& history,
                            const Feedback& feedback) {
     probes_.record(assemblage, boundary, state);
-    const Rows rows{history, [this](const std::string& name, std::size_t column) { return probes_.last(name, column); }};
-    begun_ ? stages_.check_stage_end(feedback, rows) : stages_.begin(feedback, rows);
+    begun_ ? stages_.check_stage_end(feedback, rows_of(history)) : stages_.begin(feedback);
     begun_ = true;
 }
 

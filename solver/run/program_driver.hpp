@@ -22,9 +22,11 @@ public:
     [[nodiscard]] const StageController& stages() const { return stages_; }
     /// Loading of the next `duration` seconds.
     IntervalLoading next(double duration) { return stages_.next(duration); }
-    /// Records a new row, after `measure`. The first is that of the start.
+    /// Records a new row, after `measure`, and ends the stage that it ends. The first row is that of the start.
     void record(const Assemblage& assemblage, const Boundary& boundary, const State& state, const History& history,
                 const Feedback& feedback);
+    /// Starts the stage that is to come, if there is one.
+    void start_next(const History& history) { stages_.start_next(rows_of(history)); }
     /// Why the run ends here, "" if it continues.
     [[nodiscard]] std::string stop_reason() const;
     /// Fills in what it knows of a run that ended for `header.stop_reason`.
@@ -40,6 +42,9 @@ public:
 
 private:
     [[nodiscard]] bool is_standard() const { return test_ != TestKind::program; }
+    [[nodiscard]] Rows rows_of(const History& history) const {
+        return {history, [this](const std::string& name, std::size_t column) { return probes_.last(name, column); }};
+    }
 
     const Program& program_;
     TestKind test_;

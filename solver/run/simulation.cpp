@@ -161,6 +161,7 @@ private:
             place_platens(setup_.assemblage, setup_.boundary, state_);
             recorder_.restart_strains(state_);
         }
+        driver_.start_next(recorder_.history());
         if (output_) output_->record();
     }
 

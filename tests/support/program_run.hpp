@@ -33,13 +33,15 @@ public:
         run.begin();
         record();
         const Rows rows{history, [this](const std::string& probe, std::size_t column) { return probes.last(probe, column); }};
-        stage_controller.begin(feedback(), rows);
+        stage_controller.begin(feedback());
+        stage_controller.start_next(rows);
         run.state.loading.amplitudes = stage_controller.values(0);
         while (!stage_controller.finished()) {
             const double duration = static_cast<double>(steps) * run.parameters.time_step;
             run.steps(steps, stage_controller.next(duration), threads);
             record();
             stage_controller.check_stage_end(feedback(), rows);
+            stage_controller.start_next(rows);
         }
     }
     [[nodiscard]] const std::vector<double>& column(const std::string& probe, const std::string& name) const {

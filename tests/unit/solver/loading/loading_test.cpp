@@ -36,7 +36,9 @@ public:
         feedback.time = at;
         feedback.axial_compression = -stress;
         feedback.unbalanced_ratio = unbalanced;
-        history.size() == 1 ? stages.begin(feedback, rows) : stages.check_stage_end(feedback, rows);
+        history[HistoryColumn::axial_strain].back() = stress > 0 ? at : -at;
+        history.size() == 1 ? stages.begin(feedback) : stages.check_stage_end(feedback, rows);
+        stages.start_next(rows);
     }
     [[nodiscard]] double pressure(double time) const { return stages.values(time).front(); }
     [[nodiscard]] bool is_isotropic() const { return stages.records().empty(); }
