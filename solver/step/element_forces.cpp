@@ -1,6 +1,7 @@
 #include "solver/step/element_forces.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "solver/arithmetic/simd.hpp"
 
@@ -88,25 +89,48 @@ GRAINCRACK_INLINE void find_forces_of_triangles(const Triangles& triangles, std:
     }
 }
 
+/// Of warm elements of a chunk: the energy that they store, J, and what the temperature changes of it at fixed motion, J/K.
+struct WarmEnergy {
+    double stored = 0, rate = 0;
+    using IsSum = void;
+};
+WarmEnergy energy_of(const Assemblage& a, Range elements, const Warmth& warmth, const WarmLanes& w) {
+    return sum_over(elements, [&](std::int32_t e) {
+        const std::int32_t i = e - elements.begin;
+        const PlaneWarmth& phase = warmth.of_phase[a.expansion.phase[e]];
+        const double area = a.element_geometry.area[e];
+        const FreeStrain rate = free_strain(phase.across_rate, phase.more_along_rate, a.expansion.axis[e]);
+        return WarmEnergy{w.energy[i] + area * phase.energy_zz,
+                          phase.softening_rate * w.energy[i] +
+                              area * (phase.energy_zz_rate - rate.xx * w.txx[i] - rate.yy * w.tyy[i] - 2 * rate.xy * w.txy[i])};
+    });
+}
+
 /// Where elements have a temperature: also the work that it does.
 void find_forces_of_warm_elements(const Assemblage& a, const Warmth& warmth, std::int32_t chunk, State& s) {
+    constexpr double largest_step = 1;  // K: over a larger one a curved expansion is not straight
     const Range elements = a.element_chunks[chunk];
     const Triangles triangles = triangles_from(a, elements.begin);
     double* const force = &s.element_force[element_slot_stride * static_cast<std::size_t>(chunk)];
-    WarmLanes w;
-    gather_warmth(a.expansion, elements, warmth, w);
     ElementLanes b;
     gather_elements(a, elements, s, b);
-    run_on(a.vector_target,
-           [&]() GRAINCRACK_KERNEL { find_forces_of_triangles<true>(triangles, elements.size(), b, force, &w); });
-    s.thermal[chunk].go_to(warmth.temperature, sum_over(elements, [&](std::int32_t e) {
-                               const std::int32_t i = e - elements.begin;
-                               const PlaneWarmth& phase = warmth.of_phase[a.expansion.phase[e]];
-                               const FreeStrain rate = free_strain(phase.across_rate, phase.more_along_rate, a.expansion.axis[e]);
-                               return phase.softening_rate * w.energy[i] +
-                                      a.element_geometry.area[e] * (phase.energy_zz_rate - rate.xx * w.txx[i] -
-                                                                    rate.yy * w.tyy[i] - 2 * rate.xy * w.txy[i]);
-                           }));
+    const auto find_forces = [&](const Warmth& at) {
+        WarmLanes w;
+        gather_warmth(a.expansion, elements, at, w);
+        run_on(a.vector_target,
+               [&]() GRAINCRACK_KERNEL { find_forces_of_triangles<true>(triangles, elements.size(), b, force, &w); });
+        return energy_of(a, elements, at, w);
+    };
+    ThermalState& thermal = s.thermal[chunk];
+    const double change = warmth.temperature - thermal.temperature;
+    const bool jumps = std::abs(change) > largest_step;
+    Warmth before;
+    if (jumps) before.go_to(thermal.temperature, a.expansion);
+    const WarmEnergy from = jumps ? find_forces(before) : WarmEnergy{};
+    const WarmEnergy to = find_forces(warmth);
+    // What the mean of the rates misses of the change of the stored energy at fixed motion.
+    if (jumps) thermal.work += to.stored - from.stored - 0.5 * (from.rate + to.rate) * change;
+    thermal.go_to(warmth.temperature, to.rate);
 }
 
 }  // namespace

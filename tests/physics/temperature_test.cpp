@@ -330,9 +330,12 @@ test::PhasedSpecimen expanding_minerals() {
 
 // Without failures to the change of contacts' stiffness, also where the temperature jumps; with failures as for other loads.
 TEST(Temperature, TheEnergyBalanceStaysClosed) {
-    const test::PhasedSpecimen grains = expanding_minerals();
+    const test::PhasedSpecimen straight = expanding_minerals();
+    test::PhasedSpecimen curved = straight;  // the expansion of one mineral triples, another's modulus falls
+    curved.fabric.phases[0].along = curved.fabric.phases[0].across = {{0, 8e-6}, {200, 9e-6}, {400, 24e-6}};
+    curved.fabric.phases[1].softening = {{0, 1}, {400, 0.7}};
     for (const PlaneCondition plane : {PlaneCondition::strain, PlaneCondition::stress}) {
-        const auto run = [&](double strength, double damping, const char* middle) {
+        const auto run = [&](double strength, double damping, const char* middle, const test::PhasedSpecimen& grains) {
             const ContactParameters contact = test::scaled_contact(test::augig_contact(), strength);
             ProgramRun heated(grains.specimen, heat_and_cool(middle), make_contact_law(contact, LawVariant::consistent), plane,
                               damping, 0.5, test::augig_granite().rock, contact, 0, grains.fabric.phases);
@@ -340,8 +343,10 @@ TEST(Temperature, TheEnergyBalanceStaysClosed) {
             return heated;
         };
         verify("phases: residual of the energy balance over stored energy, intact minerals heated and cooled",
-               run(1000, 0, "300").residual(), 0, 2e-5, "each term by its own definition", 1);
-        const ProgramRun cracked = run(1, 0.8, "\"keep\"");
+               run(1000, 0, "300", straight).residual(), 0, 2e-5, "each term by its own definition", 1);
+        verify("phases: residual of the energy balance over stored energy, curved expansion, the temperature jumps",
+               run(1000, 0, "20", curved).residual(), 0, 2e-5, "each term by its own definition", 1);
+        const ProgramRun cracked = run(1, 0.8, "\"keep\"", straight);
         EXPECT_GT(cracked.run.failed_points(), 100U);
         EXPECT_GT(cracked.energies.back().external, 1);  // what failures have taken is not given back
         verify("phases: residual of the energy balance over stored energy, minerals heated and cooled that crack",
