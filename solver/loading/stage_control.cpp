@@ -174,6 +174,7 @@ std::vector<double> StageController::values(double time) const {
 void StageController::begin(const Feedback& feedback) {
     feedback_ = feedback;
     start_functions(at_start);
+    is_started_ = false;
 }
 
 void StageController::start_next(const Rows& rows) {
