@@ -130,6 +130,7 @@ struct State {
     std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected; see `max_events_per_chunk`
     std::vector<ThermalState> thermal;              ///< by chunk of elements; none where there is no temperature
     std::vector<double> strain_origin;  ///< strains of the three gauges from which they count: none, or since platens were placed
+    std::vector<double> energy_origin;  ///< likewise the stored energy, the error of the balance and the external work, J
     StepLoading loading;                ///< at `time`
     ClusterState clusters;              ///< with mass scaling
     PrescribedState prescribed;
@@ -199,6 +200,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     if (s.thermal.empty()) return;
     visit("thermal", element_chunks, s.thermal);
     visit("strain_origin", everywhere, s.strain_origin);
+    visit("energy_origin", everywhere, s.energy_origin);
 }
 
 /// Sends displacements and velocities to the ranks that read them; waits for those that this rank reads.

@@ -29,15 +29,16 @@ EnergyCheck::EnergyCheck(const Specimen& specimen, const SimulationRequest& r)
 
 void EnergyCheck::add(const Energies& energies, std::int64_t step) {
     // A dynamic run may be all motion, and store next to nothing.
-    scale_ = std::max(scale_, energies.stored() + (is_dynamic_ ? energies.kinetic : 0));
-    worked_ = std::max(worked_, std::abs(energies.external));
+    scale_ = std::max(scale_, energies.stored() - origin_.stored + (is_dynamic_ ? energies.kinetic : 0));
+    worked_ = std::max(worked_, std::abs(energies.external - origin_.external));
+    const double error = energies.balance_error() - origin_.error;
     // While next to nothing is stored, an error is small or large against what the platens have worked.
     const double evaluated = std::max(scale_, worked_);
-    const double residual = evaluated > 0 ? energies.balance_error() / evaluated : 0;
+    const double residual = evaluated > 0 ? error / evaluated : 0;
     if (!std::isfinite(residual) || (scale_ > least_energy_ && std::abs(residual) > unstable_residual)) {
         throw_unstable(residual, step);
     }
-    largest_error_ = std::max(largest_error_, std::abs(energies.balance_error()));
+    largest_error_ = std::max(largest_error_, std::abs(error));
 }
 
 void EnergyCheck::check_end(std::int64_t step) const {
@@ -52,7 +53,12 @@ void EnergyCheck::restore(double scale, double largest_error) {
 }
 
 void EnergyCheck::resume(const std::vector<double>& external_work) {
-    for (const double work : external_work) worked_ = std::max(worked_, std::abs(work));
+    for (const double work : external_work) worked_ = std::max(worked_, std::abs(work - origin_.external));
+}
+
+void EnergyCheck::restart(const EnergyOrigin& origin) {
+    origin_ = origin;
+    scale_ = worked_ = largest_error_ = 0;
 }
 
 void EnergyCheck::throw_unstable(double residual, std::int64_t step) const {

@@ -10,6 +10,11 @@
 
 namespace graincrack {
 
+/// What energies count from, J.
+struct EnergyOrigin {
+    double stored = 0, error = 0, external = 0;
+};
+
 class EnergyCheck {
 public:
     EnergyCheck(const Specimen& specimen, const SimulationRequest& request);
@@ -21,11 +26,19 @@ public:
     void restore(double scale, double largest_error);
     /// Also the external work in all its rows, J.
     void resume(const std::vector<double>& external_work);
+    /// Counts from these energies on, those of the last row: what heat has stored before a test hides the test's errors.
+    void restart(const EnergyOrigin& origin);
+    /// Counts from what another run, or a checkpoint, counted from.
+    void count_from(const EnergyOrigin& origin) { origin_ = origin; }
 
     [[nodiscard]] double scale() const { return scale_; }                  ///< largest stored energy so far, J
     [[nodiscard]] double largest_error() const { return largest_error_; }  ///< of the balance so far, J
     /// An error over the largest stored energy.
     [[nodiscard]] double relative(double error) const { return scale_ > 0 ? error / scale_ : 0; }
+    /// The error of the last row over the largest stored energy.
+    [[nodiscard]] double relative_error(const Energies& energies) const {
+        return relative(energies.balance_error() - origin_.error);
+    }
 
 private:
     [[noreturn]] void throw_unstable(double residual, std::int64_t step) const;
@@ -36,6 +49,7 @@ private:
     double scale_ = 0;
     double worked_ = 0;  ///< largest external work so far, absolute, J
     double largest_error_ = 0;
+    EnergyOrigin origin_;
 };
 
 }  // namespace graincrack

@@ -18,6 +18,10 @@ double axial_strain_of(const State& state, const Specimen& s) {
     return (platens[top_platen] - platens[bottom_platen]) / s.height;
 }
 
+EnergyOrigin origin_of(const State& s) {
+    return s.energy_origin.empty() ? EnergyOrigin() : EnergyOrigin{s.energy_origin[0], s.energy_origin[1], s.energy_origin[2]};
+}
+
 }  // namespace
 
 Recorder::Recorder(const Specimen& specimen, const SimulationRequest& request, const Setup& setup)
@@ -32,7 +36,8 @@ Feedback Recorder::record(double platen_speed, ThreadTeam& team, State& state) {
     const Assemblage& a = setup_.assemblage;
     crack_log_.collect(a, setup_.parameters.time_step, state);
     const Measurement m = measure(a, setup_.boundary, setup_.parameters, team, state);
-    energy_.add(m.energies, state.step);
+    energies_ = m.energies;
+    energy_.add(energies_, state.step);
     follow_damping_load(a, state, m.platen_power, time_constant_, state.damping_load);
     const double strain = axial_strain_of(state, specimen_);
     push_row(m, strain, platen_speed, state);
@@ -53,7 +58,9 @@ Feedback Recorder::record(double platen_speed, ThreadTeam& team, State& state) {
     return feedback;
 }
 
-void Recorder::restart_strains(State& state) {
+void Recorder::restart(State& state) {
+    state.energy_origin = {energies_.stored(), energies_.balance_error(), energies_.external};
+    energy_.restart(origin_of(state));
     const GaugeStrains now = gauges_.strains(setup_.assemblage, state.displacement);
     state.strain_origin = {now.widening, now.axial, now.lateral};
     using enum HistoryColumn;
@@ -63,6 +70,7 @@ void Recorder::restart_strains(State& state) {
 void Recorder::restore(const SavedState& saved) {
     crack_log_.restore(saved.cracks);
     energy_.restore(saved.energy_scale, saved.energy_balance_error);
+    energy_.count_from(origin_of(saved.state));
 }
 
 void Recorder::resume(const RunReader& checkpoint, const State& state) {
@@ -102,7 +110,7 @@ void Recorder::push_row(const Measurement& m, double strain, double speed_of_pla
     push(energy_damping, e.damping);
     push(energy_platen, e.platen);
     push(non_conservative_work, e.non_conservative_work);
-    push(energy_balance_error, energy_.relative(e.balance_error()));
+    push(energy_balance_error, energy_.relative_error(e));
     push(unbalanced_ratio, m.unbalanced_ratio);
     push(tensile_cracks, 0.5 * static_cast<double>(crack_log_.tensile_points()));
     push(shear_cracks, 0.5 * static_cast<double>(crack_log_.shear_points()));

@@ -19,8 +19,8 @@ public:
     /// Measures the state and adds a row. \param platen_speed approach of each, m/s
     /// \throws NumericalError if the run has become unstable
     Feedback record(double platen_speed, ThreadTeam& team, State& state);
-    /// Strains count from the last row on, which has none.
-    void restart_strains(State& state);
+    /// Strains, which the last row has none of, and the balance of energies count from it on.
+    void restart(State& state);
     /// Continues the cracks and energies of another run.
     void restore(const SavedState& saved);
     /// Also its rows, as those of this very run. \param state of the checkpoint \throws InputError if they end elsewhere
@@ -42,6 +42,7 @@ private:
     Gauges gauges_;
     double time_constant_;  ///< of the means of damping, s
     CrackLog crack_log_;
+    Energies energies_;  ///< of the last row
     EnergyCheck energy_;
     History history_;
     double peak_ = 0;

@@ -159,7 +159,7 @@ private:
         const StageController& stages = driver_.stages();
         if (has_absent_platens() && !stages.finished() && !stages.is_without_platens()) {
             place_platens(setup_.assemblage, setup_.boundary, state_);
-            recorder_.restart_strains(state_);
+            recorder_.restart(state_);
         }
         driver_.start_next(recorder_.history());
         if (output_) output_->record();

@@ -448,6 +448,12 @@ TEST(Temperature, AHeatedTestResumesAndIsTheSameByThreads) {
             static_cast<std::size_t>(std::count_if(history[HistoryColumn::time].begin(), history[HistoryColumn::time].end(),
                                                    [&](double t) { return t < reader.header().isotropic_end_time; }));
         EXPECT_GT(failed_contacts(history)[heated], 0);
+        double loaded = 0;  // stored energy beyond what heat left, to which the error of the balance is related
+        const auto stored = [&](std::size_t row) {
+            return history[HistoryColumn::energy_strain][row] + history[HistoryColumn::energy_contact][row];
+        };
+        for (std::size_t row = heated; row < history.size(); ++row) loaded = std::max(loaded, stored(row) - stored(heated));
+        EXPECT_NEAR(reader.header().energy_scale, loaded, 1e-9 * stored(heated));
         r.threads = 2;
         for (const std::size_t stop : {heated / 2, heated + 40}) {
             const std::string run = folder.file("run.h5");
