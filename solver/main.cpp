@@ -111,6 +111,7 @@ void print_summary(std::ostream& out, const SimulationSummary& s, const Specimen
                     100 * h.damping_load, 100 * trusted_damping_load));
     }
     if (!s.equilibrium_warning.empty()) caution("equilibrium", s.equilibrium_warning);
+    for (const std::string& text : s.overshoots) caution("overshoot", text);
     if (h.energy_balance_error > trusted_residual) {
         caution("energy_balance",
                 fmt::format("the error of the energy balance is {:.1f} % of the stored energy, more than {:.1f} %: do not "

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rows_of_longest_time = 8000;  // of the longest time
 constexpr std::int64_t min_steps_of_stage_row = 10;
-constexpr double max_transits_of_heating = 0.5;  // between rows while measures decide how fast the temperature changes
+constexpr double max_transits_between_rows = 0.5;  // while measures decide how fast the temperature changes
 
 /// Platens that go nowhere if it has none.
 ProgramPlatens platens_of(const Program& program) {
@@ -233,6 +233,12 @@ void StageController::check_stage_end(const Feedback& feedback, const Rows& rows
     const std::string reason = end->name;
     if (!now().must_end_by.empty() && reason != now().must_end_by) refuse_end(reason);
     records_.push_back({now().name, stage_begin_, feedback_.time, reason});
+    if (const double share = overshoot(now(), reason, rows); share > trusted_overshoot) {
+        overshoots_.push_back(
+            fmt::format("stage {} went {:.1f} % beyond its end by {}: give it a slower motion or, in the program, "
+                        "a smaller row_every",
+                        now().name, 100 * share, reason));
+    }
     ++at_;
     is_started_ = false;
 }
@@ -266,11 +272,14 @@ std::int64_t StageController::interval_steps(double time_step) const {
     const double longest_time = program_.longest_time();
     const bool by_platens = !program_.row_interval && !std::isfinite(longest_time);
     if (heats_automatically()) {
-        const double most = max_transits_of_heating * platens_.transit_time() / time_step;
+        const double most = max_transits_between_rows * platens_.transit_time() / time_step;
         return std::max(min_steps_of_stage_row, static_cast<std::int64_t>(most));
     }
     if (by_platens || platens_.paces_rows()) return platens_.interval_steps(time_step);
-    const double interval = program_.row_interval.value_or(longest_time / rows_of_longest_time);
+    // A long stage beside others does not part the rows of a short one, but rows are no closer than waves tell them apart.
+    const double of_stage = std::max(max_transits_between_rows * platens_.transit_time(),
+                                     finished() ? longest_time : now().longest_time / rows_of_longest_time);
+    const double interval = program_.row_interval.value_or(std::min(longest_time / rows_of_longest_time, of_stage));
     return std::max<std::int64_t>(program_.row_interval ? 1 : min_steps_of_stage_row, std::llround(interval / time_step));
 }
 

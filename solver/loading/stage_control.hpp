@@ -77,6 +77,8 @@ public:
     [[nodiscard]] bool heats_automatically() const { return !finished() && thermal_.heats(); }
     [[nodiscard]] bool finished() const { return at_ >= program_.order.size(); }
     [[nodiscard]] const std::vector<StageRecord>& records() const { return records_; }
+    /// A sentence on each stage that went far beyond the value that ended it, since rows are few.
+    [[nodiscard]] const std::vector<std::string>& overshoots() const { return overshoots_; }
     [[nodiscard]] const Feedback& feedback() const { return feedback_; }  ///< of the last row
     [[nodiscard]] const PlatenControl& platens() const { return platens_; }
     /// Share that is done: of the longest time or, where that has no limit, of the largest strain of the platens.
@@ -118,6 +120,7 @@ private:
     std::vector<StageEnd> ends_;  ///< of the stage that is on
     ThermalStage thermal_;
     std::vector<StageRecord> records_;
+    std::vector<std::string> overshoots_;
     Feedback feedback_;  ///< of the last row
 };
 

@@ -80,6 +80,12 @@ StageEnd time_limit(double longest) {
 
 }  // namespace
 
+double overshoot(const Stage& stage, const std::string& ended_by, const Rows& rows) {
+    const auto condition =
+        std::find_if(stage.until.begin(), stage.until.end(), [&](const Condition& c) { return c.name == ended_by; });
+    return condition == stage.until.end() || condition->value == 0 ? 0 : std::abs(offset(*condition, rows) / condition->value);
+}
+
 double cracks_in(const History& history) {
     return history[HistoryColumn::tensile_cracks].back() + history[HistoryColumn::shear_cracks].back();
 }

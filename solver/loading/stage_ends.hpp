@@ -35,6 +35,11 @@ struct StageEnd {
 /// \param begin the rows up to its begin; null for a stage that resumes with saved memories
 std::vector<StageEnd> ends_of(const Stage& stage, const Rows* begin);
 
+/// What a stage may go beyond the value that ends it, of that value, without a word.
+inline constexpr double trusted_overshoot = 0.02;
+/// How far the last row is beyond the value of the condition that ended a stage, of that value; 0 for other ends and for 0.
+double overshoot(const Stage& stage, const std::string& ended_by, const Rows& rows);
+
 /// Contacts that have failed so far.
 double cracks_in(const History& history);
 

@@ -120,6 +120,7 @@ public:
                 share_step(setup_.assemblage, setup_.boundary, &state_, team_.size()).balance};
     }
     [[nodiscard]] const CrackLog& crack_log() const { return recorder_.crack_log(); }
+    [[nodiscard]] const std::vector<std::string>& overshoots() const { return driver_.stages().overshoots(); }
     [[nodiscard]] TestOutcome outcome() const { return {header_, recorder_.history()}; }
 
 private:
@@ -234,6 +235,7 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     const auto axial = std::lower_bound(time.begin(), time.end(), summary.header.isotropic_end_time * (1 - 1e-12));
     summary.cracks_before = failed_contacts(history)[static_cast<std::size_t>(axial - time.begin())];
     summary.equilibrium_warning = equilibrium_warning(summary.header, history);
+    if (summary.header.loading() == Loading::program) summary.overshoots = simulation.overshoots();
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary.ns_per_grain_step =
         1e9 * summary.wall_time / (static_cast<double>(summary.header.integrations) * static_cast<double>(specimen.n_grains()));

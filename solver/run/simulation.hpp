@@ -32,7 +32,8 @@ struct SimulationSummary {
     double ns_per_grain_step = 0;
     std::vector<SensitivityRow> sensitivity;  ///< if asked for
     RankSummary ranks;
-    std::string equilibrium_warning;  ///< "" for a test near equilibrium
+    std::string equilibrium_warning;      ///< "" for a test near equilibrium
+    std::vector<std::string> overshoots;  ///< of stages of a program (`StageController`)
 };
 
 /// Runs the test and writes nothing. \param label what the progress says
