@@ -1,5 +1,6 @@
 #include "solver/run/run_output.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -76,15 +77,22 @@ void RunOutput::append_rows() {
     since_flush_.restart();
 }
 
-bool RunOutput::wants_checkpoint() const {
+bool RunOutput::wants_checkpoint() {
     if (checkpoint_.empty()) return false;
     const bool is_asked = take_checkpoint_request();
-    return ranks_.of_first(
-        is_asked || (run_.request.checkpoint_interval && since_checkpoint_.elapsed() >= *run_.request.checkpoint_interval));
+    const double elapsed = since_checkpoint_.elapsed();
+    if (writes_checkpoint_ && (!file_ || file_->is_done())) {
+        checkpoint_time_ = elapsed;
+        writes_checkpoint_ = false;
+    }
+    const double interval = std::max(run_.request.checkpoint_interval.value_or(0), least_checkpoint_interval());
+    return ranks_.of_first(is_asked || (run_.request.checkpoint_interval && !writes_checkpoint_ && elapsed >= interval));
 }
 
 const std::string& RunOutput::write_checkpoint() {
     if (checkpoint_.empty()) return checkpoint_;
+    since_checkpoint_.restart();
+    writes_checkpoint_ = true;
     auto write_frames = frames_.save();
     const WholeState whole(run_.setup.assemblage, run_.state);
     ranks_.on_first([&] {
@@ -106,7 +114,6 @@ const std::string& RunOutput::write_checkpoint() {
                 checkpoint.finish(header, cracks, run_.provenance);
             });
     });
-    since_checkpoint_.restart();
     return checkpoint_;
 }
 

@@ -41,7 +41,10 @@ public:
     /// Takes the last row: frames, and from time to time the rows so far.
     void record();
     /// True if a checkpoint is due, or was asked for. The first rank decides.
-    [[nodiscard]] bool wants_checkpoint() const;
+    [[nodiscard]] bool wants_checkpoint();
+    /// From one checkpoint to the next at least, s: ten times what one takes, so that they cost a run a tenth of its time at
+    /// most.
+    [[nodiscard]] double least_checkpoint_interval() const { return 10 * checkpoint_time_; }
     /// Writes a run file of its own, with all rows, cracks and frames so far and the present state, while the run goes on.
     /// \return its name, "" for a run that has none
     const std::string& write_checkpoint();
@@ -62,6 +65,8 @@ private:
     FrameOutput frames_;
     std::size_t rows_written_ = 0;
     WallClock since_checkpoint_, since_flush_;
+    bool writes_checkpoint_ = false;
+    double checkpoint_time_ = 0;  ///< that the last one took, s
 };
 
 }  // namespace graincrack

@@ -89,7 +89,7 @@ public:
             show_progress();
             header_.stop_reason = driver_.stop_reason();
             const bool goes_on = header_.stop_reason.empty();
-            if (goes_on && output_ && output_->wants_checkpoint()) output_->write_checkpoint();
+            if (goes_on && output_ && output_->wants_checkpoint()) write_checkpoint();
         }
         if (output_) output_->wait();
         progress_.finish();
@@ -183,6 +183,16 @@ private:
         throw Interrupted(signal);
     }
 
+    void write_checkpoint() {
+        output_->write_checkpoint();
+        const double least = output_->least_checkpoint_interval();
+        if (tells_of_interval_ && least > request_.checkpoint_interval.value_or(least)) {
+            tells_of_interval_ = false;
+            say(diagnostics(verbosity_), fmt::format("{}: a checkpoint takes {:.2g} s, so that one is written every {:.2g} s",
+                                                     header_.test, least / 10, least));
+        }
+    }
+
     void show_progress() {
         const std::size_t points = crack_log().tensile_points() + crack_log().shear_points();
         const std::string state = driver_.stages().is_without_platens()
@@ -211,6 +221,7 @@ private:
     ThreadTeam team_;
     std::optional<FrameProgress> frames_;  ///< of the checkpoint that the run resumes from
     std::optional<RunOutput> output_;
+    bool tells_of_interval_ = true;  ///< once
 };
 
 }  // namespace
