@@ -70,18 +70,24 @@ std::size_t largest_about(std::size_t row, const CurveColumns& curve) {
 
 }  // namespace
 
-std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure, double settled) {
+PeakRule peak_rule(const RunSettings& header) {
+    if (header.heat == 0) return {};
+    return {heated_fall, settling_load * header.rock.tensile_strength, heated_peak};
+}
+
+std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure, const PeakRule& rule) {
     std::vector<double> deviator = moving_mean(curve.strain, curve.stress, smoothing_strain);
     for (double& stress : deviator) stress -= confining_pressure;
+    const double least = std::max(rule.least_load, rule.share * *std::max_element(deviator.begin(), deviator.end()));
     std::optional<std::size_t> highest;
     double furthest = -std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < deviator.size(); ++row) {
         if (!(curve.strain[row] > furthest)) continue;
         furthest = curve.strain[row];
-        if (!highest && !(curve.failed[row] > 0 && deviator[row] > settled)) continue;
+        if (!highest && !(curve.failed[row] > 0 && deviator[row] > least)) continue;
         if (!highest || deviator[row] > deviator[*highest]) {
             highest = row;
-        } else if (deviator[row] < (1 - peak_fall) * deviator[*highest]) {
+        } else if (deviator[row] < (1 - rule.fall) * deviator[*highest]) {
             return Peak{largest_about(*highest, curve), curve.strain[*highest], deviator[*highest] + confining_pressure};
         }
     }
@@ -93,7 +99,8 @@ bool has_fallen(const RunHeader& header, const CurveColumns& curve) {
     if (!(curve.failed.back() > 0)) return false;
     const std::size_t largest = row_of_largest(curve.stress);
     const double peak = curve.stress[largest];
-    const double fallen = peak - peak_fall * (peak - (header.loading() == Loading::compression ? header.confining_pressure : 0));
+    const double fallen =
+        peak - peak_rule(header).fall * (peak - (header.loading() == Loading::compression ? header.confining_pressure : 0));
     for (std::size_t row = largest + 1; row < curve.stress.size(); ++row) {
         if (curve.strain[row] > curve.strain[largest] && curve.stress[row] <= fallen) return true;
     }
@@ -102,8 +109,7 @@ bool has_fallen(const RunHeader& header, const CurveColumns& curve) {
 
 std::optional<Peak> find_strength(const RunHeader& header, const CurveColumns& curve) {
     if (header.loading() == Loading::compression) {
-        const double settled = header.heat != 0 ? settling_load * header.rock.tensile_strength : 0;
-        if (const auto first = find_first_peak(curve, header.confining_pressure, settled)) return first;
+        if (const auto first = find_first_peak(curve, header.confining_pressure, peak_rule(header))) return first;
     }
     if (!has_fallen(header, curve)) return std::nullopt;
     const std::size_t largest = row_of_largest(curve.stress);

@@ -50,6 +50,13 @@ inline constexpr double peak_fall = 0.05;
 
 /// Axial stress up to which a specimen that heat has cracked may settle between platens, of the tensile strength.
 inline constexpr double settling_load = 0.3;
+/// The same of such a specimen: while its cracks close and its rough faces settle the stress falls and rises far beyond again. A
+/// peak has at least this share of the largest stress of the curve;
+inline constexpr double heated_peak = 0.5;
+/// it falls by as much;
+inline constexpr double heated_fall = 0.3;
+/// and a drop ends a stage once the strain is so many times that at the highest stress.
+inline constexpr double heated_strain = 1.25;
 
 /// Rows of a load curve, positive in the sense of the test, from the start of axial loading on; equally long.
 struct CurveColumns {
@@ -68,14 +75,22 @@ struct Peak {
     double stress = 0;    ///< likewise, Pa, confinement included
 };
 
-/// The first maximum of the smoothed curve, since contacts have failed, that σ1 − σ3 falls behind by `peak_fall` before it
-/// exceeds it, under loading: where the platens retreat the stress falls without failure. Falls before any contact has failed are
-/// waves or play of the control. Empty if there is none. \param confining_pressure σ3, Pa \param settled σ1 − σ3 from which on
-/// there is a load, Pa
-std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure, double settled = 0);
+/// What is a peak of a load curve.
+struct PeakRule {
+    double fall = peak_fall;  ///< behind it, of σ1 − σ3 there
+    double least_load = 0;    ///< of σ1 − σ3 from which on there is a load, Pa
+    double share = 0;         ///< of the largest σ1 − σ3 that it has at least
+};
+/// That of a test: of a heated one by the numbers above. \param header with heat and rock
+PeakRule peak_rule(const RunSettings& header);
 
-/// True if the largest stress is a peak: the test ended by its fall, or contacts failed and σ1 − σ3 fell by `peak_fall` at a
-/// larger strain.
+/// The first maximum of the smoothed curve, since contacts have failed, that σ1 − σ3 falls behind before it exceeds it, under
+/// loading: where the platens retreat the stress falls without failure. Falls before any contact has failed are waves or play of
+/// the control. Empty if there is none. \param confining_pressure σ3, Pa
+std::optional<Peak> find_first_peak(const CurveColumns& curve, double confining_pressure, const PeakRule& rule = {});
+
+/// True if the largest stress is a peak: the test ended by its fall, or contacts failed and σ1 − σ3 fell as the rule
+/// says at a larger strain.
 bool has_fallen(const RunHeader& header, const CurveColumns& curve);
 
 /// The strength of a test, and its row. In compression the first peak; also the largest stress if its fall ended the test and

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "share/file/peak.hpp"
+
 namespace graincrack {
 namespace {
 
@@ -49,6 +51,19 @@ bool is_loading(const StageRow& row) {
     return std::all_of(strain.begin(), strain.end() - 1, [&](double before) { return sense * before < sense * strain.back(); });
 }
 
+/// True of a specimen that heat has cracked until it has gone far enough beyond its highest stress.
+bool may_settle(const StageRow& row) {
+    if (row.least_load == 0) return false;
+    const History& history = row.rows.history;
+    const std::vector<double>& time = history[HistoryColumn::time];
+    const auto begin = std::lower_bound(time.begin(), time.end(), row.begin) - time.begin();
+    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+    const auto highest =
+        std::max_element(stress.begin() + begin, stress.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const std::vector<double>& strain = history[HistoryColumn::axial_strain];
+    return std::abs(strain.back()) < heated_strain * std::abs(strain[static_cast<std::size_t>(highest - stress.begin())]);
+}
+
 /// The axial stress falls, under loading, below its highest of the stage since contacts have failed.
 StageEnd peak_drop(double share) {
     return {ended_by_peak_drop, "highest", 0, [share](const StageRow& row, double& highest) {
@@ -56,7 +71,7 @@ StageEnd peak_drop(double share) {
                 const double stress = std::abs(row.feedback.axial_compression);
                 const bool fails = cracks_in(row.rows.history) > row.cracks_before && stress >= row.least_load;
                 if (highest > 0 || fails) highest = std::max(highest, stress);
-                return has_fallen_below((1 - share) * highest, row);
+                return has_fallen_below((1 - share) * highest, row) && !may_settle(row);
             }};
 }
 
