@@ -1,5 +1,6 @@
 """Reads what the tools write and compares it with what graincrack-post prints. Usage: graincrack_test.py BIN PYTHON"""
 
+import math
 import os
 import shutil
 import subprocess
@@ -136,6 +137,13 @@ class ReadsWhatTheToolsWrite(unittest.TestCase):
                 read()
             self.assertIsInstance(caught.exception, GraincrackError)
             self.assertNotIn('"', str(caught.exception)[:1])  # the line itself, where a KeyError would quote it
+
+    def test_a_column_of_a_table_is_of_numbers_if_all_its_cells_are(self):
+        table = graincrack.Table("t", "name\tword\tvalue\n1_2\tnan\t3.5\n2\t\t-4e-3\n3\tinf\t\n")
+        self.assertEqual(list(table["name"]), ["1_2", "2", "3"])
+        self.assertEqual(list(table["word"]), ["nan", "", "inf"])
+        self.assertEqual(list(table["value"])[:2], [3.5, -0.004])
+        self.assertTrue(math.isnan(table["value"][2]))
 
     def test_examples_draw(self):
         environment = {**os.environ, "PYTHONPATH": str(PYTHON)}

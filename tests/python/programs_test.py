@@ -174,6 +174,17 @@ class DrivesThePrograms(unittest.TestCase):
             self.assertEqual(os.fspath(found), str(folder / "nearest.toml"))
             self.assertEqual(list(found.fitted), ["uniaxial"])
 
+    def test_an_argument_is_never_an_option_or_the_next_argument(self):
+        for call, line in [(lambda: graincrack.strength("--version"), r"^graincrack-post: \./--version: no such file$"),
+                           (lambda: graincrack.disc(diameter="", grains=50), "^diameter: '' is empty"),
+                           (lambda: graincrack.disc(diameter=(), grains=50), r"^diameter: \(\) is empty"),
+                           (lambda: graincrack.strength("a.h5", all_columns="no"), "^all_columns: 'no' is neither True nor False"),
+                           (lambda: graincrack.calibrate("a$(touch ran).toml"), "^ROCK: .*: make takes no name with a space or one of"),
+                           (lambda: graincrack.calibrate(ROCK, out="my `touch ran`"), "^OUT: .*: make takes no name")]:
+            with self.assertRaisesRegex(graincrack.GraincrackError, line):
+                call()
+        self.assertFalse(Path("ran").exists())
+
     def test_what_does_not_fit_is_said(self):
         with self.assertRaises(graincrack.GraincrackError) as caught:
             graincrack.brazilian(self.disc, max_strain=2)
@@ -230,6 +241,13 @@ class DrivesThePrograms(unittest.TestCase):
             graincrack.uniaxial(self.pillar, rate="2mm/s", output="long.h5")
         self.assertTrue(Path("long.h5.checkpoint").exists())
         self.assertFalse(Path("long.h5").exists())
+
+    def test_a_map_within_a_map_belongs_to_it(self):
+        def calls(_):
+            return graincrack.programs.Together.of_thread.calls
+        inner = graincrack.map(lambda item: (calls(item), graincrack.map(calls, range(2))), range(2), jobs=2)
+        self.assertEqual(len({id(each) for own, others in inner for each in (own, *others)}), 1)
+        self.assertEqual(graincrack.map(lambda i: graincrack.map(lambda j: i * j, [1, 2]), [1, 2]), [[1, 2], [2, 4]])
 
     def test_map_has_the_order_of_its_items_and_stops_at_an_error(self):
         def one(item):

@@ -322,10 +322,9 @@ class Table(Mapping):
 
     def __getitem__(self, name: str) -> np.ndarray:
         cells = self._columns[self.column(name)]
-        try:
-            return np.array([float(cell) if cell else np.nan for cell in cells])
-        except ValueError:
+        if any(cell and not _NUMBER.fullmatch(cell) for cell in cells):
             return np.array(cells, dtype=object)
+        return np.array([float(cell) if cell else np.nan for cell in cells])
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
@@ -372,6 +371,7 @@ class Table(Mapping):
 
 
 _MOST_ROWS = 60  # of a table that a notebook shows
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")  # as tables have it: 1_2, nan and inf are texts
 
 
 def _short(cell: str) -> str:

@@ -43,6 +43,20 @@ def text_of(value) -> str:
         raise GraincrackError(f"{value!r} is no value; a text such as '4mm', a pair (4, 'mm') or a number fits") from None
 
 
+def _filled(name: str, value) -> str:
+    """The text of an argument, which is not empty: the command line would take the next one for its value."""
+    text = text_of(value)
+    if not text:
+        raise GraincrackError(f"{name}: {value!r} is empty; leave it out, or give a value")
+    return text
+
+
+def _place(name: str, value) -> str:
+    """The same of a file or name, which is never an option."""
+    text = _filled(name, value)
+    return "./" + text if text.startswith("-") and text != "-" else text
+
+
 def _new_file(stem: str, ending: str) -> Path:
     """A new, empty file of graincrack.folder (a folder where there is no ending): other calls take other names."""
     folder = Path(programs.settings().folder)
@@ -138,12 +152,14 @@ class _Command:
             option = self.options[name]
             if option.get("positional"):
                 values = value if option.get("many") else [value]
-                places += [text_of(each) for one in values for each in (one if isinstance(one, (list, tuple)) else [one])]
+                places += [_place(name, each) for one in values for each in (one if isinstance(one, (list, tuple)) else [one])]
             elif option["type"] == "flag":
+                if value not in (True, False, None):
+                    raise GraincrackError(f"{name}: {value!r} is neither True nor False")
                 words += [f"--{option['name']}"] * bool(value)
             elif value is not None:
                 several = isinstance(value, list) and option.get("repeatable")
-                words += [f"--{option['name']}={text_of(each)}" for each in (value if several else [value])]
+                words += [f"--{option['name']}={_filled(name, each)}" for each in (value if several else [value])]
         material = self.options.get("material", {})
         if material.get("required") and not material.get("positional") and given.get("material") is None:
             words += [f"--material={name}" for name in map(material_of, filter(os.path.isfile, places[:1])) if name]

@@ -210,9 +210,10 @@ def map(f: Callable, items: Iterable, jobs: int | None = None, *, quiet: bool | 
     """[f(item) for item in items], `jobs` at a time: as many as there are processors unless given.
 
     Tests that f makes have one thread each. The first error, or Ctrl-C, stops all others, which leave their checkpoints, and is
-    raised when they have ended.
+    raised when they have ended. A `map` that f calls belongs to this one, and makes one call at a time unless given.
     """
-    items, calls, screen, errors = list(items), Together(), Screen(quiet), []
+    outer = getattr(Together.of_thread, "calls", None)
+    items, calls, screen, errors = list(items), outer or Together(), Screen(True if outer else quiet), []
 
     def call(item):
         Together.of_thread.calls = calls
@@ -225,7 +226,7 @@ def map(f: Callable, items: Iterable, jobs: int | None = None, *, quiet: bool | 
             Together.of_thread.calls = None
 
     interrupted = False
-    with futures.ThreadPoolExecutor(jobs or processors()) as pool:
+    with futures.ThreadPoolExecutor(jobs or (1 if outer else processors())) as pool:
         waiting = all_calls = [pool.submit(call, item) for item in items]
         while waiting:
             try:

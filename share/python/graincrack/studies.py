@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 from . import functions, programs
@@ -59,10 +60,16 @@ def calibrate(material, *, out=None, jobs: int | None = None, set: dict | None =
     out = Path(programs.settings().folder if out is None else out)
     folder = out / "calibrate" / Path(rock).name.removesuffix(".toml")
     rock = Path(rock).absolute() if Path(rock).is_file() else rock
-    variables = [f"ROCK={rock}", f"OUT={out.absolute()}", f"BIN={programs.bin_folder()}"]
-    if set:
-        variables.append("SET=" + " ".join(f"{key}={functions.text_of(value)}" for key, value in set.items()))
-    make = ["make", "-s", "--no-print-directory", f"-j{jobs or programs.processors()}", "-C", _studies(), "calibrate", *variables]
+    variables = {"ROCK": str(rock), "OUT": str(out.absolute()), "BIN": str(programs.bin_folder())}
+    settings = {key: functions.text_of(value) for key, value in (set or {}).items()}
+    for name, text in [*variables.items(), *settings.items()]:
+        if re.search(r"[\s$`'\"#\\;&|<>()*?]", text):
+            raise GraincrackError(f"{name}: {text!r}: make takes no name with a space or one of $ ` ' \" # \\ ; & | < > ( ) * ?; "
+                                  "rename it, or its folder")
+    if settings:
+        variables["SET"] = " ".join(f"{key}={text}" for key, text in settings.items())
+    make = ["make", "-s", "--no-print-directory", f"-j{jobs or programs.processors()}", "-C", _studies(), "calibrate",
+            *(f"{name}={text}" for name, text in variables.items())]
     outcome = folder / "outcome.json"
     outcome.unlink(missing_ok=True)
     try:
