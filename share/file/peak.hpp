@@ -50,8 +50,9 @@ inline constexpr double peak_fall = 0.05;
 
 /// Axial stress up to which a specimen that heat has cracked may settle between platens, of the tensile strength.
 inline constexpr double settling_load = 0.3;
-/// The same of such a specimen: while its cracks close and its rough faces settle the stress falls and rises far beyond again. A
-/// peak has at least this share of the largest stress of the curve;
+/// While the cracks of such a specimen close and its rough faces settle, the stress falls by up to a quarter and rises far beyond
+/// again, within a fifth more of strain (measured from 250 K and after 180 K, temperature.md). So its peak has at least this
+/// share of the largest stress of the curve;
 inline constexpr double heated_peak = 0.5;
 /// it falls by as much;
 inline constexpr double heated_fall = 0.3;

@@ -139,7 +139,7 @@ class ReadsWhatTheToolsWrite(unittest.TestCase):
             self.assertNotIn('"', str(caught.exception)[:1])  # the line itself, where a KeyError would quote it
 
     def test_a_column_of_a_table_is_of_numbers_if_all_its_cells_are(self):
-        table = graincrack.Table("t", "name\tword\tvalue\n1_2\tnan\t3.5\n2\t\t-4e-3\n3\tinf\t\n")
+        table = Table("t", "name\tword\tvalue\n1_2\tnan\t3.5\n2\t\t-4e-3\n3\tinf\t\n")
         self.assertEqual(list(table["name"]), ["1_2", "2", "3"])
         self.assertEqual(list(table["word"]), ["nan", "", "inf"])
         self.assertEqual(list(table["value"])[:2], [3.5, -0.004])
