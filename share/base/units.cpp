@@ -72,6 +72,17 @@ std::string quoted(std::string_view text) { return '"' + shortened(printable(tex
     throw UsageError(fmt::format("{}: {}; {}", where, wrong, right));
 }
 
+/// Refuses a number out of bounds that may have been meant with another unit, if one makes it fit.
+void refuse_bare(std::string_view text, double value, const Quantity& quantity, std::string_view where) {
+    for (const Unit& unit : units_of(quantity.dimension)) {
+        if (!quantity.admits(value * unit.to_si)) continue;
+        refuse(where,
+               fmt::format("{} has no unit and was taken for {}, which is out of bounds", quoted(text),
+                           format_quantity(value, quantity.dimension)),
+               fmt::format("write {}{}; it must be {}", text, unit.symbol, bounds_text(quantity)));
+    }
+}
+
 [[noreturn]] void refuse_unit(std::string_view text, std::string_view symbol, Dimension dimension, std::string_view where) {
     for (std::size_t i = 0; i < dimension_rows.size(); ++i) {
         const auto other = static_cast<Dimension>(i);
@@ -142,6 +153,7 @@ double parse_quantity(std::string_view text, const Quantity& quantity, std::stri
     if (!unit) refuse_unit(whole, symbol, quantity.dimension, where);
     const auto si = scaled_number(digits, unit->to_si);
     require(si && std::isfinite(*si), "is not a finite number");
+    if (symbol.empty() && !quantity.admits(*si)) refuse_bare(whole, *si, quantity, where);
     const bool is_explained = *si > quantity.upper && !quantity.why_upper.empty();
     require(quantity.admits(*si), is_explained ? fmt::format("is out of bounds ({})", quantity.why_upper) : "is out of bounds");
     return *si;
@@ -158,11 +170,17 @@ double parse_quantity_or(std::string_view text, std::string_view word, double wo
 }
 
 std::string bare_number_note(std::string_view text, const Quantity& quantity, std::string_view where) {
-    if (quantity.dimension != Dimension::length && quantity.dimension != Dimension::stress) return "";
+    constexpr double fast = 1;     // m/s
+    constexpr double light = 100;  // kg/m³
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc{} || rest != end || value == 0) return "";
+    const Dimension dimension = quantity.dimension;
+    const bool is_unusual = dimension == Dimension::length || dimension == Dimension::stress ||
+                            (dimension == Dimension::speed && value >= fast) ||
+                            (dimension == Dimension::density && value < light);
+    if (!is_unusual) return "";
     return fmt::format("{}: {} has no unit and was taken for {} {}", where, text, text, quantity.unit());
 }
 

@@ -29,8 +29,8 @@ double parse_quantity(std::string_view text, const Quantity& quantity, std::stri
 double parse_quantity_or(std::string_view text, std::string_view word, double word_value, const Quantity& quantity,
                          std::string_view where);
 
-/// A note on a length or stress other than zero without a unit, of which 80 is meant as 80 mm more often than as the 80 m that it
-/// is:
+/// A note on a number without a unit that is meant otherwise more often than as it was taken: any length or stress but 0, of
+/// which 80 is rather 80 mm than the 80 m that it is, a speed of 1 m/s and more, a density below 100 kg/m³:
 /// "--width: 80 has no unit and was taken for 80 m"; "" for other texts. \param where as in parse_quantity
 std::string bare_number_note(std::string_view text, const Quantity& quantity, std::string_view where);
 

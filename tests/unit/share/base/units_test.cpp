@@ -88,6 +88,12 @@ TEST(Units, ComplaintsNameOptionFaultAndRemedyInOneLine) {
     EXPECT_NE(complaint("", quantity::mean_edge).find("no value given"), std::string::npos);
     EXPECT_NE(complaint("+-4", quantity::mean_edge).find("is not a number"), std::string::npos);
     EXPECT_EQ(complaint("-4mm", quantity::mean_edge), "--edge: \"-4mm\" is out of bounds; it must be above 0 m and at most 1 km");
+    EXPECT_EQ(complaint("51", of(&ContactParameters::friction_angle)),
+              "--edge: \"51\" has no unit and was taken for 2922 deg, which is out of bounds; write 51deg; it must be from 0 deg "
+              "to 88.81 deg");
+    EXPECT_EQ(
+        complaint("5", quantity::max_strain),
+        "--edge: \"5\" has no unit and was taken for 5, which is out of bounds; write 5%; it must be above 0 and at most 0.5");
     EXPECT_NE(complaint("0", quantity::mean_edge).find("out of bounds"), std::string::npos);
     EXPECT_NE(complaint("60%", quantity::edge_spread).find("from 0 to 0.5"), std::string::npos);
     EXPECT_NE(complaint("91deg", of(&ContactParameters::friction_angle)).find("from 0 deg to 88.81 deg"), std::string::npos);
