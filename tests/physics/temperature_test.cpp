@@ -345,7 +345,7 @@ TEST(Temperature, TheEnergyBalanceStaysClosed) {
         verify("phases: residual of the energy balance over stored energy, intact minerals heated and cooled",
                run(1000, 0, "300", straight).residual(), 0, 2e-5, "each term by its own definition", 1);
         verify("phases: residual of the energy balance over stored energy, curved expansion, the temperature jumps",
-               run(1000, 0, "20", curved).residual(), 0, 2e-5, "each term by its own definition", 1);
+               run(1000, 0, "300", curved).residual(), 0, 2e-5, "each term by its own definition", 1);
         const ProgramRun cracked = run(1, 0.8, "\"keep\"", straight);
         EXPECT_GT(cracked.run.failed_points(), 100U);
         EXPECT_GT(cracked.energies.back().external, 1);  // what failures have taken is not given back
