@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace graincrack {
 namespace {
@@ -73,6 +75,45 @@ TEST(Strength, IsTheFirstPeakOrTheLargestStressWhoseFallEndedTheTest) {
     failed = {0, 0, 0, 0};
     EXPECT_EQ(strength("brazilian", "strain limit"), 0);
     EXPECT_EQ(strength("uniaxial", "strain limit"), 0);
+}
+
+/// A curve through points (strain in %, stress in MPa) in steps of 0.001 %, with failures from the second point on.
+double strength_of(const std::string& test, double heat, const std::vector<std::pair<double, double>>& points) {
+    std::vector<double> strain, stress, failed;
+    for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
+        const auto [from, low] = points[piece];
+        const auto [to, high] = points[piece + 1];
+        const double rows = std::round(std::abs(to - from) / 0.001);
+        for (double i = 0; i < rows; ++i) {
+            strain.push_back(1e-2 * (from + (to - from) * i / rows));
+            stress.push_back(1e6 * (low + (high - low) * i / rows));
+            failed.push_back(piece > 0 ? 1 : 0);
+        }
+    }
+    RunHeader header;
+    header.test = test;
+    header.heat = heat;
+    header.rock.tensile_strength = 10e6;
+    header.stop_reason = "strain limit";
+    const std::optional<Peak> peak = find_strength(header, {strain, stress, failed});
+    return peak ? peak->stress * 1e-6 : 0;
+}
+
+TEST(Strength, HasNoneOfATestWhosePlatensRetreat) {
+    for (const char* test : {"uniaxial", "tension"}) {
+        EXPECT_EQ(strength_of(test, 0, {{0, 0}, {0.1, 20}, {0.3, 60}, {0.2, 5}}), 0) << test;
+        EXPECT_NEAR(strength_of(test, 0, {{0, 0}, {0.1, 20}, {0.3, 60}, {0.2, 5}, {0.5, 110}, {0.6, 70}}), 110, 1) << test;
+    }
+}
+
+// Faces and cracks that settle: falls of 60 % at 2 MPa and of 20 % at 40, beyond which the stress rises to 80.
+TEST(Strength, IsNotWhereAHeatedSpecimenSettles) {
+    const std::vector<std::pair<double, double>> settling{{0, 0},     {0.05, 2}, {0.06, 0.8}, {0.3, 50},
+                                                          {0.35, 40}, {0.6, 80}, {0.7, 30}};
+    EXPECT_NEAR(strength_of("uniaxial", 250, settling), 80, 1);
+    EXPECT_NEAR(strength_of("uniaxial", 0, settling), 50, 1);
+    // Without the last rise the fall at 50 MPa is one of 20 %.
+    EXPECT_EQ(strength_of("uniaxial", 250, {settling.begin(), settling.begin() + 5}), 0);
 }
 
 }  // namespace
