@@ -102,7 +102,8 @@ double strength_of(const std::string& test, double heat, const std::vector<std::
 TEST(Strength, HasNoneOfATestWhosePlatensRetreat) {
     for (const char* test : {"uniaxial", "tension"}) {
         EXPECT_EQ(strength_of(test, 0, {{0, 0}, {0.1, 20}, {0.3, 60}, {0.2, 5}}), 0) << test;
-        EXPECT_NEAR(strength_of(test, 0, {{0, 0}, {0.1, 20}, {0.3, 60}, {0.2, 5}, {0.5, 110}, {0.6, 70}}), 110, 1) << test;
+        EXPECT_NEAR(strength_of(test, 0, {{0, 0}, {0.1, 20}, {0.3, 60}, {0.2, 5}, {0.3, 60}, {0.5, 110}, {0.6, 70}}), 110, 1)
+            << test;
     }
 }
 
@@ -111,7 +112,7 @@ TEST(Strength, IsNotWhereAHeatedSpecimenSettles) {
     const std::vector<std::pair<double, double>> settling{{0, 0},     {0.05, 2}, {0.06, 0.8}, {0.3, 50},
                                                           {0.35, 40}, {0.6, 80}, {0.7, 30}};
     EXPECT_NEAR(strength_of("uniaxial", 250, settling), 80, 1);
-    EXPECT_NEAR(strength_of("uniaxial", 0, settling), 50, 1);
+    EXPECT_NEAR(strength_of("uniaxial", 0, settling), 2, 0.2);
     // Without the last rise the fall at 50 MPa is one of 20 %.
     EXPECT_EQ(strength_of("uniaxial", 250, {settling.begin(), settling.begin() + 5}), 0);
 }
