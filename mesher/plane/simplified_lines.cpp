@@ -166,7 +166,10 @@ std::vector<Lines::Constraint_id> insert(Lines& all, std::span<const DenseLine> 
 std::vector<std::vector<Point>> simplified_lines(std::span<const DenseLine> lines, const Clearance& clearance) {
     Lines all;
     const std::vector<Lines::Constraint_id> ids = insert(all, lines);
-    simplification::simplify(all, Cost{clearance}, simplification::Stop_above_cost_threshold(1));
+    // All at once would go by the addresses of the lines where costs are equal, so that no two calls agree.
+    for (const Lines::Constraint_id& id : ids) {
+        simplification::simplify(all, id, Cost{clearance}, simplification::Stop_above_cost_threshold(1));
+    }
     std::vector<std::vector<LineVertexHandle>> left;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         left.emplace_back(all.vertices_in_constraint_begin(ids[i]), all.vertices_in_constraint_end(ids[i]));

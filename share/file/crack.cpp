@@ -118,6 +118,10 @@ void write_cracks(H5Output& file, const std::vector<Crack>& cracks) {
 std::vector<Crack> read_cracks(const H5Input& file) {
     const std::size_t n = rows_of(file, schema::crack_time.path);
     const std::size_t n_contacts = rows_of(file, schema::contact_nodes.path);
+    if (n > 2 * n_contacts) {
+        throw InputError(fmt::format("{}: /cracks has {} rows, more than two for each of {} contacts: the file is damaged",
+                                     file.name(), n, n_contacts));
+    }
     std::vector<Crack> cracks(n);
     visit_columns([&]<class Member>(const schema::Dataset& dataset, const Member& member, bool may_be_nan) {
         using Number = typename Stored<Element<Member>>::Number;
