@@ -83,7 +83,7 @@ std::string verdict_on(const Target& target, const Sample& ours) {
 Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs, const Study& study) {
     const std::vector<double> values = values_of(target, runs);
     Outcome outcome{target, {}, runs.size(), ""};
-    if (!values.empty()) outcome.ours = sample(values);
+    if (!values.empty()) outcome.ours = positive_sample(values);
     const auto fraction = static_cast<double>(values.size()) / static_cast<double>(runs.size());
     if (std::isfinite(target.value)) {
         const bool lacking = target.property.needs_first_peak && fraction < study.first_peak_fraction;

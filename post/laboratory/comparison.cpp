@@ -41,7 +41,7 @@ void leave_alone(ComparisonRow& row) {
     row.is_heated = true;
     row.laboratory.target.value = NAN;
     row.laboratory.origin = PropertyOrigin::unknown;
-    row.laboratory.half_interval_of_one.reset();
+    row.laboratory.scatter.reset();
     row.published.reset();
     row.kind.reset();
 }
@@ -158,7 +158,7 @@ std::optional<Sample> SeedGroup::sample_of(const ValueOfTest& value) const {
     for (const MeasuredRun* run : runs) {
         if (const auto own = value(*run)) values.push_back(*own);
     }
-    return values.empty() ? std::nullopt : std::optional(sample(values));
+    return values.empty() ? std::nullopt : std::optional(positive_sample(values));
 }
 
 std::vector<SeedGroup> seed_groups(const std::vector<const MeasuredRun*>& all) {
@@ -186,12 +186,7 @@ MaterialPrediction prediction_of(const Material& material) {
 }
 
 Estimate ComparisonRow::computed() const {
-    Estimate computed = ours;
-    if (is_mean && specimens == 1 && laboratory.half_interval_of_one) {
-        computed.low = computed.value - *laboratory.half_interval_of_one;
-        computed.high = computed.value + *laboratory.half_interval_of_one;
-    }
-    return computed;
+    return is_pooled() ? pooled_mean({specimens, ours, deviation}, *laboratory.scatter) : ours;
 }
 
 std::optional<double> ComparisonRow::off_laboratory_percent() const {
@@ -200,8 +195,9 @@ std::optional<double> ComparisonRow::off_laboratory_percent() const {
 }
 
 std::optional<double> ComparisonRow::half_interval_percent() const {
-    return ours.low && ours.high && ours.value != 0 ? OptionalValue(std::abs(50 * (*ours.high - *ours.low) / ours.value))
-                                                    : std::nullopt;
+    const auto [value, low, high] = computed();
+    if (!low || !high || value == 0) return std::nullopt;
+    return std::abs(100 * (is_mean ? *high - value : (*high - *low) / 2) / value);
 }
 
 std::optional<double> ComparisonRow::specimens_for_3_percent() const {
@@ -318,8 +314,8 @@ void write_properties(std::ostream& out, const std::vector<ComparisonRow>& rows,
                                {"laboratory", none, [=](const Row& row) { return in_unit(row, row.laboratory.target.value); }},
                                {"published", none, [=](const Row& row) { return in_unit(row, row.published); }},
                                {"ours", none, [=](const Row& row) { return in_unit(row, row.ours.value); }},
-                               {"low", none, [=](const Row& row) { return in_unit(row, row.ours.low); }},
-                               {"high", none, [=](const Row& row) { return in_unit(row, row.ours.high); }},
+                               {"low", none, [=](const Row& row) { return in_unit(row, row.computed().low); }},
+                               {"high", none, [=](const Row& row) { return in_unit(row, row.computed().high); }},
                                {"deviation", none, [=](const Row& row) { return in_unit(row, row.deviation); }},
                                {"specimens", none, [](const Row& row) { return row.specimens; }},
                                {"without_peak", none, [](const Row& row) { return row.without_peak; }},

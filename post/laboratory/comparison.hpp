@@ -85,12 +85,13 @@ struct ComparisonRow {
     calibrate::Agreement agreement = calibrate::Agreement::unknown;
 
     [[nodiscard]] bool is_tested() const { return specimens > 0 || without_peak; }
-    /// Our value with its interval; of a single specimen that of the scatter of specimens, if the material tells it.
+    /// Our value with its interval; of up to three specimens also by the scatter that the material tells.
     [[nodiscard]] Estimate computed() const;
     /// 100 (ours/laboratory − 1)
     [[nodiscard]] std::optional<double> off_laboratory_percent() const;
     /// Half of the 95 % interval over our value.
     [[nodiscard]] std::optional<double> half_interval_percent() const;
+    [[nodiscard]] bool is_pooled() const { return is_mean && specimens > 0 && specimens <= 3 && laboratory.scatter; }
     /// Specimens, at least three, whose mean has a 95 % half interval of 3 %, with the deviation of these.
     [[nodiscard]] std::optional<double> specimens_for_3_percent() const;
 };

@@ -64,15 +64,17 @@ bool read_fitted(const std::string& text, std::smatch& found) {
     return std::regex_match(text, found, form);
 }
 
-/// t s of specimens, from the interval t s/√n of the mean of n.
-std::optional<double> half_interval_of_one(const Material& material, const Target& target) {
+/// s of specimens, from the interval t s/√n of the mean of n; its lower end may be cut off at 0.
+std::optional<Scatter> fitted_scatter(const Material& material, const Target& target) {
     const auto entry = material.fitted.find(target.fitted_name());
     std::smatch found;
     if (entry == material.fitted.end() || !read_fitted(entry->second, found) || !found[3].matched) return std::nullopt;
-    const auto low = parse_number(found[3]);
+    const auto mean = parse_number(found[2]);
     const auto high = parse_number(found[4]);
     const auto n = parse_number(found[5]);
-    return low && high && n ? std::optional((*high - *low) / 2 * std::sqrt(*n) * target.property.si) : std::nullopt;
+    if (!mean || !high || !n || *n < 2) return std::nullopt;
+    const int freedom = static_cast<int>(*n) - 1;
+    return Scatter{(*high - *mean) * std::sqrt(*n) / student_t_95(freedom) * target.property.si, freedom};
 }
 
 /// σ1 = 2C√b + b σ3
@@ -159,7 +161,7 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
         }
         if (!property.is_measured()) property.origin = PropertyOrigin::unknown;
         if (!material) continue;
-        property.half_interval_of_one = half_interval_of_one(*material, property.target);
+        property.scatter = fitted_scatter(*material, property.target);
         calibrate::set_toughness_test(property.target, *material);
     }
     std::ranges::stable_sort(all, {}, [](const LaboratoryProperty& each) {

@@ -31,10 +31,9 @@ struct LaboratoryProperty {
     calibrate::Target target;                         ///< its value is NaN where the laboratory has none
     bool has_own_deviation = false;                   ///< given by [targets]; else the usual one of such a measurement
     PropertyOrigin origin = PropertyOrigin::unknown;  ///< of the computed value; unknown without a measured one
-    /// Half of the 95 % interval of the mean by the value of a single specimen, SI: by the scatter that [fitted] has.
-    std::optional<double> half_interval_of_one = {};
-    [[nodiscard]] bool is_measured() const;  ///< by the laboratory
-    [[nodiscard]] std::string name() const;  ///< "UCS", "σ1 at σ3 = 8 MPa", "crack initiation CI"
+    std::optional<Scatter> scatter = {};              ///< of single specimens, SI: what [fitted] tells of it
+    [[nodiscard]] bool is_measured() const;           ///< by the laboratory
+    [[nodiscard]] std::string name() const;           ///< "UCS", "σ1 at σ3 = 8 MPa", "crack initiation CI"
 };
 
 /// The material that a run was made with, by the name that its provenance has; empty if that is not found, or is another by now:

@@ -25,7 +25,7 @@ StrengthGroup group_of(const std::vector<RunData>& runs, const ComparableGroup& 
         if (const auto stress = strength.reported(kind)) strengths.push_back(*stress);
         if (!strength.has_peak(kind)) ++group.without_peak;
     }
-    group.strength = sample(strengths);
+    group.strength = positive_sample(strengths);
     group.runs = like.runs;
     const std::string heat = first.header.heat_label();
     group.distinction = heat + (heat.empty() || like.distinction.empty() ? "" : ", ") + like.distinction;

@@ -35,7 +35,7 @@ std::string in_unit(const ComparisonRow& row, double value, int digits = 4) {
 }
 
 std::string laboratory_cell(const ComparisonRow& row) {
-    const auto& [target, has_own_deviation, origin, half_interval] = row.laboratory;
+    const auto& [target, has_own_deviation, origin, scatter] = row.laboratory;
     if (!row.laboratory.is_measured()) return "";
     std::string text = in_unit(row, target.value);
     if (std::isfinite(target.deviation)) text += " ± " + in_unit(row, target.deviation, 2) + (has_own_deviation ? "" : "*");
@@ -60,7 +60,7 @@ std::string computed_cell(const ComparisonRow& row) {
     if (computed.low) text += in_unit(row, *computed.low) + " to " + in_unit(row, *computed.high) + " ";
     if (!row.is_mean) return text + "(line)";
     return text + fmt::format("({}\u00a0run{}{})", row.specimens, row.specimens == 1 ? "" : "s",
-                              computed.low && row.specimens == 1 ? ", scatter of the calibration" : "");
+                              row.is_pooled() ? ", scatter of the calibration" : "");
 }
 
 /// "within", "outside", "not decided (3 runs)", "not decided by one run", or why there is no verdict.

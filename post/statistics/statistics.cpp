@@ -29,6 +29,28 @@ Sample sample(std::span<const double> values) {
     return s;
 }
 
+namespace {
+
+Estimate without_negative_end(Estimate estimate) {
+    if (estimate.low && estimate.value >= 0) estimate.low = std::max(*estimate.low, 0.0);
+    return estimate;
+}
+
+}  // namespace
+
+Sample positive_sample(std::span<const double> values) {
+    Sample positive = sample(values);
+    positive.mean = without_negative_end(positive.mean);
+    return positive;
+}
+
+Estimate pooled_mean(const Sample& sample, const Scatter& others) {
+    const int own = static_cast<int>(sample.n) - 1;
+    const double squares = own * std::pow(sample.deviation.value_or(0), 2) + others.freedom * std::pow(others.deviation, 2);
+    const int freedom = own + others.freedom;
+    return without_negative_end(estimate(sample.mean.value, squares / freedom / static_cast<double>(sample.n), freedom));
+}
+
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y) {
     const std::size_t n = x.size();
     if (n < 2 || std::ranges::all_of(x, [&](double value) { return value == x[0]; })) return std::nullopt;

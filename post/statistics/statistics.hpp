@@ -27,6 +27,17 @@ struct Sample {
     std::optional<double> deviation;
 };
 Sample sample(std::span<const double> values);
+/// The same of what cannot be negative, as strengths: neither can the interval of its mean.
+Sample positive_sample(std::span<const double> values);
+
+/// Standard deviation of specimens, and the degrees of freedom it is known with.
+struct Scatter {
+    double deviation = 0;
+    int freedom = 1;
+};
+/// The mean of a sample of what cannot be negative, with the interval by its own scatter and that of others of the same rock.
+/// \pre the sample is not empty
+Estimate pooled_mean(const Sample& sample, const Scatter& others);
 
 /// Least squares y = intercept + slope · x, with the variances that follow from the scatter about the line (0 with two points).
 struct Line {

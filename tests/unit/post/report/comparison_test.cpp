@@ -47,8 +47,8 @@ TEST_F(Comparison, HasTargetsAndWhetherMeansAreWithinTheirDeviation) {
     add("triaxial", 1, 200e6, 8e6);
     const std::string html = table(read_material("augig-granite-triangles"));
     const std::string uniaxial =
-        "<td>UCS</td><td>122 ± 6.1\u00a0MPa</td><td>120.4\u00a0MPa\n118 to 122.9 "
-        "(3\u00a0runs)</td><td>-1.3\u00a0%</td><td>within</td><td>fitted</td>";
+        "<td>UCS</td><td>122 ± 6.1\u00a0MPa</td><td>120.4\u00a0MPa\n112.7 to 128.2 "  // 118 to 122.9 by their own scatter
+        "(3\u00a0runs, scatter of the calibration)</td><td>-1.3\u00a0%</td><td>not decided (3 runs)</td><td>fitted</td>";
     const std::string triaxial =
         "<td>σ1 at σ3 = 8 MPa</td><td>193.5 ± "
         "15\u00a0MPa</td><td>199.4\u00a0MPa\n";
@@ -175,6 +175,14 @@ TEST_F(Comparison, OneRunIsJudgedByTheScatterThatItsCalibrationFound) {
         "<td>UCS</td><td>122 ± 6.1*\u00a0MPa</td><td>121.4\u00a0MPa\n116.4 to 126.4 (1\u00a0run, scatter of the "
         "calibration)</td><td>-0.5\u00a0%</td><td>within</td><td>fitted</td>"))
         << row();
+}
+
+TEST_F(Comparison, TwoRunsHaveTheScatterOfTheCalibrationToo) {
+    Material rock = read_material("augig-granite");
+    rock.fitted = {{"compressive_strength", "122 MPa; 121 (118.5 to 123.5) on 4 new specimens"}};
+    add("uniaxial", 1, 122e6);
+    add("uniaxial", 2, 123e6);
+    expect_texts(table(rock), {"(2\u00a0runs, scatter of the calibration)</td><td>-0.0\u00a0%</td><td>within</td>"});
 }
 
 TEST_F(Comparison, WhatTheLaboratoryDoesNotHaveIsNotPredicted) {
