@@ -116,6 +116,7 @@ Command properties_command() {
         [](const Options& options, const Call& call) {
             const IncompleteMaterial material = read_incomplete_material_of(call, options.material);
             const std::vector<RunData> runs = read_once_each(call.files, call.command, call.diagnostics());
+            require_material(runs, material);
             std::vector<std::string> left_out;
             for (const RunData& run : runs) {
                 if (options.envelope.strength == StrengthKind::largest || measure_strength(run).strength) continue;

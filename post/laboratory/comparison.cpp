@@ -285,6 +285,16 @@ std::vector<ComparisonRow> property_rows(const std::vector<RunData>& runs, Incom
     require_comparable(runs, "a property");
     take_laboratory(read);
     const Material& material = read.material;
+void require_material(const std::vector<RunData>& runs, IncompleteMaterial read) {
+    take_laboratory(read);
+    for (const RunData& run : runs) {
+        const std::string found = read.missing.empty() ? difference_from(read.material, run.header) : "";
+        if (found.empty()) continue;
+        throw InputError(fmt::format("{}: is of another material than {}: they differ in {}; its own is needed", run.name,
+                                     read.material.file.string(), found));
+    }
+}
+
     MaterialPrediction prediction;
     if (read.missing.empty()) {
         prediction = prediction_of(material);

@@ -114,6 +114,9 @@ std::vector<ComparisonRow> compare(const std::vector<SeedGroup>& groups, const s
 ///
 /// E and ν (chord to half the peak) of the uniaxial tests, tensile strengths, σ1 at each pressure, and C, φ and b of the line
 /// through them, also by the stress at first yield; then, without runs, what the surface of the kind predicts of new specimens:
+/// \throws InputError if runs are not of a material by its values, as `difference_from`; of one that lacks some nothing is known
+void require_material(const std::vector<RunData>& runs, IncompleteMaterial material);
+
 /// σ1 at the pressures of the runs, of [targets] and of the laboratory, else at 8 and 20 MPa. Neither the runs nor the kind need
 /// to give all. \param why the kind predicts nothing; "" if it does \throws InputError as require_comparable and
 /// collect_envelope_tests, and for a broken table or [targets]

@@ -108,8 +108,8 @@ std::optional<Material> material_of_run(const RunSettings& run, const std::strin
 }
 
 std::string difference_from(const Material& material, const RunSettings& run) {
+    const std::string names = fmt::format("material ({}, {})", run.material, material.name);
     RunSettings made = run;
-    made.material = material.name;
     made.rock = material.rock;
     made.contact = contact_parameters(material, run.plane, std::nullopt);
     std::vector<std::string> phases;
@@ -119,12 +119,17 @@ std::string difference_from(const Material& material, const RunSettings& run) {
     }
     try {
         const Fabric fabric = fabric_of(material, run.plane, std::nullopt, phases);
-        std::copy(fabric.phases.begin(), fabric.phases.end(), made.fabric.phases.begin());
+        const auto& own = run.fabric.feels_temperature() ? fabric.phases : without_expansion(fabric.phases);
+        std::copy(own.begin(), own.end(), made.fabric.phases.begin());
         std::copy(fabric.contacts.begin(), fabric.contacts.end(), made.fabric.contacts.begin());
     } catch (const InputError&) {
-        if (material.name == run.material) return "minerals";
+        return material.name == run.material ? "minerals" : names;
     }
-    return differences(compared_material(run), compared_material(made));
+    ComparedSettings as_run = compared_material(run);
+    constexpr double as_written = 1e-5;  // by calibrations and `material value`, to six digits
+    for (ComparedSetting& each : as_run) each.tolerance = as_written;
+    const std::string values = differences(as_run, compared_material(made));
+    return values.empty() || material.name == run.material ? values : names;
 }
 
 std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Material>& material,

@@ -40,8 +40,8 @@ struct LaboratoryProperty {
 /// its name, the elastic constants or density of its rock differ.
 std::optional<Material> material_of_run(const RunSettings& run, const std::string& name);
 
-/// In what a run is of another material than this: its name, rock, contacts or phases, the values of the run first; "" if in
-/// nothing.
+/// In what a run is of another material than this by the values of rock, contacts and phases, those of the run first; of
+/// materials with different names these alone; "" if all values are equal, whatever the names.
 std::string difference_from(const Material& material, const RunSettings& run);
 
 /// The targets of a material, and E, ν, strengths at the given pressures, crack thresholds and K_IC, in the order of

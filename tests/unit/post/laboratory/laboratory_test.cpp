@@ -90,5 +90,23 @@ TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {
     EXPECT_FALSE(found("augig-granite"));
 }
 
+// A run without temperature keeps no expansions.
+TEST(DifferenceFrom, TheMaterialOfARunIsNothing) {
+    Material granite = read_material("augig-granite");
+    granite.fabric.phases = {{"mica", {}}, {"quartz", {}}};
+    granite.fabric.phases["quartz"].thermal_expansion = 8e-6;
+    RunSettings run;
+    run.material = "Augig granite, as it was before its calibration";
+    run.rock = granite.rock;
+    run.contact = contact_parameters(granite, run.plane, std::nullopt);
+    run.fabric = fabric_of(granite, run.plane, std::nullopt, {"mica", "quartz"});
+    run.class_names = {"mica-mica", "mica-quartz", "quartz-quartz"};
+    EXPECT_EQ(difference_from(granite, run), "");
+    run.fabric.phases = without_expansion(run.fabric.phases);
+    EXPECT_EQ(difference_from(granite, run), "");
+    run.fabric.phases[0].young_modulus *= 1.01;
+    EXPECT_NE(difference_from(granite, run), "");
+}
+
 }  // namespace
 }  // namespace graincrack
