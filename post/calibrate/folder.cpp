@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 
+#include "post/calibrate/predicted.hpp"
 #include "post/table/table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/table_file.hpp"
@@ -152,8 +153,10 @@ FolderDecision calibrate_folder(const std::string& folder, const std::string& ma
         if (!decision.point.empty()) {
             const bool calibrated = decision.ending == Ending::calibrated;
             const std::string name = calibrated ? "calibrated.toml" : "nearest.toml";
-            write("material", name, material_text(rock, decision, calibrated ? "calibrated" : "nearest point"));
+            const std::string text = material_text(rock, decision, calibrated ? "calibrated" : "nearest point");
+            write("material", name, text);
             at = read_material(path(name));
+            if (!findings.predictions.empty()) write("material", name, with_predictions(text, *at, findings.predictions));
         }
         if (decision.fit) write("sensitivities", "identify.tsv", identify_table(findings.sensitivities));
         if (findings.draws) write("draws", "draws.tsv", draws_table(findings));

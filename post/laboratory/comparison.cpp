@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "post/calibrate/predicted.hpp"
 #include "post/fit/paper_rock.hpp"
 #include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
@@ -181,7 +182,11 @@ MaterialPrediction prediction_of(const Material& material) {
     if (!prediction.surface) return prediction;
     prediction.at = kind_coordinates(material);
     prediction.why = prediction.surface->beyond(prediction.at);
-    if (!prediction.why.empty()) prediction.surface.reset();
+    if (!prediction.why.empty()) {
+        prediction.surface.reset();
+    } else {
+        prediction.of_calibration = calibrate::predictions_in(material);
+    }
     return prediction;
 }
 

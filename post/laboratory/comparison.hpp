@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -60,8 +61,11 @@ struct MaterialPrediction {
     std::optional<KindSurface> surface;  ///< empty if it predicts nothing
     std::string why;                     ///< it predicts nothing: "its cohesion over tc is 20, those of the design 1.5 to 16"
     KindCoordinates at;                  ///< of the material
+    std::map<std::string, KindPrediction> of_calibration = {};  ///< by kind and runs, as [predicted] has them; by target
 
     [[nodiscard]] std::optional<KindPrediction> of(const calibrate::Target& target) const {
+        const auto own = of_calibration.find(target.name());
+        if (own != of_calibration.end()) return own->second;
         return surface ? surface->predict(at, target.property, target.confining_pressure) : std::nullopt;
     }
 };

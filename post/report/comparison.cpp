@@ -128,9 +128,11 @@ std::string explanation_of(const std::vector<ComparisonRow>& rows, const Materia
         text += html::paragraph("The kind predicts nothing of this material: " + prediction.why + ".");
     } else if (prediction.surface) {
         text += html::paragraph(
-            fmt::format("A specimen, by the kind: what a new specimen has by the surface of {} (graincrack-post kind), without "
-                        "a run of this material; K_IC is that of a half-disc of 20 crystals' diameter.",
-                        prediction.surface->kind()));
+            fmt::format("A specimen, by the kind: what a new specimen has by the surface of {} (graincrack-post kind), {}; "
+                        "K_IC is that of a half-disc of 20 crystals' diameter.",
+                        prediction.surface->kind(),
+                        prediction.of_calibration.empty() ? "without a run of this material"
+                                                          : "and by the runs of its calibration where these measured it"));
     }
     const auto any = [&](const auto& is) { return std::any_of(rows.begin(), rows.end(), is); };
     if (any([](const ComparisonRow& row) { return row.agreement == Agreement::undecided; })) {

@@ -172,9 +172,9 @@ std::optional<TomlKeys> table_at(Material& material, const std::vector<std::stri
     return fabric_table(material.fabric, path);
 }
 
-/// Tables that a calibration reads or writes: how it is done, and what was fitted. No property of the rock.
+/// Tables that a calibration reads or writes: how it is done, what was fitted, and is predicted. No property of the rock.
 bool is_of_calibration(const std::string& table) {
-    return table == "targets" || table == "parameters" || table == "study" || table == "fitted";
+    return table == "targets" || table == "parameters" || table == "study" || table == "fitted" || table == "predicted";
 }
 
 /// The key that a ratio needs.

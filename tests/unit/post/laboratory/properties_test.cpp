@@ -1,14 +1,19 @@
 // Properties of specimens beside the laboratory's: means, the line and the numbers that follow, against numbers by hand.
 #include "post/laboratory/comparison.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "post/calibrate/predicted.hpp"
 #include "share/base/error.hpp"
+#include "share/rock/material_edit.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/synthetic_kind.hpp"
 #include "tests/support/synthetic_run.hpp"
@@ -68,6 +73,38 @@ TEST_F(Properties, OfRunsThatAreNotComparableAreRefused) {
     files_.push_back(folder_.file("fine.h5"));
     test::write_run(files_.back(), recipe);
     test::expect_one_line<InputError>([&] { (void)measured(); }, {"fine.h5: differs from", "grain diameter (4 mm, 8 mm)"});
+}
+
+TEST_F(Properties, OfAnotherMaterialAreRefusedByItsValuesAndNotByItsName) {
+    add("uniaxial", 1, 120e6);
+    const std::vector<RunData> runs = read_runs(files_);
+    material_.name = "Augig granite, calibrated";
+    material_.contact.cohesion = material_.contact.cohesion.value() * (1 + 2e-6);  // six digits in a file
+    EXPECT_NO_THROW(require_material(runs, {material_, {}, {}}));
+    EXPECT_NO_THROW(require_material(runs, {read_material("lac-du-bonnet-granite-calibrated"), {"contact.cohesion"}, {}}));
+    material_.contact.cohesion = 80e6;
+    test::expect_one_line<InputError>(
+        [&] {
+            require_material(runs, {material_, {}, {}});
+        },
+        {"0.h5: is of another material", "(Augig granite, Augig granite, calibrated)"});
+    material_.name = "Augig granite";
+    test::expect_one_line<InputError>([&] { require_material(runs, {material_, {}, {}}); }, {"(74.57 MPa, 80 MPa)"});
+}
+
+TEST_F(Properties, IntervalsOfUpToThreeRunsHaveTheScatterOfTheCalibrationToo) {
+    for (const std::int64_t seed : {1, 2}) add("brazilian", seed, seed == 1 ? 6e6 : 12e6);
+    EXPECT_EQ(in_table("tensile_strength_MPa", "low"), 0);  // 9 ± 38 MPa
+    // t(0.975, 4) = 2.776445: 2 MPa of 5 specimens. Pooled with √18 MPa of one degree of freedom: t(0.975, 5) = 2.570582.
+    material_.fitted = {{"tensile_strength", "8.8 MPa; 9 (6.516674 to 11.483326) on 5 new specimens"}};
+    const double half = 2.570582 * std::sqrt((18 + 4 * 4) / 5.0 / 2);
+    EXPECT_NEAR(in_table("tensile_strength_MPa", "low"), 9 - half, 1e-4);
+    EXPECT_NEAR(in_table("tensile_strength_MPa", "high"), 9 + half, 1e-4);
+    EXPECT_NEAR(in_table("tensile_strength_MPa", "half_interval_percent"), 100 * half / 9, 1e-3);
+    add("brazilian", 3, 9e6);
+    EXPECT_NEAR(in_table("tensile_strength_MPa", "high"), 9 + 2.446912 * std::sqrt((18 + 4 * 4) / 6.0 / 3), 1e-4);
+    add("brazilian", 4, 9e6);  // by their own: t(0.975, 3) = 3.182446
+    EXPECT_NEAR(in_table("tensile_strength_MPa", "high"), 9 + 3.182446 * std::sqrt(6.0 / 4), 1e-4);
 }
 
 TEST_F(Properties, MeansStandBesideTheLaboratorysAndThePapers) {
@@ -192,6 +229,33 @@ TEST_F(Properties, TheKindOfRockSaysWhatSpecimensHaveWithoutRunsToo) {
     EXPECT_EQ(why_, "its contact.law is not given, that of granite cohesive-frictional");
 }
 
+TEST_F(Properties, OfACalibratedRockHaveThePredictionsOfItsCalibrationUntilItsValuesChange) {
+    const test::KindFolder folder(test::SyntheticKind{}.rows(70));
+    const std::string file = folder_.file("calibrated.toml");
+    const auto write = [&file](const std::string& text) { std::ofstream(file) << text; };
+    write(test::read_text(std::string(GRAINCRACK_SOURCE) + "/share/materials/lac-du-bonnet-granite-calibrated.toml"));
+    const Material at = read_material(file);
+    const auto predict = [&](double ucs) {
+        const calibrate::Target target = calibrate::target_of("uniaxial", "test");
+        write(calibrate::with_predictions(test::read_text(file), at, {{target, {}, {ucs, ucs / 1.2, ucs * 1.2}, {}}}));
+    };
+    const auto kind_of = [&](const std::string& column) {
+        const auto all = property_rows({}, read_incomplete_material(file), {}, why_);
+        return *std::ranges::find(all, column, &ComparisonRow::column)->kind;
+    };
+    const double by_kind = kind_of("s1_at_0_MPa").value;
+    predict(300e6);
+    predict(212e6);  // in place of the earlier one
+    EXPECT_NEAR(kind_of("s1_at_0_MPa").value, 212e6, 1e4);
+    EXPECT_NEAR(kind_of("s1_at_0_MPa").specimen_at(deviations_of_95_percent), 212e6 * 1.2, 1e4);
+    const KindPrediction of_discs = *KindSurface::of(at)->predict(at, property_named("brazilian"), 0);
+    EXPECT_EQ(kind_of("tensile_strength_MPa").value, of_discs.value);
+    write(material_with(file, {{"name", "the same"}}));
+    EXPECT_NEAR(kind_of("s1_at_0_MPa").value, 212e6, 1e4);
+    write(material_with(file, {{"contact.tensile_strength", fmt::format("{} Pa", *at.contact.tensile_strength * 1.01)}}));
+    EXPECT_NEAR(kind_of("s1_at_0_MPa").value, 1.01 * by_kind, 0.01 * by_kind);
+}
+
 TEST_F(Properties, HeatedSpecimensStandBesideNeitherLaboratoryNorKind) {
     const test::KindFolder folder(test::SyntheticKind{}.rows(70));
     add("uniaxial", 1, 120e6);
@@ -209,7 +273,10 @@ TEST_F(Properties, HeatedSpecimensStandBesideNeitherLaboratoryNorKind) {
                 EXPECT_EQ(field(out.str(), column, row), "") << rock << column << row;
             }
         }
-        EXPECT_EQ(names.count("s1_at_0_MPa") + names.count("s1_at_8_MPa"), 2U);
+        for (const char* name : {"s1_at_0_MPa", "s1_at_8_MPa", "cohesion_MPa", "slope_b"}) {
+            EXPECT_EQ(names.count(name), 0U) << name;
+            EXPECT_EQ(names.count(std::string(name) + ", at +300 K"), 1U) << name;
+        }
     }
 }
 
