@@ -344,9 +344,8 @@ bool Calibration::correct(const DesignPoint& at) {
     optimise();
     const std::vector<Residual> residuals = residuals_of(fit_.responses);
     const double gained = misfit(at, residuals) - misfit(fit_.optimum.point, residuals);
-    const bool is_elastic = std::ranges::any_of(decision.outcomes, [](const Outcome& o) {
-        return o.target.is_elastic() && o.target.use == Use::fit && o.verdict != "within";
-    });
+    const bool is_elastic = std::ranges::any_of(
+        decision.outcomes, [](const Outcome& o) { return o.target.is_elastic() && o.target.use == Use::fit && !o.is_met(); });
     if (corrections_ >= (designs_ > 0 ? 1 : study().corrections) || !(gained > pointless || is_elastic)) return false;
     ++corrections_;
     return true;
@@ -422,7 +421,7 @@ std::string Calibration::confirm(bool until_decided) {
         for (const Target& target : problem_.targets) {
             if (!test.has(target)) continue;
             decision.outcomes.push_back(outcome_of(target, found, study()));
-            if (target.use == Use::fit && decision.outcomes.back().verdict != "within") add(missed, target.symbol());
+            if (target.use == Use::fit && !decision.outcomes.back().is_met()) add(missed, target.symbol());
         }
     }
     return missed;

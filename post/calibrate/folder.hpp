@@ -37,8 +37,8 @@ Problem read_problem(const Material& rock, const std::vector<std::string>& setti
 
 struct FolderDecision {
     Decision decision;
-    double requested_time =
-        0;  ///< s of one processor for what is requested, by finished runs of the same tests; 0 if there are none of one of them
+    /// s of what is requested, run after run, by the clock of finished runs of the same tests; 0 if one has none.
+    double requested_time = 0;
 };
 
 /// Decides, and writes what follows to the folder; removes what was written before and holds no longer.

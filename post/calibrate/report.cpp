@@ -64,6 +64,12 @@ std::string toughness_test_text(const Problem& problem) {
     return fmt::format("{}; the laboratory's is {}", text, toughness->measured_on->text());
 }
 
+/// True if K_IC of a rock is what `take_laboratory` makes of its tensile strength.
+bool is_assumed_toughness(const Material& rock) {
+    const double assumed = rock.rock.tensile_strength / fpz::tensile_strength_from_toughness(1);
+    return !rock.laboratory_value("mode_i_toughness") && rock.rock.mode_i_toughness == assumed;
+}
+
 /// How many free parameters, targets of both kinds and first peaks there are, what became of K_IC, and what is fixed.
 std::string summary_text(const Findings& findings, const std::optional<Material>& at) {
     const auto& [rock, problem, decision, n_runs, sensitivities, draws, predictions] = findings;
@@ -89,8 +95,10 @@ std::string summary_text(const Findings& findings, const std::optional<Material>
         const double toughness = std::sqrt(fpz::effective_modulus(at->rock, PlaneCondition::strain) * energy);
         text += fmt::format(
             "- {}. The fracture energy of contacts, {:.4g} J/m², corresponds to √(Ẽ G) = {:.3g} "
-            "MPa √m; the rock has {:.3g} MPa √m\n",
-            toughness_test_text(problem), energy, toughness * 1e-6, rock.rock.mode_i_toughness * 1e-6);
+            "MPa √m; {} {:.3g} MPa √m\n",
+            toughness_test_text(problem), energy, toughness * 1e-6,
+            is_assumed_toughness(rock) ? "K_IC was not measured, and σt/6.88 is" : "the rock has",
+            rock.rock.mode_i_toughness * 1e-6);
         Cells fixed;
         for (const ContactParameter& row : all_contact_parameters()) {
             const std::string key = "contact." + row.key();
@@ -130,11 +138,12 @@ std::string outcomes_text(const Decision& decision) {
         const bool known = std::isfinite(t.value);
         const double scale = t.property.absolute ? 1 : 100 / t.value;
         const char* unit = t.property.absolute ? "" : " %";
+        const std::string on_line = t.is_on_line ? fmt::format(" ({})", no_test) : "";
         text += markdown_row({t.symbol() + (t.property.unit.empty() ? "" : ", " + t.property.unit),
                               t.use == Use::fit ? "fitted"
                               : known           ? "predicted"
                                                 : "not measured",
-                              known ? fmt::format("{:.5g}", t.value / t.property.si) : "",
+                              known ? fmt::format("{:.5g}", t.value / t.property.si) + on_line : "",
                               o.ours ? with_interval(o.ours->mean, t.property.si) : "",
                               fmt::format("{} of {}", o.ours ? o.ours->n : 0, o.tests),
                               known && o.ours ? fmt::format("{:+.3g}{}", (o.ours->mean.value - t.value) * scale, unit) : "",
@@ -167,8 +176,9 @@ std::string values_text(const Problem& problem, const Decision& decision) {
         "A value is not determined by the data where they leave more than a quarter of that variance: it is then nearly that of "
         "the "
         "first guess, of the kind of rock.\n";
-    text += std::isfinite(optimum.condition) ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
-                                             : "\nThere are fewer targets than parameters.";
+    text += std::isfinite(optimum.condition)
+                ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
+                : "\nThere are fewer fitted targets beside E and ν, which scale the grains, than parameters.";
     Cells pairs;
     for (Eigen::Index k = 0; k < optimum.point.size(); ++k) {
         for (Eigen::Index l = 0; l < k; ++l) {

@@ -109,6 +109,11 @@ double needed_slope(const Material& rock) {
                     rock.file.string()));
 }
 
+/// The strength that the laboratory measured at a confining pressure.
+std::optional<double> measured_strength_at(const Material& rock, double pressure) {
+    return rock.laboratory_value("confining_pressure") == pressure ? rock.laboratory_value("confined_strength") : std::nullopt;
+}
+
 std::vector<Target> laboratory_targets(const Material& rock, double pressure, const std::vector<double>& predicted_pressures) {
     std::vector<Target> targets;
     const auto add = [&](const std::string& name, double confining, double value, Use use) {
@@ -118,6 +123,7 @@ std::vector<Target> laboratory_targets(const Material& rock, double pressure, co
         target.value = value;
         target.deviation = target.usual_deviation();
         target.use = use;
+        target.is_on_line = confining > 0 && !measured_strength_at(rock, confining);
     };
     const double ucs = needed(rock, "compressive_strength");
     const double slope = needed_slope(rock);
@@ -180,14 +186,14 @@ std::string disagreement_text(const Material& rock) {
     return fmt::format("C and φ of the laboratory imply a UCS that differs by {:+.1f} % from the measured one", 100 * off);
 }
 
-std::optional<double> laboratory_entry(const Material& material, const Target& target) {
-    if (target.property.pressure != PressureOf::name) return material.laboratory_value(target.property.key);
-    if (material.laboratory_value("confining_pressure") == target.confining_pressure) {
-        if (const auto measured = material.laboratory_value("confined_strength")) return measured;
-    }
+void take_laboratory_entry(const Material& material, Target& target) {
+    const auto take = [&target](const std::optional<double>& value) { target.value = value.value_or(NAN); };
+    if (target.property.pressure != PressureOf::name) return take(material.laboratory_value(target.property.key));
+    if (const auto measured = measured_strength_at(material, target.confining_pressure)) return take(measured);
     const auto ucs = material.laboratory_value("compressive_strength");
     const auto slope = laboratory_slope(material);
-    return ucs && slope ? std::optional(*ucs + *slope * target.confining_pressure) : std::nullopt;
+    target.is_on_line = ucs && slope;
+    if (target.is_on_line) take(*ucs + *slope * target.confining_pressure);
 }
 
 std::vector<Target> given_targets(const TomlFile& file) {

@@ -26,6 +26,7 @@ struct Target {
     double deviation = 0;           ///< of the measured value, SI; also how far the confirmation may be off
     Use use = Use::fit;
     std::optional<ToughnessTest> measured_on = {};  ///< of K_IC: what the laboratory measured it on, as far as the material says
+    bool is_on_line = false;  ///< its value is none of a test, but on the line UCS + b σ3 of the friction angle
 
     [[nodiscard]] std::string name() const;         ///< "first_peak_8MPa"
     [[nodiscard]] std::string fitted_name() const;  ///< of the same in [fitted]: "confined_strength_8MPa"
@@ -71,8 +72,11 @@ void set_toughness_test(Target& target, const Material& material);
 /// The rows of [targets]; none without that table. \throws InputError naming file and key of what is wrong
 std::vector<Target> given_targets(const TomlFile& file);
 
-/// The value of a target in [laboratory], SI; of a confined strength the one measured at that pressure, else UCS + b σ3.
-std::optional<double> laboratory_entry(const Material& material, const Target& target);
+/// Gives a target its value in [laboratory]: NaN if there is none; of a confined strength the one measured at that pressure, else
+/// UCS + b σ3.
+void take_laboratory_entry(const Material& material, Target& target);
+/// Said beside a value that is on the line.
+inline constexpr const char* no_test = "φ line, no test";
 
 /// The rows of [targets]; without that table the laboratory's values: E, ν, Brazilian and uniaxial strength, and the first peak
 /// at a confining pressure on the line σ1 = UCS + b σ3, with b of the friction angle, or of cohesion and UCS; predicted are the

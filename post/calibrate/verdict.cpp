@@ -74,8 +74,9 @@ namespace {
 std::string verdict_on(const Target& target, const Sample& ours) {
     const double off = std::abs(ours.mean.value - target.value);
     const double error = ours.deviation ? *ours.deviation / std::sqrt(static_cast<double>(ours.n)) : 0;
-    if (target.use == Use::fit && off <= target.deviation && error <= target.deviation) return "within";
-    return name_of(agreement_of(target, ours.mean));
+    const Agreement agreement = agreement_of(target, ours.mean);
+    const bool is_met = target.use == Use::fit && off <= target.deviation && error <= target.deviation;
+    return agreement != Agreement::within && is_met ? "mean within" : name_of(agreement);
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ std::size_t more_specimens_for(const Test& test, const std::vector<const Measure
                                const Fit& fit, const Study& study, bool until_decided) {
     std::size_t n = runs.size();
     for (const Target& t : targets) {
-        if (t.use != Use::fit || !test.has(t) || outcome_of(t, runs, study).verdict == "within") continue;
+        if (t.use != Use::fit || !test.has(t) || outcome_of(t, runs, study).is_met()) continue;
         const Response* const response = find_of(fit.responses, t);
         if (!fit.points.empty()) return study.most_specimens(test);
         if (until_decided) n = 2 * runs.size();
@@ -200,7 +201,7 @@ Ended ending_of(const std::vector<Outcome>& outcomes, const Fit& fit, const Box&
     bool out_of_reach = false;
     bool outside = false;
     for (const Outcome& o : outcomes) {
-        if (o.target.use == Use::predict || o.verdict == "within") continue;
+        if (o.target.use == Use::predict || o.is_met()) continue;
         add(missed, off_text(o) + ": " + o.verdict);
         const Misfit misfit = misfit_of(o, fit, all, parameters);
         if (misfit.expected) add(remedies, misfit.remedy);
@@ -214,7 +215,7 @@ Ended ending_of(const std::vector<Outcome>& outcomes, const Fit& fit, const Box&
         }
     }
     if (missed.empty()) {
-        return {Ending::calibrated, "new specimens are within the bounds of every target",
+        return {Ending::calibrated, "means of new specimens are within the bounds of every target",
                 "use calibrated.toml like any other material; predicted values were not fitted"};
     }
     remedies += "; free another parameter ([parameters]), or give a target a larger deviation";

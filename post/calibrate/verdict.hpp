@@ -56,10 +56,11 @@ struct Outcome {
     Target target;
     std::optional<Sample> ours;  ///< SI; empty if no test has it
     std::size_t tests = 0;
-    /// within: of a fitted target the mean is within the bound and its standard error no larger, of a predicted one the whole 95
-    /// % interval is within; outside: the whole interval is beyond the bound; undecided; of K_IC also why there is none; empty
-    /// for a prediction without a measured value
+    /// within, outside: the whole 95 % interval is within the bound, or beyond it; mean within: of a fitted target the mean is,
+    /// and its standard error is no larger than the bound; undecided; of K_IC also why there is none; empty for a prediction
+    /// without a measured value
     std::string verdict;
+    [[nodiscard]] bool is_met() const { return verdict.ends_with("within"); }
 };
 Outcome outcome_of(const Target& target, const std::vector<const Measures*>& runs, const Study& study);
 

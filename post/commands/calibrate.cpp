@@ -38,7 +38,7 @@ void write_decision(const CalibrateOptions& options, const Call& call) {
         fmt::print(call.out, "{}/wanted.tsv\n", folder);
         const std::size_t n = decision.requested.size();
         const double by_the_clock = requested_time / static_cast<double>(std::min<std::size_t>(options.jobs, n));
-        const std::string time = requested_time > 0 ? fmt::format(" (about {} of processor time, {} by the clock)",
+        const std::string time = requested_time > 0 ? fmt::format(" (about {} one after another, {} by the clock)",
                                                                   duration_text(requested_time), duration_text(by_the_clock))
                                                     : "";
         say(call.diagnostics(), fmt::format("graincrack-post: calibrate: {} {} wanted{}: {}", n, n == 1 ? "run is" : "runs are",

@@ -154,13 +154,13 @@ std::vector<LaboratoryProperty> laboratory_properties(const std::optional<Materi
         all.push_back({target, false, material ? origin_of(*material, target, false) : PropertyOrigin::unknown});
     }
     for (LaboratoryProperty& property : all) {
-        const auto entry = [&] {
-            return is_line && property.target.confining_pressure > 0
-                       ? strength_on_line(*material, property.target.confining_pressure)
-                       : calibrate::laboratory_entry(*material, property.target);
-        };
-        if (const auto value = material && !property.is_measured() ? entry() : std::nullopt) {
-            property.target.value = *value;
+        Target& target = property.target;
+        if (material && !property.is_measured()) {
+            if (is_line && target.confining_pressure > 0) {
+                target.value = strength_on_line(*material, target.confining_pressure).value_or(NAN);
+            } else {
+                calibrate::take_laboratory_entry(*material, target);
+            }
             property.target.deviation = property.target.usual_deviation();
             property.has_own_deviation = false;
         }

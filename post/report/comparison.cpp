@@ -39,12 +39,13 @@ std::string laboratory_cell(const ComparisonRow& row) {
     if (!row.laboratory.is_measured()) return "";
     std::string text = in_unit(row, target.value);
     if (std::isfinite(target.deviation)) text += " ± " + in_unit(row, target.deviation, 2) + (has_own_deviation ? "" : "*");
-    return text + unit_of(row) + (target.measured_on ? "\n" + target.measured_on->text() : "");
+    text += unit_of(row) + (target.is_on_line ? std::string("\n") + calibrate::no_test : "");
+    return text + (target.measured_on ? "\n" + target.measured_on->text() : "");
 }
 
 /// In the unit of the property with four significant digits of the laboratory's value, or in per cent.
 std::string difference_cell(const ComparisonRow& row) {
-    const auto& [property, pressure, value, deviation, use, measured_on] = row.laboratory.target;
+    const auto& [property, pressure, value, deviation, use, measured_on, is_on_line] = row.laboratory.target;
     if (!row.laboratory.is_measured() || !std::isfinite(row.ours.value)) return "";
     if (!property.absolute) return fmt::format("{:+.1f}\u00a0%", *row.off_laboratory_percent());
     const double known = std::abs(value / property.si);

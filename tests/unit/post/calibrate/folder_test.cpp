@@ -250,6 +250,24 @@ TEST_F(CalibrateFolder, WithoutAnEndInReachTheNearestPointIsAMaterial) {
     EXPECT_EQ(outcome()["files"]["material"], "nearest.toml");
 }
 
+TEST_F(CalibrateFolder, TheReportSaysWhatIsOfNoTest) {
+    Material rock = material();
+    const Problem problem = read_problem(rock);
+    Decision decision;
+    decision.fit.emplace().optimum.condition = INFINITY;
+    for (const Target& target : problem.targets) decision.outcomes.push_back({target, {}, 1, ""});
+    const auto expect = [&](const char* part) {
+        const std::string report = report_text({rock, problem, decision}, rock);
+        EXPECT_NE(report.find(part), std::string::npos) << part << report;
+    };
+    expect("| UCS, MPa | fitted | 122 |");
+    expect("| first peak at 4 MPa, MPa | predicted | 157.73 (φ line, no test) |");
+    expect("There are fewer fitted targets beside E and ν, which scale the grains, than parameters.");
+    expect("; the rock has 1.5 MPa √m");
+    rock.rock.mode_i_toughness = rock.rock.tensile_strength / fpz::tensile_strength_from_toughness(1);
+    expect("; K_IC was not measured, and σt/6.88 is 1.28 MPa √m");
+}
+
 TEST_F(CalibrateFolder, ToughnessIsComparedOnHalfDiscs) {
     std::string stone = granite();
     stone.insert(stone.find("friction_angle = \"53 deg\""), "mode_i_toughness = \"1.3 MPa.m^0.5\"\n");

@@ -5,6 +5,7 @@
 
 #include "post/calibrate/optimum.hpp"
 #include "post/calibrate/target.hpp"
+#include "post/calibrate/verdict.hpp"
 #include "post/statistics/statistics.hpp"
 #include "tests/support/normal.hpp"
 
@@ -215,6 +216,28 @@ TEST(CalibrationTarget, ANameThatBeginsWithAnotherIsNotTakenForIt) {
     EXPECT_EQ(confined.confining_pressure, 8e6);
     EXPECT_EQ(confined.name(), "crack_initiation_count_8MPa");
     EXPECT_EQ(confined.symbol(), "crack initiation by count of cracks at 8 MPa");
+}
+
+TEST(Outcomes, AreWithinByTheWholeIntervalAndMetByTheMeanOfWhatIsFitted) {
+    calibrate::Target target = target_of("uniaxial", "test");
+    target.value = 100e6;
+    target.deviation = 5e6;
+    const auto outcome = [&](const std::vector<double>& strengths) {
+        std::vector<Measures> runs;
+        for (const double each : strengths) runs.push_back({{"first_peak_MPa", each}});
+        std::vector<const Measures*> list;
+        for (const Measures& run : runs) list.push_back(&run);
+        return calibrate::outcome_of(target, list, calibrate::Study{});
+    };
+    EXPECT_EQ(outcome({99.9, 100.1}).verdict, "within");
+    const calibrate::Outcome met = outcome({97, 101, 103});  // ± 7.6
+    EXPECT_EQ(met.verdict, "mean within");
+    EXPECT_TRUE(met.is_met());
+    EXPECT_FALSE(outcome({94, 95.5}).is_met());
+    EXPECT_EQ(outcome({30, 170}).verdict, "undecided");
+    EXPECT_EQ(outcome({30, 170}).ours->mean.low, 0);  // 100 ± 890
+    target.use = calibrate::Use::predict;
+    EXPECT_EQ(outcome({97, 101, 103}).verdict, "undecided");
 }
 
 }  // namespace
