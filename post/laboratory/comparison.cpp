@@ -37,9 +37,10 @@ OptionalValue published_of(const std::optional<Material>& material, const std::s
 
 OptionalValue slope_of(const OptionalValue& angle) { return angle ? OptionalValue(mohr_coulomb_slope(*angle)) : std::nullopt; }
 
-/// Nothing of a laboratory or a kind is beside what was heated.
-void leave_alone(ComparisonRow& row) {
+/// Nothing of a laboratory or a kind is beside what was heated. \param heat how, "at +300 K"
+void leave_alone(ComparisonRow& row, const std::string& heat) {
     row.is_heated = true;
+    row.column += ", " + heat;
     row.laboratory.target.value = NAN;
     row.laboratory.origin = PropertyOrigin::unknown;
     row.laboratory.scatter.reset();
@@ -119,7 +120,7 @@ private:
             row.specimens = sample->n;
         }
         if (target.confining_pressure == 0) row.published = published_of(material_, target.property.key, target.property.si);
-        if (first.data.header.heat != 0) leave_alone(row);
+        if (first.data.header.heat != 0) leave_alone(row, first.data.header.heat_label());
         if (!row.laboratory.is_measured() || !sample) return;
         row.caveat = target.caveat(first.bend);
         if (row.caveat.empty()) row.agreement = agreement_of(target, row.computed());
@@ -143,7 +144,7 @@ private:
         row.specimens = fit.tests.compression.size();
         row.without_peak = fit.tests.at_strain_limit;
         row.published = published;
-        if (fit.is_heated) leave_alone(row);
+        if (fit.is_heated) leave_alone(row, fit.fabric);
     }
 
     const std::optional<Material>& material_;
@@ -257,14 +258,13 @@ std::vector<MeasuredRun> measured(const std::vector<RunData>& runs) {
 std::vector<FabricEnvelope> envelopes_of(const std::vector<RunData>& runs, const std::vector<MeasuredRun>& tests,
                                          const EnvelopeOptions& options) {
     std::set<double> pressures;
-    bool is_heated = false;
+    const std::string heat = runs.empty() ? "" : runs.front().header.heat_label();  // comparable runs have the same
     for (const MeasuredRun& test : tests) {
-        is_heated = is_heated || test.data.header.heat != 0;
         if (!is_compression(test.data.header) || !test.strength.reported(options.strength)) continue;
         pressures.insert(test.data.header.confining_pressure);
     }
     if (pressures.size() < 2) return {};
-    FabricEnvelope fit{"", is_heated, collect_envelope_tests(runs, options), {}};
+    FabricEnvelope fit{heat, !heat.empty(), collect_envelope_tests(runs, options), {}};
     fit.envelope = fit_envelope(fit.tests.confining(), fit.tests.strength());
     return {std::move(fit)};
 }
@@ -285,11 +285,6 @@ std::set<double> pressures_of(const std::vector<RunData>& runs, const Material& 
 
 }  // namespace
 
-std::vector<ComparisonRow> property_rows(const std::vector<RunData>& runs, IncompleteMaterial read,
-                                         const EnvelopeOptions& options, std::string& why) {
-    require_comparable(runs, "a property");
-    take_laboratory(read);
-    const Material& material = read.material;
 void require_material(const std::vector<RunData>& runs, IncompleteMaterial read) {
     take_laboratory(read);
     for (const RunData& run : runs) {
@@ -300,6 +295,11 @@ void require_material(const std::vector<RunData>& runs, IncompleteMaterial read)
     }
 }
 
+std::vector<ComparisonRow> property_rows(const std::vector<RunData>& runs, IncompleteMaterial read,
+                                         const EnvelopeOptions& options, std::string& why) {
+    require_comparable(runs, "a property");
+    take_laboratory(read);
+    const Material& material = read.material;
     MaterialPrediction prediction;
     if (read.missing.empty()) {
         prediction = prediction_of(material);

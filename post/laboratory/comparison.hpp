@@ -50,7 +50,7 @@ std::vector<SeedGroup> seed_groups(const std::vector<Run>& runs) {
 
 /// The envelope of the compression tests of one fabric.
 struct FabricEnvelope {
-    std::string fabric;  ///< "edge 5 mm"; empty if all runs are of one
+    std::string fabric;  ///< "at +300 K, edge 5 mm": how it was heated, and what tells it from others
     bool is_heated = false;
     EnvelopeTests tests;
     Envelope envelope;
@@ -91,11 +91,11 @@ struct ComparisonRow {
     [[nodiscard]] bool is_tested() const { return specimens > 0 || without_peak; }
     /// Our value with its interval; of up to three specimens also by the scatter that the material tells.
     [[nodiscard]] Estimate computed() const;
+    [[nodiscard]] bool is_pooled() const { return is_mean && specimens > 0 && specimens <= 3 && laboratory.scatter; }
     /// 100 (ours/laboratory − 1)
     [[nodiscard]] std::optional<double> off_laboratory_percent() const;
     /// Half of the 95 % interval over our value.
     [[nodiscard]] std::optional<double> half_interval_percent() const;
-    [[nodiscard]] bool is_pooled() const { return is_mean && specimens > 0 && specimens <= 3 && laboratory.scatter; }
     /// Specimens, at least three, whose mean has a 95 % half interval of 3 %, with the deviation of these.
     [[nodiscard]] std::optional<double> specimens_for_3_percent() const;
 };
@@ -114,13 +114,13 @@ std::vector<ComparisonRow> compare(const std::vector<SeedGroup>& groups, const s
                                    const std::vector<LaboratoryProperty>& properties, const std::optional<Material>& material,
                                    const MaterialPrediction& prediction, StrengthKind kind = StrengthKind::first_peak);
 
+/// \throws InputError if runs are not of a material by its values, as `difference_from`; of one that lacks some nothing is known
+void require_material(const std::vector<RunData>& runs, IncompleteMaterial material);
+
 /// The table `properties` of a rock: its specimens beside its laboratory (the paper's Table 8), and what its kind predicts.
 ///
 /// E and ν (chord to half the peak) of the uniaxial tests, tensile strengths, σ1 at each pressure, and C, φ and b of the line
 /// through them, also by the stress at first yield; then, without runs, what the surface of the kind predicts of new specimens:
-/// \throws InputError if runs are not of a material by its values, as `difference_from`; of one that lacks some nothing is known
-void require_material(const std::vector<RunData>& runs, IncompleteMaterial material);
-
 /// σ1 at the pressures of the runs, of [targets] and of the laboratory, else at 8 and 20 MPa. Neither the runs nor the kind need
 /// to give all. \param why the kind predicts nothing; "" if it does \throws InputError as require_comparable and
 /// collect_envelope_tests, and for a broken table or [targets]

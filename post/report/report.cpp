@@ -147,14 +147,15 @@ void add_envelopes(Content& content) {
     std::vector<RunData> runs = data_of(content);
     runs.erase(std::remove_if(runs.begin(), runs.end(), [](const RunData& run) { return !distinct_shape(run).empty(); }),
                runs.end());
-    for (const ComparableGroup& fabric : comparable_groups(list_of(runs), of_the_test)) {
+    for (const ComparableGroup& fabric : comparable_groups(list_of(runs), of_the_test, {SettingGroup::heat})) {
         std::vector<RunData> own;
         for (const std::size_t i : fabric.runs) own.push_back(runs[i]);
-        const std::string& name = fabric.distinction;
+        const std::string heat = own.front().header.heat_label();
+        const std::string name = heat + (heat.empty() || fabric.distinction.empty() ? "" : ", ") + fabric.distinction;
         try {
             EnvelopeTests tests = collect_envelope_tests(own, {});
             const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
-            content.envelopes.push_back({name, own.front().header.heat != 0, std::move(tests), envelope});
+            content.envelopes.push_back({name, !heat.empty(), std::move(tests), envelope});
         } catch (const InputError& error) {
             content.envelope_note +=
                 html::paragraph(fmt::format("No envelope{}: {}.", name.empty() ? "" : " of " + name, error.what()));

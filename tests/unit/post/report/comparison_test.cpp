@@ -52,13 +52,13 @@ TEST_F(Comparison, HasTargetsAndWhetherMeansAreWithinTheirDeviation) {
     const std::string triaxial =
         "<td>σ1 at σ3 = 8 MPa</td><td>193.5 ± "
         "15\u00a0MPa</td><td>199.4\u00a0MPa\n";
-    expect_texts(
-        html,
-        {uniaxial, triaxial, "<td>crack initiation CI</td><td>55 ± 12\u00a0MPa</td><td>80.2\u00a0MPa\n",
-         "<td>outside</td><td>predicted</td>", "<td>crack damage CD</td><td>98 ± 18\u00a0MPa</td><td>120\u00a0MPa\n",
-         "<td>not decided (3 runs)</td><td>predicted</td>",
-         "<td>σ1 at σ3 = 20 MPa</td><td>300.7 ± 24\u00a0MPa</td><td colspan=\"4\">not tested</td>",
-         "<td>Brazilian tensile strength</td><td>8.8 ± 0.44\u00a0MPa</td><td colspan=\"4\">not tested</td>", "2 not decided"});
+    expect_texts(html,
+                 {uniaxial, triaxial, "<td>crack initiation CI</td><td>55 ± 12\u00a0MPa</td><td>80.2\u00a0MPa\n",
+                  "<td>outside</td><td>predicted</td>", "<td>crack damage CD</td><td>98 ± 18\u00a0MPa</td><td>120\u00a0MPa\n",
+                  "<td>not decided (3 runs)</td><td>predicted</td>",
+                  "<td>σ1 at σ3 = 20 MPa</td><td>300.7 ± 24\u00a0MPa</td><td colspan=\"4\">not tested</td>",
+                  "<td>Brazilian tensile strength</td><td>8.8 ± 0.44\u00a0MPa</td><td colspan=\"4\">not tested</td>",
+                  "1 within, 2 outside, 3 not decided"});
 }
 
 TEST_F(Comparison, ThresholdsAreThoseOfStrainGauges) {
