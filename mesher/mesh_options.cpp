@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -198,6 +200,18 @@ void add_cuts(OptionSet set, CutOptions& options) {
         "length=30mm (mean; default: the spacing), class=broken|intact|NAME, state=broken|intact; may be given again");
 }
 
+/// Notes what bare lengths in a list were taken for: in "X,Y,RADIUS" all of them, in "KEY=VALUE,..." those of these keys.
+void note_lengths(std::string_view text, const std::string& option) {
+    constexpr std::array<std::string_view, 4> keys{"", "spacing", "length", "distance"};
+    for (const std::string_view item : split(text, ',')) {
+        const std::size_t equals = item.find('=');
+        const std::string_view key = equals == std::string_view::npos ? "" : item.substr(0, equals);
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) continue;
+        const std::string_view value = equals == std::string_view::npos ? item : item.substr(equals + 1);
+        note_bare_number(value, quantity::coordinate, key.empty() ? option : fmt::format("{}: {}", option, key));
+    }
+}
+
 /// The fields of a text. \throws UsageError naming `where` unless there are as many as requested
 std::vector<std::string_view> parts_of(std::string_view text, std::size_t n, const std::string& where, const char* requested) {
     std::vector<std::string_view> parts = split(text, ',');
@@ -299,7 +313,11 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
                  "0.1")
         .of(SettingGroup::fabric);
     add_value(
-        set, "--grade", [&fabric](const std::string& text) { fabric.grading = parse_grading(text, "--grade"); },
+        set, "--grade",
+        [&fabric](const std::string& text) {
+            fabric.grading = parse_grading(text, "--grade");
+            note_lengths(text, "--grade");
+        },
         "sizes that are graded, around the same mean edge (of crystals mean area) or number of grains: along=y,from=0.5,to=2 "
         "(relative edges at the lower and the upper end; along=x too) or towards=flaws,from=0.4,distance=10mm (relative edge at "
         "slits, straight notches, flaws and joints, growing to 1 at the distance; towards=boundary and towards=holes too)",
@@ -400,7 +418,11 @@ void add_import(OptionSet set, ImportRequest& request) {
     add_quantity(set.usual(), "--scale", request.placement.scale, quantity::mesh_scale, "length of one unit of the file", "1m")
         .of(SettingGroup::none);
     add_value(
-        set, "--origin", [&request](const std::string& text) { request.placement.origin = parse_point(text, "--origin"); },
+        set, "--origin",
+        [&request](const std::string& text) {
+            request.placement.origin = parse_point(text, "--origin");
+            note_lengths(text, "--origin");
+        },
         "point of the file that becomes the origin, as 40mm,80mm; default: the middle of the extent", "X,Y", "");
     add_choice(set, "--shape", request.placement.shape, {"rectangle", "disc", "ring", "beam", "half-disc", "polygon"},
                "shape of the specimen, which says how it can be tested; default: told by its outline, which "
@@ -495,6 +517,8 @@ std::optional<MeshOptions> read_options(int argc, const char* const* argv) {
     add_import(import_set, imported);
     add_fabric_options(import_set, options);
     const auto complete = [&] {
+        for (const std::string& hole : cuts.holes) note_lengths(hole, "--hole");
+        for (const std::string& joints : cuts.joint_sets) note_lengths(joints, "--joint-set");
         if (options.material) take_grains(line, options.material->grains, options, kind_options);
     };
     if (!line.parse(argc, argv, complete)) return std::nullopt;

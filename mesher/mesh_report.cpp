@@ -98,7 +98,8 @@ constexpr double fewest_elements = 5;  ///< of a crystal
 constexpr double contacts_of_element = 1.5;
 constexpr double contacts_of_crystal = 3;  ///< whose elements do not break
 
-constexpr std::size_t fewest_on_hole = 16;  ///< sides, whose rise is then below 2 % of the radius
+constexpr double largest_area_error = 0.05;  ///< of a crystal, that is left unsaid
+constexpr std::size_t fewest_on_hole = 16;   ///< sides, whose rise is then below 2 % of the radius
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
@@ -139,6 +140,13 @@ void describe_crystals(const Specimen& specimen, const Fabric& fabric, const Mes
         size_line(can_break ? "edge" : "edge of equal-area triangle", s.mean_edge, s.edge_variation, s.min_edge, s.max_edge));
     lines.push_back(fmt::format("smallest angle of elements {:.1f} deg, psi6 {:.3f}, area error {:.1e}", degrees(s.min_angle),
                                 s.psi6, s.area_error));
+    if (r.largest_area_error > largest_area_error) {
+        lines.emplace_back(
+            fmt::format("a crystal misses its area by {:.0f} %, since holes or flaws leave little room; give smaller "
+                        "crystals",
+                        100 * r.largest_area_error),
+            "missed_areas");
+    }
 }
 
 void describe_triangles(const MeshStatistics& s, const MeshReport& report, std::vector<Remark>& lines) {
@@ -186,11 +194,6 @@ void add_notes_on_triangles(const Specimen& specimen, const Request& request, co
     if (const auto ends = notch_ends(specimen); ends && request.notch) {
         lines.push_back(fmt::format("slit of {} requested, {} between the ends of its grain boundaries",
                                     format_length(*request.notch), format_quantity((*ends)[1] - (*ends)[0], Dimension::length)));
-    }
-    if (report.n_flaws + request.region.loops.size() > 1 && report.min_angle < smallest_angle) {
-        lines.emplace_back(
-            "holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short",
-            "small_angle");
     }
     if (s.psi6 > max_psi6 || report.psi6_of_parts > max_psi6_of_parts) {
         lines.emplace_back(fmt::format("after {} attempts parts of the mesh still have a preferred direction, which is hardly "
@@ -240,7 +243,14 @@ std::vector<Remark> describe_mesh(const Specimen& specimen, const Request& reque
         lines.push_back(fmt::format("elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
     }
     if (report.n_flaws > 0 || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
+    lines.insert(lines.end(), report.warnings.begin(), report.warnings.end());
     if (!fabric.has_crystals()) add_notes_on_triangles(specimen, request, report, lines);
+    const double min_angle = fabric.has_crystals() ? s.min_angle : report.min_angle;
+    if (report.n_flaws + request.region.loops.size() > 1 && min_angle < smallest_angle) {
+        lines.emplace_back(
+            "holes or flaws lie so near to each other that a grain has a small angle, which makes time steps short",
+            "small_angle");
+    }
     if (const std::string note = note_on_few_crystals(specimen); !note.empty()) lines.emplace_back(note, "few_crystals");
     return lines;
 }

@@ -52,6 +52,7 @@ void read_rate(const std::string& text, LoadingRequest& loading) {
     }
     loading.rate = RateKind::fixed;
     loading.platen_speed = parse_quantity(text, quantity::platen_speed, "--rate");
+    note_bare_number(text, quantity::platen_speed, "--rate");
 }
 
 void add_rate_options(OptionSet command, LoadingRequest& loading, RawOptions& raw, const TestDescription& test) {

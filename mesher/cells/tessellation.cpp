@@ -1,5 +1,8 @@
 #include "mesher/cells/tessellation.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -89,7 +92,17 @@ void add_edges(const Request& request, MeshPlan& plan) {
     if (plan.region.edges.size() > max_edges) {
         throw UsageError("--flaws: more than " + std::to_string(max_edges) + " flaws and joints; leave some out");
     }
-    plan.region.edges = fitted_edges(plan.region, plan.equal_edge);
+    std::vector<std::string> moves;
+    plan.region.edges = fitted_edges(plan.region, plan.equal_edge, &moves);
+    for (const std::string& move : moves) plan.warnings.emplace_back(move, "moved_flaw");
+    for (const JointSet& set : request.joint_sets) {
+        const auto is_of_set = [&set](const PrescribedEdge& e) { return !e.needed && e.name == set.name; };
+        if (std::none_of(plan.region.edges.begin(), plan.region.edges.end(), is_of_set)) {
+            plan.warnings.emplace_back(
+                fmt::format("{}: 0 joints lie in the specimen, with a spacing of {}", set.name, format_length(set.spacing)),
+                "no_joints");
+        }
+    }
 }
 
 MeshPlan plan_mesh(const Request& request) {
@@ -111,6 +124,7 @@ MeshPlan plan_mesh(const Request& request) {
 TessellatedRegion tessellate(const Request& request, MeshPlan plan, const ProgressCallback& progress) {
     TessellatedRegion made = request.fabric.has_crystals() ? crystals(request, std::move(plan), progress)
                                                            : triangles(request, std::move(plan), progress);
+    made.report.warnings = made.plan.warnings;
     made.report.n_flaws = made.plan.region.edges.size();
     for (const PrescribedEdge& e : made.plan.region.edges) made.report.flaw_length += length(e.to - e.from);
     return made;

@@ -3,25 +3,28 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "mesher/cells/plane_cells.hpp"
 #include "mesher/fabric/fabric.hpp"
 #include "mesher/seeds/relaxation.hpp"
 #include "mesher/seeds/size_field.hpp"
+#include "share/base/events.hpp"
 #include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 
 /// Numbers that follow from a request before any point is placed.
 struct MeshPlan {
-    Region region;              ///< with the prescribed edges that the mesh follows
-    std::int64_t n_grains = 0;  ///< or crystals
-    int n_boundary = 0;         ///< boundary points, and edges, of triangles
-    std::size_t n_inner = 0;    ///< inner points, those of prescribed edges included, of triangles
-    double edge = 0;            ///< expected mean edge, m
-    double equal_edge = 0;      ///< of as many equal grains, m
-    SizeField size;             ///< of grains, over `equal_edge`
-    double element_size = 0;    ///< of crystals, m
+    Region region;                   ///< with the prescribed edges that the mesh follows
+    std::int64_t n_grains = 0;       ///< or crystals
+    int n_boundary = 0;              ///< boundary points, and edges, of triangles
+    std::size_t n_inner = 0;         ///< inner points, those of prescribed edges included, of triangles
+    double edge = 0;                 ///< expected mean edge, m
+    double equal_edge = 0;           ///< of as many equal grains, m
+    SizeField size;                  ///< of grains, over `equal_edge`
+    double element_size = 0;         ///< of crystals, m
+    std::vector<Remark> warnings{};  ///< on prescribed edges: ends that were moved, sets without joints
 };
 
 /// Cells as they came out, measured in the plane where they are equiaxed.
@@ -31,11 +34,12 @@ struct MeshReport {
     double psi6_of_parts = 0;  ///< of triangles: largest |⟨e^(6iθ)⟩| in eight equal parts, over all partitions
     int attempts = 0;          ///< number of meshes of triangles made until one had no preferred direction
     double mean_diameter = 0;  ///< of circles of the areas of crystals, m
-    double largest_area_error = 0;  ///< of crystals, over the requested area
-    std::size_t n_short_edges = 0;  ///< of crystals that were removed
-    std::size_t n_edges_left = 0;   ///< that are short, but could not be removed
-    std::size_t n_flaws = 0;        ///< pieces of prescribed edges inside
-    double flaw_length = 0;         ///< of them, m
+    double largest_area_error = 0;   ///< of crystals, over the requested area
+    std::size_t n_short_edges = 0;   ///< of crystals that were removed
+    std::size_t n_edges_left = 0;    ///< that are short, but could not be removed
+    std::size_t n_flaws = 0;         ///< pieces of prescribed edges inside
+    double flaw_length = 0;          ///< of them, m
+    std::vector<Remark> warnings{};  ///< those of the plan
 };
 
 /// Cells of a region.

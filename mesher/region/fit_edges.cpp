@@ -19,7 +19,7 @@ namespace {
 
 constexpr double same_place = 1e-9;     ///< over the extent of a region, as of fixed seeds
 constexpr double shortest_piece = 0.5;  ///< over the mean edge
-constexpr double longest_move = 1.2;    ///< of an end, over the mean edge
+constexpr double longest_move = 1.2;    ///< of an end of what is not needed, over the mean edge
 constexpr double sample_distance = 0.2;
 
 Curve curve_of(const PrescribedEdge& e) { return {Curve::Kind::prescribed, e.from, e.to, unit(e.to - e.from), {}}; }
@@ -45,6 +45,21 @@ public:
 
     std::vector<PrescribedEdge> edges() && { return std::move(placed_); }
 
+    /// A sentence for each end of what is needed that was moved by more than is left unsaid.
+    [[nodiscard]] std::vector<std::string> moves() const {
+        std::vector<std::string> sentences;
+        for (std::size_t i = 0; i < placed_.size(); ++i) {
+            const PrescribedEdge &now = placed_[i], &before = requested_[i];
+            for (const double move : {length(now.from - before.from), length(now.to - before.to)}) {
+                if (!now.needed || move <= told_move * edge_) continue;
+                sentences.push_back(fmt::format("{}: an end was moved by {} to what it almost met; its length is {}, not {}",
+                                                now.name, format_length(move), format_length(length(now.to - now.from)),
+                                                format_length(length(before.to - before.from))));
+            }
+        }
+        return sentences;
+    }
+
 private:
     using Fault = std::optional<std::string>;
 
@@ -62,6 +77,7 @@ private:
     /// Adds a piece, with the ends of others that it moves; or says why it does not fit.
     Fault place(PrescribedEdge piece) {
         const std::vector<PrescribedEdge> before = placed_;
+        requested_.push_back(piece);
         snap_to_loops(piece);
         for (const PrescribedEdge& other : placed_) snap(piece, other);
         for (PrescribedEdge& other : placed_) snap(other, piece);
@@ -74,7 +90,10 @@ private:
         placed_.push_back(piece);
         for (std::size_t i = 0; i + 1 < placed_.size() && !fault; ++i) fault = fault_of_stations(i, piece);
         if (!fault) fault = fault_of_stations(placed_.size() - 1, piece);
-        if (fault) placed_ = before;
+        if (fault) {
+            placed_ = before;
+            requested_.pop_back();
+        }
         return fault;
     }
 
@@ -129,7 +148,11 @@ private:
             if (i == index) continue;
             if (Fault fault = fault_between(piece, placed_[i])) return fault;
         }
-        return std::nullopt;
+        const PrescribedEdge& requested = requested_[index];
+        const double moved = std::max(length(piece.from - requested.from), length(piece.to - requested.to));
+        if (!piece.needed || moved <= near_) return std::nullopt;
+        return fmt::format("an end would move by {} to what it almost meets; end it there or {} away", format_length(moved),
+                           format_length(near_));
     }
 
     [[nodiscard]] Fault fault_at_loops(const PrescribedEdge& piece) const {
@@ -237,17 +260,19 @@ private:
     double near_ = 0;
     std::vector<Point> corners_;  ///< points of loops that stay where they are
     std::vector<PrescribedEdge> placed_;
+    std::vector<PrescribedEdge> requested_;  ///< what these were before any end was moved
 };
 
 }  // namespace
 
-std::vector<PrescribedEdge> fitted_edges(const Region& region, double edge) {
+std::vector<PrescribedEdge> fitted_edges(const Region& region, double edge, std::vector<std::string>* moves) {
     Fitting fitting(region, edge);
     for (const bool needed : {true, false}) {  // what is needed first
         for (const PrescribedEdge& e : region.edges) {
             if (e.needed == needed) fitting.add(e);
         }
     }
+    if (moves != nullptr) *moves = fitting.moves();
     return std::move(fitting).edges();
 }
 

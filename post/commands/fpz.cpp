@@ -158,6 +158,7 @@ Command fpz_command() {
             add_text(set, "--material", options.material, "material: a name of share/materials or a TOML file").required();
             const auto add_edge = [&options](const std::string& text) {
                 options.edges.push_back(parse_quantity(text, quantity::mean_edge, "--edge"));
+                note_bare_number(text, quantity::mean_edge, "--edge");
             };
             add_value(set, "--edge", add_edge, quantity::mean_edge,
                       "mean edge of the grains; may be given again; default: the grain size of the laboratory", "LENGTH")

@@ -36,12 +36,6 @@ std::string help_of(const std::string& help, const Quantity& quantity) {
     return parts.empty() ? help : fmt::format("{} [{}]", help, fmt::join(parts, "; "));
 }
 
-void note_bare_number(const std::string& text, const Quantity& quantity, const std::string& where) {
-    const std::string note = bare_number_note(text, quantity, where);
-    const bool is_known = std::find(bare_number_notes().begin(), bare_number_notes().end(), note) != bare_number_notes().end();
-    if (!note.empty() && !is_known) bare_number_notes().push_back(note);
-}
-
 /// "--edge" of "-e,--edge"; the name of a positional argument unchanged.
 std::string long_name(const std::string& option) {
     const auto dashes = option.find("--");
@@ -256,6 +250,12 @@ Option add_choice(OptionSet set, const std::string& option, std::string& target,
 std::vector<std::string>& bare_number_notes() {
     static std::vector<std::string> notes;
     return notes;
+}
+
+void note_bare_number(std::string_view text, const Quantity& quantity, const std::string& where) {
+    const std::string note = bare_number_note(text, quantity, where);
+    const bool is_known = std::find(bare_number_notes().begin(), bare_number_notes().end(), note) != bare_number_notes().end();
+    if (!note.empty() && !is_known) bare_number_notes().push_back(note);
 }
 
 }  // namespace graincrack

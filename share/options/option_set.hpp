@@ -142,5 +142,7 @@ Option add_choice(OptionSet set, const std::string& option, std::string& target,
 
 /// What bare numbers were taken for, as the options are read.
 std::vector<std::string>& bare_number_notes();
+/// Adds the note on a number, unless there is none or it is there already. \param where as in `bare_number_note`
+void note_bare_number(std::string_view text, const Quantity& quantity, const std::string& where);
 
 }  // namespace graincrack

@@ -38,6 +38,27 @@ TEST(ContactZones, AreThoseOfTheMaterial) {
     EXPECT_NE(brittle[0].text.find(" 782 um long: with fewer than one"), std::string::npos) << brittle[0].text;
 }
 
+TEST(Crystals, AreWarnedOfBetweenNarrowWallsAsTrianglesAre) {
+    const auto warned = [](double angle, double area_error, std::size_t n_flaws) {
+        Specimen s = two_phases();
+        s.statistics.min_angle = angle;
+        Request request;
+        request.region = rectangle(4e-3, 4e-3);
+        request.fabric.tessellation = Tessellation::trigon;
+        MeshReport report;
+        report.largest_area_error = area_error;
+        report.n_flaws = n_flaws;
+        std::vector<std::string> codes;
+        for (const Remark& line : describe_mesh(s, request, report)) {
+            if (is_warning(line) && line.code != "few_crystals") codes.push_back(line.code);
+        }
+        return codes;
+    };
+    EXPECT_EQ(warned(0.2, 0.04, 1), std::vector<std::string>());
+    EXPECT_EQ(warned(0.007, 0.1, 1), (std::vector<std::string>{"missed_areas", "small_angle"}));
+    EXPECT_EQ(warned(0.1, 0, 0), std::vector<std::string>()) << "elongated";
+}
+
 TEST(ContactZones, TheShortestOfPairsAndOfCrystalsIsToldOnce) {
     Material material = augig_granite();
     material.fabric.phases["quartz"].fraction = material.fabric.phases["mica"].fraction = 0.5;

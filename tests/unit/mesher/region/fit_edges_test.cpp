@@ -45,6 +45,25 @@ TEST(FitEdges, EndsThatAlmostMeetAreMovedAlongTheirLine) {
     EXPECT_NEAR(first[0].to.y, 0, 1e-15) << "also if the other comes later";
 }
 
+// Of edges of 4 mm: more than .4 mm is told, more than 1.4 mm is refused, where an end lies nearer than 1.4 mm to what it meets.
+TEST(FitEdges, EndsThatMoveAreToldOrRefused) {
+    std::vector<std::string> moves;
+    const auto told = [&](double x, bool needed) {
+        Region region = with_edges({flaw({0, 0}, {x, 0.01}, "a", needed)});
+        (void)fitted_edges(region, edge, &moves);
+        return moves;
+    };
+    EXPECT_EQ(told(0.0397, true), std::vector<std::string>());
+    EXPECT_EQ(
+        told(0.039, true),
+        std::vector<std::string>{"a: an end was moved by 1.032 mm to what it almost met; its length is 41.29 mm, not 40.26 mm"});
+    EXPECT_EQ(told(0.039, false), std::vector<std::string>()) << "joints are drawn at random";
+    const std::vector<PrescribedEdge> oblique{flaw({-0.03, 0}, {0.03, 0}, "a"), flaw({-0.02, 0.012}, {0.0145, 0.0013}, "b")};
+    EXPECT_EQ(complaint_about_edges(oblique),
+              "b: an end would move by 4.389 mm to what it almost meets; end it there or 1.4 mm away");
+    EXPECT_EQ(complaint_about_edges({oblique[0], flaw(oblique[1].from, oblique[1].to, "b", false)}), "");
+}
+
 TEST(FitEdges, PiecesAreClipped) {
     Region region = with_edges({flaw({-0.1, 0.02}, {0.1, 0.02})});
     add_hole(region, {0, 0.02}, 0.01, "--hole");
