@@ -21,6 +21,7 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double sum_tolerance = 1e-6;
+constexpr std::size_t longest_phase_name = 256;  ///< bytes, as specimens and materials have it
 
 [[noreturn]] void refuse(const std::string& option, const std::string& wrong, const std::string& right) {
     throw UsageError(option + ": " + wrong + "; give " + right);
@@ -101,6 +102,9 @@ void check(const PhaseRequest& request) {
         const std::string& name = phase->name;
         if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
             refuse("--phases", fmt::format("\"{}\" is not a valid name of a phase", name), "a name of a-z, 0-9 and _");
+        }
+        if (name.size() > longest_phase_name) {
+            refuse("--phases", fmt::format("a name has {} bytes", name.size()), fmt::format("at most {}", longest_phase_name));
         }
         if (std::any_of(phases.begin(), phase, [&](const PhaseFraction& other) { return other.name == name; })) {
             refuse("--phases", name + " is given twice", "each phase once");

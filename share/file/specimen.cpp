@@ -134,6 +134,7 @@ void check_sizes(const Specimen& s, const Checker& check) {
                   "contacts/grain_boundary and contacts/nodes differ in length");
     check.require(s.contact_kind.size() == s.n_contacts(), "contacts/kind and contacts/nodes differ in length");
     check.require(s.phase_names.size() <= max_phases, "more than 22 phases");
+    for (const std::string& name : s.phase_names) check.require(name.size() <= 256, "a phase has a name of more than 256 bytes");
     check.require(s.contact_flaw.empty() || s.contact_flaw.size() == s.n_contacts(),
                   "classes of flaws and contacts/nodes differ in length");
     check.require(contact_class_names(s).size() <= max_classes, "more than 256 classes of contacts");

@@ -198,7 +198,11 @@ void read_key(TomlTable& table, const TomlKey& key, IncompleteMaterial& read) {
         return key.set_word(word);
     }
     const bool is_array = key.values != nullptr && (!key.set || table.has_array(key.name));
-    if (is_array) return table.given(key.name, key.quantity, *key.values);
+    if (is_array) {
+        table.given(key.name, key.quantity, *key.values);
+        if (table.has_value(key.name) && key.values->empty()) table.refuse(key.name, "has no value; give one at least");
+        return;
+    }
     double value = 0;
     table.given(key.name, key.quantity, value);
     if (!table.has_value(key.name)) return;
@@ -279,6 +283,29 @@ void find_missing(IncompleteMaterial& read) {
     if (ratios.fracture_energy && !read.material.grains.grain_size) read.missing.emplace_back(grain_size_of_ratio);
 }
 
+/// Adds what values of the laboratory make doubtful together. The moduli of rocks are 100 to 1000 times their compressive
+/// strength (Deere & Miller 1966): less than half and more than twice of that is told.
+void note_order(Material& material) {
+    const auto strength = material.laboratory_value("compressive_strength");
+    const auto note = [&material](const std::string& text) { material.notes.emplace_back(text, "unusual_value"); };
+    const auto shown = [](double value) { return format_quantity(value, Dimension::stress); };
+    if (!strength) return;
+    const double tension = material.laboratory_value("tensile_strength").value_or(material.rock.tensile_strength);
+    if (tension > 0 && *strength < tension) {
+        note(fmt::format("laboratory: the compressive strength of {} is below the tensile strength of {}; are they exchanged?",
+                         shown(*strength), shown(tension)));
+    }
+    constexpr double least_ratio = 50, most_ratio = 2000;
+    const double modulus = material.laboratory_value("young_modulus").value_or(material.rock.young_modulus);
+    const double ratio = modulus / *strength;
+    if (modulus > 0 && (ratio < least_ratio || ratio > most_ratio)) {
+        note(
+            fmt::format("laboratory: a Young's modulus of {} is {:.3g} times the compressive strength of {}; rocks have 100 to "
+                        "1000 times; are their units right?",
+                        shown(modulus), ratio, shown(*strength)));
+    }
+}
+
 /// All at once, so that a file is completed in one go.
 void refuse_missing(const fs::path& file, const std::vector<std::string>& missing) {
     if (missing.empty()) return;
@@ -313,6 +340,7 @@ IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {
     if (!material.fabric.from.empty()) add_phases_of(material.fabric.from, read);
     require_sound_grains(material.grains, toml.file);
     require_sound_fabric(material.fabric, material.rock, toml.file);
+    note_order(material);
     return read;
 }
 

@@ -13,7 +13,9 @@
 namespace graincrack {
 namespace {
 
-constexpr double whole = 1e-6;  // by how much fractions may miss 1
+constexpr double whole = 1e-6;                   // by how much fractions may miss 1
+constexpr std::size_t most_temperatures = 1000;  // of a table, which is searched at each step that heats
+constexpr std::size_t longest_name = 256;        // bytes, of a phase or a class of flaws
 constexpr Quantity relative_modulus{
     "relative_young_modulus", Dimension::one, 0, 100, "Young's modulus of a phase over the rock's", true};
 constexpr Quantity contrast{"contrast", Dimension::one, 0, 10, "share of the contrast of stiffness that grains have"};
@@ -112,6 +114,9 @@ void require_pairs(const MaterialFabric& fabric, const std::string& where) {
 void require_columns(const ColumnsByTemperature& columns, const std::string& where) {
     const std::vector<double>& t = columns.temperatures;
     const bool ascends = std::adjacent_find(t.begin(), t.end(), std::greater_equal()) == t.end();
+    if (t.size() > most_temperatures) {
+        throw InputError(fmt::format("{}: {} temperatures; at most {} fit", where, t.size(), most_temperatures));
+    }
     if (!columns.are_given() ||
         (ascends && columns.values.size() == t.size() && (columns.across.empty() || columns.across.size() == t.size()))) {
         return;
@@ -260,8 +265,9 @@ std::vector<FabricValue> fabric_values(const MaterialFabric& fabric) {
 void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const std::string& where) {
     const auto require_name = [&where](const char* table, const std::string& name) {
         const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-        if (!std::all_of(name.begin(), name.end(), is_letter)) {
-            throw InputError(fmt::format("{}: [{}.{}]: a name of small letters, digits and _ is needed", where, table, name));
+        if (name.size() > longest_name || !std::all_of(name.begin(), name.end(), is_letter)) {
+            throw InputError(fmt::format("{}: [{}.{}]: a name of up to {} small letters, digits and _ is needed", where, table,
+                                         shortened(name, 60), longest_name));
         }
     };
     for (const auto& [name, flaw] : fabric.flaws) require_name("flaws", name);

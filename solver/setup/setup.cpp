@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "share/base/error.hpp"
+#include "share/base/units.hpp"
 #include "solver/setup/element_mass.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"
@@ -10,6 +11,15 @@
 namespace graincrack {
 
 namespace {
+
+/// Refuses what follows from a rock that is none: stiffnesses so large that nothing can be computed with them.
+void require_bounds(const ContactParameters& contact, const std::string& where) {
+    for (const ContactParameter& row : all_contact_parameters()) {
+        if (!(contact.*row.value > row.quantity.upper)) continue;
+        throw InputError(fmt::format("{}: {} is {}, and must be {}; give it, or other values of [rock]", where, row.key(),
+                                     format_quantity(contact.*row.value, row.quantity.dimension), bounds_text(row.quantity)));
+    }
+}
 
 /// A material without phases makes all grains and contacts alike, but those of flaws.
 Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
@@ -25,7 +35,9 @@ Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
     }
     const std::vector<std::string> names = contact_class_names(specimen);
     const bool may_bridge = description_of(r.law).reads(&ContactParameters::bridging_strength);
-    for (std::size_t k = n_uniform; k < fabric.contacts.size(); ++k) {
+    for (std::size_t k = 0; k < fabric.contacts.size(); ++k) {
+        require_bounds(fabric.contacts[k], r.material.file.string() + ": contacts " + names[k]);
+        if (k < n_uniform) continue;
         if (may_bridge) require_sound_bridges(fabric.contacts[k], r.material.file.string() + ": contacts " + names[k]);
         const FractureEnergies least = min_fracture_energies(make_contact_law(fabric.contacts[k], r.law));
         if (!(fabric.contacts[k].fracture_energy >= least.opening &&

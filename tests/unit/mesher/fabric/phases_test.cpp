@@ -173,6 +173,7 @@ TEST(Phases, BadPhasesSayWhatIsWrong) {
              {"quartz=-0.5,mica=1.5", "quartz"},
              {"quartz=much,mica=0.5", "much"},
              {"quartz=1mm", "mm"},
+             {std::string(257, 'q') + "=1", "a name has 257 bytes; give at most 256"},
          }) {
         const std::string message = complaint(phases);
         EXPECT_NE(message.find(words), std::string::npos) << phases << ": " << message;

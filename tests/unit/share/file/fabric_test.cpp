@@ -345,7 +345,14 @@ TEST(Fabric, ThePhasesOfGraniteAreAFileOfTheirOwn) {
 TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
     EXPECT_EQ(test::expect_refused<InputError>("share/file/fabric.toml",
                                                [](const std::string& text) { material_of(granite_text + text); }),
-              20U);
+              22U);
+    std::string many = "0";
+    for (int i = 1; i <= 1000; ++i) many += fmt::format(",{}", 0.1 * i);
+    const std::string curve = fmt::format("[temperature]\ntemperatures = [{0}]\nyoung_modulus = [1]\n", many);
+    expect_one_line<InputError>([&] { material_of(granite_text + curve); }, {"[temperature]: 1001 temperatures; at most 1000"});
+    const std::string name(257, 'q');
+    expect_one_line<InputError>([&] { material_of(granite_text + "[phases." + name + "]\nfraction = 1\n"); },
+                                {"a name of up to 256 small letters"});
     const Material granite = material_of(granite_text + phases);
     expect_one_line<InputError>([&] { fabric_of(granite, PlaneCondition::strain, std::nullopt, {"rock"}); },
                                 {"phases rock", "feldspar, mica, quartz", "graincrack-mesh"});

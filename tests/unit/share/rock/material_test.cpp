@@ -182,6 +182,22 @@ TEST_F(MaterialFile, AMeasuredToughnessMayNameItsTest) {
     }
 }
 
+TEST_F(MaterialFile, NotesStrengthsAndModuliOutOfOrder) {
+    const auto noted = [&](const std::string& laboratory) {
+        std::string all;
+        const std::string text = "name = 'stone'\n" + rock + contact + "[laboratory]\n" + laboratory;
+        for (const Remark& note : read_material(write(text).string()).notes) all += note.code.empty() ? "" : note.text;
+        return all;
+    };
+    EXPECT_EQ(noted("compressive_strength = '122 MPa'\n"), "");
+    EXPECT_EQ(noted("compressive_strength = '10 MPa'\ntensile_strength = '122 MPa'\nyoung_modulus = '9.8 GPa'\n"),
+              "laboratory: the compressive strength of 10 MPa is below the tensile strength of 122 MPa; are they exchanged?");
+    EXPECT_EQ(
+        noted("compressive_strength = '270 MPa'\nyoung_modulus = '9.8 GPa'\n"),
+        "laboratory: a Young's modulus of 9.8 GPa is 36.3 times the compressive strength of 270 MPa; rocks have 100 to 1000 "
+        "times; are their units right?");
+}
+
 TEST_F(MaterialFile, NotesWhatIsWithoutUnitOrFarOffAnyRock) {
     const std::string units = "name = 'stone'\n" + rock + contact;
     const Material plain = read_material(write(std::string(units).replace(units.find("25.8e9"), 6, "'25.8 GPa'")).string());
