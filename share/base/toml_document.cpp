@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "share/base/error.hpp"
 #include "share/base/text.hpp"
 
 namespace graincrack {
