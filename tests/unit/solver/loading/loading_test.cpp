@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "share/base/error.hpp"
@@ -41,6 +42,7 @@ public:
         feedback.unbalanced_ratio = unbalanced;
         history[HistoryColumn::axial_strain].back() = strain.value_or(stress > 0 ? at : -at);
         history.size() == 1 ? stages.begin(feedback) : stages.check_stage_end(feedback, rows);
+        if (places) places();
         stages.start_next(rows);
     }
     [[nodiscard]] double pressure(double time) const { return stages.values(time).front(); }
@@ -49,7 +51,8 @@ public:
     Program program;
     StageController stages;
     History history;
-    double damping = 1;  ///< energy that it has absorbed, J
+    double damping = 1;            ///< energy that it has absorbed, J
+    std::function<void()> places;  ///< what happens to the platens before a stage starts
 };
 
 TEST(StandardTest, WithoutDampingAFallOutlastsAWave) {
@@ -411,6 +414,24 @@ TEST(Heating, EnergyThatHeatLockedInDoesNotHurryThePlatens) {
         expect_close(hot.stages.next(0.25 * transit).velocity_end[bottom_platen], speed, 1e-9, speed);
         hot.row(begin + 0.25 * i * transit, -10e6, 1e-4, feedback, 7);
     }
+}
+
+// Platens are placed, and strains restart, between the row that ends a stage and the stage that has them.
+TEST(StageController, AStageBeginsWithTheStrainsOfItsPlatens) {
+    LedPlatens led(
+        parse_program("name = \"placed\"\ndamping = 0.8\nstages = [\"wait\", \"press\"]\n[platens]\n"
+                      "[stage.wait]\nuntil = { time = \"1 s\" }\n"
+                      "[stage.press]\nplaten_speed = \"1 mm/s\"\nuntil = { axial_strain = \"-0.1 %\" }\n",
+                      "placed.toml"));
+    led.row(0, 0, 1, {}, 0, 0.0);
+    led.places = [&] { led.history[HistoryColumn::axial_strain].back() = 0; };
+    led.row(1, 0, 1, {}, 0, -5e-3);
+    led.places = nullptr;
+    EXPECT_EQ(led.stages.records().size(), 1U);
+    led.row(2, 0, 1, {}, 0, -0.5e-3);
+    EXPECT_EQ(led.stages.records().size(), 1U);
+    led.row(3, 0, 1, {}, 0, -1.5e-3);
+    EXPECT_EQ(led.stages.records().size(), 2U);
 }
 
 // A stage that begins while the specimen is unloaded ends by no fall of that, and by one of its own.
