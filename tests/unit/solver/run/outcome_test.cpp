@@ -47,13 +47,19 @@ TEST(Outcome, StrengthIsThatOfTheSenseOfTheTest) {
     EXPECT_EQ(peak_row(header_of("program"), h), 2U);
 }
 
-// The stress falls by a fifth behind the third row, and exceeds it at the end.
-TEST(Outcome, TheTimeOfThePeakIsThatOfTheStrength) {
+// The stress falls by a fifth behind the third row, and exceeds it at the end. What is said of the test's quality is of the
+// strength too.
+TEST(Outcome, TheTimeAndTheQualityOfThePeakAreThoseOfTheStrength) {
     History h = rows_of_zeros(5);
-    h[axial_strain] = {0, -0.002, -0.004, -0.006, -0.01};
+    h[axial_strain] = {0, -0.0039, -0.004, -0.006, -0.01};
     h[axial_stress] = {0, -50e6, -100e6, -80e6, -120e6};
     h[tensile_cracks] = {0, 0, 1, 2, 3};
+    h[damping_load] = {0, 0, 0.03, 0.5, 0.5};
+    h[force_top] = {0, -2.02e6, -4.12e6, -5e6, -5e6};
+    h[force_bottom] = {0, -1.98e6, -3.88e6, -1e6, -1e6};
     EXPECT_EQ(completed("uniaxial", h).peak_time, 2);
+    expect_close(completed("uniaxial", h).damping_load, 0.03, 1e-12, 0.03);
+    EXPECT_EQ(completed("uniaxial", h).platen_force_difference, 0);  // the only row before it has half of its stress
     EXPECT_EQ(completed("uniaxial", h).peak_axial_stress, 120e6);
     h[tensile_cracks] = {0, 0, 0, 0, 0};
     EXPECT_EQ(completed("uniaxial", h).peak_time, 4) << "it did not fail";
