@@ -51,15 +51,14 @@ Statistic of_one(Function function) {
             }};
 }
 
-/// A statistic of pairs with at least two different x.
+/// A statistic of the pairs of which both entries are there, with at least two different x.
 template <class Function>
 Statistic of_pairs(Function function) {
     return {2, [function](const std::vector<std::vector<Number>>& arguments) -> Number {
                 Values x;
                 Values y;
                 for (std::size_t row = 0; row < arguments[0].size(); ++row) {
-                    if (!arguments[0][row]) continue;
-                    if (!arguments[1][row]) return std::nullopt;
+                    if (!arguments[0][row] || !arguments[1][row]) continue;
                     x.push_back(*arguments[0][row]);
                     y.push_back(*arguments[1][row]);
                 }
@@ -260,6 +259,7 @@ std::optional<std::string> filled(int n, sqlite3_value** arguments) {
         text += inner.empty() ? plain(value) : formatted(*number_of(value), inner.substr(inner[0] == ':' ? 1 : 0));
         at = close;
     }
+    if (argument < n) throw UsageError(fmt::format("text: {}: {{}} is needed for each argument", shortened(format, 80)));
     return text;
 }
 

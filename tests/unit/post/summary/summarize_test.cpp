@@ -89,8 +89,8 @@ TEST_F(Summarize, LinesThroughPairs) {
     EXPECT_NEAR(number("cohesion(confinement, stress)"), 100 / (2 * std::sqrt(5.0)), 1e-5);
     EXPECT_NEAR(number("friction_angle(confinement, stress)"), std::asin(4.0 / 6) * 180 / M_PI, 1e-5);
     EXPECT_NEAR(number("exponent(confinement, power) FILTER (WHERE confinement > 0)"), 3, 1e-6);
-    // A fit without one of its values would be another fit.
-    EXPECT_EQ(entry("slope(confinement, power)"), "");
+    EXPECT_EQ(number("slope(confinement, power)"), 1.75);  // without the row that has no power
+    EXPECT_EQ(number("exponent(nullif(confinement, 0), power)"), 3);
     EXPECT_EQ(entry("exponent(confinement, stress)"), "");
     EXPECT_EQ(entry("slope(level, stress)"), "");
     // Five pairs about y = 2 + 3 x with residuals (1, -1, 0, -1, 1): Σ r² = 4, Σ (x − x̄)² = 10, t(0.975, 3) = 3.182446
@@ -198,6 +198,7 @@ TEST_F(Summarize, RefusesWhatIsNoQueryOfTheTables) {
     expect_one_line<UsageError>(with("SELECT text('{:99999999.1f}', 1)"), {"is no format"});
     expect_one_line<UsageError>(with("SELECT text('{:.1f', 1)"), {"text: {:.1f: } is needed"});
     expect_one_line<UsageError>(with("SELECT text('{} {}', 1)"), {"another argument is needed"});
+    expect_one_line<UsageError>(with("SELECT text('{}', 1, 2)"), {"text: {}: {} is needed for each argument"});
     expect_one_line<InputError>(with("SELECT mean(run) FROM first"), {"--sql: \"a\"; a number is needed"});
     expect_one_line<InputError>(with("SELECT text('{:.1f}', run) FROM first"), {"\"a\"; a number is needed"});
 }
