@@ -4,9 +4,11 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "post/ccd/design.hpp"
 #include "post/ccd/solve.hpp"
+#include "post/ccd/tables.hpp"
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/check.hpp"
@@ -271,6 +273,21 @@ TEST(CcdSolve, MaximumOnTheBorderOfTheDesignIsFound) {
     EXPECT_NEAR(optimum[0].coded[0], 1, 0.02);
     EXPECT_NEAR(optimum[0].coded[1], 1, 0.02);
     EXPECT_NEAR(optimum[0].desirability, 5.0 / 6, 1e-4);
+}
+
+TEST(CcdSolve, OfCodedFactorsAloneHasEachColumnOnce) {
+    const test::TemporaryFolder folder;
+    std::ofstream file(folder.file("t.tsv"));
+    file << "x1\tx2\ty\n";
+    for (const auto& x : coded_runs(2, Star::rotatable, 3)) {
+        file << x[0] << '\t' << x[1] << '\t' << x[0] + 2 * x[1] * x[1] << '\n';
+    }
+    file.close();
+    std::ostringstream out;
+    write_solution(out, folder.file("t.tsv"), {{}, {{"y=1"}, {}, {}}}, TableFormat::tsv);
+    EXPECT_TRUE(
+        out.str().starts_with("optimum\tx1\tx2\tx1_region_low\tx1_region_high\tx2_region_low\tx2_region_high\tdesirability"))
+        << out.str();
 }
 
 TEST(CcdRuns, CodesColumnsByGivenFactors) {
