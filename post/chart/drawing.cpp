@@ -1,7 +1,10 @@
 #include "post/chart/drawing.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "share/base/text.hpp"
 
@@ -13,9 +16,34 @@ Colour palette::series(std::size_t i) {
     return colours[i % colours.size()];
 }
 
-Colour palette::phase(std::size_t i) {
-    static constexpr std::array<Colour, 5> colours{{grain, {178, 204, 235}, {214, 168, 126}, {128, 168, 140}, {138, 112, 160}}};
-    return colours[i % colours.size()];
+std::vector<Colour> palette::phases(const std::vector<std::string>& names) {
+    struct Mineral {
+        std::string_view name;
+        Colour colour;
+    };
+    // Grey, blue, brown, green and violet are darker from one to the next by a tenth of white in grey.
+    constexpr Colour blue{178, 204, 235}, brown{214, 168, 126}, green{128, 168, 140}, violet{138, 112, 160},
+        yellow{236, 222, 160}, rose{222, 190, 206}, olive{158, 168, 96};
+    static constexpr std::array<Mineral, 22> minerals{
+        {{"quartz", grain},     {"plagioclase", blue}, {"albite", blue},      {"anorthite", blue},   {"labradorite", blue},
+         {"feldspar", brown},   {"k_feldspar", brown}, {"orthoclase", brown}, {"microcline", brown}, {"amphibole", green},
+         {"hornblende", green}, {"mica", violet},      {"dark_mica", violet}, {"biotite", violet},   {"calcite", yellow},
+         {"carbonate", yellow}, {"dolomite", rose},    {"muscovite", rose},   {"white_mica", rose},  {"pyroxene", olive},
+         {"augite", olive},     {"diopside", olive}}};
+    static constexpr std::array others{grain, blue, brown, green, violet, yellow, rose, olive};
+    std::vector<std::optional<Colour>> found(names.size());
+    const auto is_free = [&](const Colour& colour) { return std::ranges::count(found, std::optional(colour)) == 0; };
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto* const known = std::ranges::find(minerals, names[i], &Mineral::name);
+        if (known != minerals.end() && is_free(known->colour)) found[i] = known->colour;
+    }
+    std::vector<Colour> colours;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto* const left = std::ranges::find_if(others, is_free);
+        if (!found[i]) found[i] = left != others.end() ? *left : others[i % others.size()];
+        colours.push_back(*found[i]);
+    }
+    return colours;
 }
 
 void Drawing::polygon(std::span<const Pixel> corners, Colour fill) {

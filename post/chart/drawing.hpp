@@ -35,8 +35,9 @@ inline constexpr Colour platen{120, 130, 145};
 inline constexpr Colour pre_existing{0, 114, 178};
 /// Colour of the i-th curve of a plot (Okabe & Ito 2008), repeating.
 Colour series(std::size_t i);
-/// Pale fill of the i-th mineral phase, darker from one to the next by a tenth of white in grey, repeating.
-Colour phase(std::size_t i);
+/// Pale fills of mineral phases by their names, the same in every picture; names that are no known mineral's have those that
+/// are left, in their order, repeating.
+std::vector<Colour> phases(const std::vector<std::string>& names);
 }  // namespace palette
 
 struct Pixel {

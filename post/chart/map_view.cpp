@@ -159,13 +159,14 @@ void MapView::draw_outline(std::int32_t from, std::int32_t to, double width, Col
 
 template <class Draw>
 void MapView::each_grain(const Draw& draw) const {
+    const std::vector<Colour> colours = palette::phases(specimen_.phase_names);
     for (std::size_t e = 0; e < specimen_.n_elements(); ++e) {
         const auto& nodes = specimen_.element_nodes[e];
         const auto place = [&](std::size_t k) { return positions_[static_cast<std::size_t>(nodes[k])]; };
         const auto [a, b, c] = std::array{place(0), place(1), place(2)};
         if (!visible({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3})) continue;
         const auto grain = static_cast<std::size_t>(specimen_.element_grain[e]);
-        draw(pixel(a), pixel(b), pixel(c), palette::phase(specimen_.grain_phase[grain]));
+        draw(pixel(a), pixel(b), pixel(c), colours[specimen_.grain_phase[grain]]);
     }
 }
 
@@ -220,8 +221,9 @@ void MapView::draw_platens(const PlatenFaceSet& set, double approach) {
 
 std::vector<LegendEntry> phase_legend(const Specimen& specimen) {
     std::vector<LegendEntry> entries;
-    const std::size_t n = specimen.phase_names.size();
-    for (std::size_t i = 0; n > 1 && i < n; ++i) entries.push_back({palette::phase(i), mineral_label(specimen.phase_names[i])});
+    const std::vector<Colour> colours = palette::phases(specimen.phase_names);
+    const std::size_t n = colours.size();
+    for (std::size_t i = 0; n > 1 && i < n; ++i) entries.push_back({colours[i], mineral_label(specimen.phase_names[i])});
     return entries;
 }
 

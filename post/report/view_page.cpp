@@ -140,9 +140,8 @@ private:
         const std::size_t n = s.n_contacts(), edges = s.n_boundary_edges();
         Json part{{"width", s.width}, {"height", s.height}, {"edge", s.statistics.mean_edge}};
         part["phases"] = Json::array();
-        for (std::size_t i = 0; i < s.phase_names.size(); ++i) {
-            part["phases"].push_back(named(s.phase_names[i], palette::phase(i)));
-        }
+        const std::vector<Colour> colours = palette::phases(s.phase_names);
+        for (std::size_t i = 0; i < colours.size(); ++i) part["phases"].push_back(named(s.phase_names[i], colours[i]));
         part["classes"] = classes_part(classes);
         part["x"] = array_of(components(s.node_position, {0}));
         part["y"] = array_of(components(s.node_position, {1}));

@@ -165,6 +165,17 @@ TEST(Labels, NamesOfColumnsAndMineralsAreThoseOfPrint) {
     EXPECT_EQ(mineral_label("dark_mica"), "dark mica");
 }
 
+TEST(Palette, MineralsHaveOneColourInEveryPicture) {
+    const std::vector<Colour> granite = palette::phases({"k_feldspar", "mica", "quartz"});
+    const std::vector<Colour> schist = palette::phases({"quartz", "garnet", "staurolite", "mica"});
+    EXPECT_EQ(granite[2], schist[0]);
+    EXPECT_EQ(granite[1], schist[3]);
+    const std::vector<std::string> many{"a", "mica", "biotite", "c", "quartz"};  // two of one colour, and unknown ones
+    const std::vector<Colour> colours = palette::phases(many);
+    for (std::size_t i = 0; i < many.size(); ++i) EXPECT_EQ(std::ranges::count(colours, colours[i]), 1) << many[i];
+    EXPECT_EQ(palette::phases({"rock"}), std::vector<Colour>{palette::grain});
+}
+
 TEST(Chart, TheRightScaleIsItsOwn) {
     Chart chart = unit_chart(Axis{"n", 0, 100});
     chart.line(std::vector<double>{0, 1}, std::vector<double>{50, 50}, Stroke{pen, 2}, "", Chart::Side::right);

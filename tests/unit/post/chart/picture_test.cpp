@@ -292,7 +292,7 @@ TEST_F(Picture, ManyGrainsAreNoLargerThanTheirPage) {
     const Drawing drawing = draw_specimen(test::grid_specimen(300, 300, 0.08, 0.08));  // edges of 3 pixels
     EXPECT_LT(drawing.n_marks(), 4000U);  // 944 rows, 1,200 edges of the rim, legend and title
     write_picture(drawing, path("many.png"));
-    EXPECT_GT(pixels_of(path("many.png"), palette::phase(0)), 930 * 930);  // the page without its margins and the rim
+    EXPECT_GT(pixels_of(path("many.png"), palette::grain), 930 * 930);  // the page without its margins and the rim
     EXPECT_GT(draw_specimen(test::grid_specimen(30, 30, 0.08, 0.08)).n_marks(), 1800U);  // each grain and outline
 }
 
