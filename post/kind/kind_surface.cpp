@@ -108,7 +108,11 @@ struct FixedTrait {
         const auto near = [](double a, double b) { return rounded(a, digits) == rounded(b, digits); };
         return word == other.word && number.has_value() == other.number.has_value() && (!number || near(*number, *other.number));
     }
-    [[nodiscard]] std::string text() const { return number ? format_number(*number, digits) : word.empty() ? "not given" : word; }
+    /// \param key of a material file
+    [[nodiscard]] std::string text(const std::string& key) const {
+        if (number) return format_quantity(*number, material_quantity(key).dimension, digits);
+        return word.empty() ? "not given" : word;
+    }
 };
 
 /// By the key of a material file.
@@ -144,7 +148,7 @@ std::vector<std::string> differences_from(const RockKind& kind, std::map<std::st
     std::vector<std::string> found;
     for (const auto& [key, value] : its) {
         if (own[key].is_like(value)) continue;
-        found.push_back(fmt::format("its {} is {}, that of {} {}", key, own[key].text(), kind.name, value.text()));
+        found.push_back(fmt::format("its {} is {}, that of {} {}", key, own[key].text(key), kind.name, value.text(key)));
     }
     return found;
 }
@@ -230,13 +234,16 @@ std::optional<KindSurface> KindSurface::of(const Material& material, std::string
     const auto own = fixed_traits(material);
     std::optional<std::vector<std::string>> least;
     for (const RockKind& kind : rock_kinds()) {
+        if (!material.kind.empty() && material.kind != kind.name) continue;
         if (std::ranges::none_of(rows, [&](const KindRow& row) { return row.kind == kind.name; })) continue;
         const std::vector<std::string> found = differences_from(kind, own);
         if (found.empty() && !material.grains.grain_size) return none("its fabric.grain_size is not given");
         if (found.empty()) return KindSurface(std::move(rows), kind.name);
         if (!least || found.size() < least->size()) least = found;
     }
-    return none(least ? least->front() : "kinds/surface.tsv has no kind that is beside the materials");
+    return none(least                   ? least->front()
+                : material.kind.empty() ? "kinds/surface.tsv has no kind that is beside the materials"
+                                        : fmt::format("its kind {} has no surface", material.kind));
 }
 
 KindSurface::KindSurface(std::vector<KindRow> rows, std::string kind) : kind_(std::move(kind)) {

@@ -71,7 +71,8 @@ struct KindPrediction {
 class KindSurface {
 public:
     /// The surface of the kind whose law, fabric, factors within crystals and other ratios a material has; empty if there is
-    /// none. \param why if not null, gets in words what the material has otherwise \throws InputError for a broken table
+    /// none; only the kind that the material names, if it does. \param why if not null, gets in words what the material has
+    /// otherwise \throws InputError for a broken table
     static std::optional<KindSurface> of(const Material& material, std::string* why = nullptr);
     /// \throws InputError if a quantity has fewer rows than its terms need
     KindSurface(std::vector<KindRow> rows, std::string kind);

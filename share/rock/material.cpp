@@ -327,6 +327,7 @@ IncompleteMaterial read_incomplete_material(const std::string& name_or_file) {
     const TomlFile toml = read_toml(material.file.string());
     TomlTable file(toml);
     file.given("name", material.name);
+    file.given("kind", material.kind);
     for (const TomlTable& table : file.tables()) {
         if (!is_of_calibration(table.name())) read_table(table, read);
     }

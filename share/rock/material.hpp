@@ -36,6 +36,7 @@ using FittedProperties = std::map<std::string, std::string>;
 
 struct Material {
     std::string name;
+    std::string kind;            ///< of rock, a name of `rock_kinds`; "": not given
     std::filesystem::path file;  ///< where it was read from
     Rock rock;
     GivenContact contact;              ///< [contact]; what is unset follows from `ratios`, else from [rock]

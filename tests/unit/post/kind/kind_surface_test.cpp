@@ -141,6 +141,14 @@ TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
     rock = read_material("lac-du-bonnet-granite-calibrated");
     rock.grains.grain_size.reset();
     expect_none(rock, "its fabric.grain_size is not given");
+    rock = read_material("lac-du-bonnet-granite-calibrated");
+    rock.platen_friction_angle = 10 * std::numbers::pi / 180;
+    expect_none(rock, "its platen.friction_angle is 10 deg, that of granite 5 deg");
+    rock.kind = "gabbro";  // the kind that it names, not the nearest
+    EXPECT_FALSE(KindSurface::of(rock, &why));
+    EXPECT_NE(why.find(", that of gabbro "), std::string::npos) << why;
+    rock.kind = "amphibolite";
+    expect_none(rock, "its kind amphibolite has no surface");
     expect_none(read_material("augig-granite"), "its contact.law is not given, that of gabbro cohesive-frictional");
 }
 
