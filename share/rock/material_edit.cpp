@@ -44,9 +44,9 @@ std::string contact_examples() {
 /// The value of a setting as TOML writes it. \throws UsageError
 std::string checked_value(const MaterialSetting& setting) {
     const auto& [key, value] = setting;
-    if (key == "name") {
+    if (key == "name" || key == "kind") {
         if (!value.empty() && value.find_first_of("\"\\\n") == std::string::npos) return toml_string(value);
-        throw UsageError(fmt::format("name={}: a name without quotes is needed", value));
+        throw UsageError(fmt::format("{}={}: a name without quotes is needed", key, value));
     }
     const TomlKey found = material_key(key);
     if (found.is_word()) {
@@ -58,6 +58,16 @@ std::string checked_value(const MaterialSetting& setting) {
 }
 
 void set(TomlDocument& file, const MaterialSetting& setting) {
+    const std::string_view given = trimmed(setting.second);
+    const bool is_table = given.starts_with('{') && given.ends_with('}');
+    const bool is_text = given.size() > 1 && given.starts_with('"') && given.ends_with('"');
+    if (is_table || is_text) {  // as the comments of a template have it
+        for (const TomlEntry& entry : parse_toml(fmt::format("value = {}", given), setting.first).entries) {
+            if (entry.is_array) throw UsageError(setting.first + ": has a list; tables of single values fit");
+            set(file, {setting.first + (is_table ? "." + entry.key : ""), entry.values.front().text});
+        }
+        return;
+    }
     const std::string value = checked_value(setting);
     const auto names = split(setting.first, '.');
     TomlDocument::Path path(names.begin(), names.end());
@@ -102,6 +112,7 @@ std::string material_of_kind(const std::string& kind, const std::string& name) {
     if (kind == every_key) text.insert(text.find("# law = "), contact_examples());
     TomlDocument file(text, kind);
     file.set({"name"}, toml_string(name));
+    if (kind != every_key) file.set({"kind"}, toml_string(kind));
     return file.text();
 }
 

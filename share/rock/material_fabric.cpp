@@ -281,14 +281,14 @@ void require_sound_fabric(const MaterialFabric& fabric, const Rock& rock, const 
         require_sound_expansion(phase, fmt::format("{}: [phases.{}]", where, name));
         if (rock.young_modulus > 0 && !(young_modulus_of_grains(phase, fabric, rock) > 0)) {
             throw InputError(
-                fmt::format("{}: the grains of {} would have a modulus of {} times the rock's; a smaller contrast than "
-                            "{} fits",
+                fmt::format("{}: the grains of {} would have a modulus of {:.4g} times the rock's; a smaller contrast than "
+                            "{:.4g} fits",
                             where, name, young_modulus_of_grains(phase, fabric, rock) / rock.young_modulus, fabric.contrast));
         }
         sum += phase.fraction;
     }
     if (!fabric.phases.empty() && std::abs(sum - 1) > whole) {
-        throw InputError(fmt::format("{}: the fractions of the phases sum up to {}; 1 is needed", where, sum));
+        throw InputError(fmt::format("{}: the fractions of the phases sum up to {:.7g}; 1 is needed", where, sum));
     }
     require_columns(fabric.young_modulus_by_temperature, where + ": [temperature]");
     require_pairs(fabric, where);

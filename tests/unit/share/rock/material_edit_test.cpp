@@ -116,6 +116,24 @@ TEST_F(MaterialWith, ChangesTablesOnALine) {
               std::string::npos);
 }
 
+TEST_F(MaterialWith, TakesWhatTheCommentsOfATemplateShow) {
+    const std::string text = new_material(
+        "marble", "stone",
+        {{"laboratory.mode_i_toughness", "{value = \"1.4 MPa.m^0.5\", method = \"half-disc\", diameter = \"75 mm\"}"},
+         {"laboratory.young_modulus", "\"25.8 GPa\""}});
+    const auto read = read_incomplete_material(file(text));
+    EXPECT_EQ(read.values.at("laboratory.mode_i_toughness"), 1.4e6);
+    EXPECT_EQ(read.material.toughness_test.method, "half-disc");
+    EXPECT_EQ(read.material.toughness_test.size, 0.075);
+    EXPECT_EQ(read.values.at("laboratory.young_modulus"), 25.8e9);
+    EXPECT_EQ(read.material.kind, "marble");
+    expect_one_line<UsageError>(
+        [&] {
+            std::ignore = material_with(path_, {{"laboratory.mode_i_toughness", "{sise = 1}"}});
+        },
+        {"laboratory.mode_i_toughness.sise: unknown key"});
+}
+
 TEST_F(MaterialWith, SaysWhatItCannotSet) {
     const std::string stone =
         file("name = \"stone\"\n[phases.mica]\nfraction = 1\nthermal_expansion = {temperatures = [0], values = [1e-5]}\n");
