@@ -1,6 +1,7 @@
 #include "share/file/specimen.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -156,7 +157,7 @@ void check_sizes(const Specimen& s, const Checker& check) {
                   "shape is unknown; rectangle, disc, ring, beam, half-disc or polygon is needed");
     check.require(s.height > 0 && s.width > 0 && std::isfinite(s.height) && std::isfinite(s.width),
                   "width and height must be positive and finite");
-    check.require(std::isfinite(s.loading_arc), "loading_arc must be finite");
+    check.require(s.loading_arc >= 0 && s.loading_arc < std::numbers::pi, "loading_arc must be from 0 to below π");
 }
 
 void check_elements(const Specimen& s, const Checker& check) {
@@ -457,8 +458,7 @@ void write_specimen(H5Output& file, const Specimen& s) {
 namespace {
 
 /// The classes behind those of the phases are of flaws.
-void read_flaws(const H5Input& file, const std::vector<std::uint8_t>& classes, Specimen& s) {
-    const auto names = file.attribute_or<std::vector<std::string>>(schema::contact_class.path, "names", {});
+void read_flaws(const std::vector<std::string>& names, const std::vector<std::uint8_t>& classes, Specimen& s) {
     const std::size_t n_pairs = n_contact_classes(s.phase_names.size());
     if (names.size() <= n_pairs) return;
     s.flaw_names.assign(names.begin() + static_cast<std::ptrdiff_t>(n_pairs), names.end());
@@ -492,15 +492,24 @@ Specimen read_specimen(const H5Input& file) {
     s.phase_names = file.attribute_or<std::vector<std::string>>(schema::grain_phase.path, "names", s.phase_names);
     s.part_names = file.attribute_or<std::vector<std::string>>(schema::boundary_part.path, "names", s.part_names);
     std::vector<std::uint8_t> classes;
+    std::vector<std::string> class_names;
     if (file.has(schema::contact_class.path)) {
         classes = file.read<std::uint8_t>(schema::contact_class.path, {s.n_contacts()});
-        read_flaws(file, classes, s);
+        class_names = file.attribute_or<std::vector<std::string>>(schema::contact_class.path, "names", {});
+        read_flaws(class_names, classes, s);
     }
     validate(s, file.name());
-    if (!classes.empty() && classes != contact_classes(s)) {
-        throw InputError(fmt::format("{}: {} is not the pair of the phases of the two grains of each contact", file.name(),
-                                     schema::contact_class.path));
-    }
+    const auto require = [&](bool holds, const std::string& wrong) {
+        if (!holds) throw InputError(fmt::format("{}: {}", file.name(), wrong));
+    };
+    const std::string of_classes = schema::contact_class.path;
+    require(classes.empty() || classes == contact_classes(s),
+            of_classes + " is not the pair of the phases of the two grains of each contact");
+    require(class_names.empty() || class_names == contact_class_names(s),
+            fmt::format("the names of {} are not {}", of_classes, fmt::join(contact_class_names(s), ", ")));
+    const auto n_grains = static_cast<std::int64_t>(s.n_grains());
+    const auto declared = file.attribute_or<std::int64_t>(group, "grains", n_grains);
+    require(declared == n_grains, fmt::format("{}: grains is {}, and there are {}", group, declared, n_grains));
     return s;
 }
 

@@ -208,6 +208,8 @@ const std::vector<Offence>& offences() {
         {"mean edge that is not that of the mesh", [](Specimen& s) { s.statistics.mean_edge *= 1.02; }, "mean_edge"},
         {"edges per grain edge", [](Specimen& s) { s.elements_per_edge = 2; }, "mean_edge"},
         {"unknown shape", [](Specimen& s) { s.shape = "hexagon"; }, "rectangle, disc, ring, beam, half-disc or polygon"},
+        {"negative arc", [](Specimen& s) { s.loading_arc = -0.1; }, "loading_arc must be from 0"},
+        {"arc in degrees", [](Specimen& s) { s.loading_arc = 8; }, "loading_arc must be from 0"},
         {"middle off the origin",
          [](Specimen& s) {
              for (auto& p : s.node_position) p[1] += 0.0011 * s.height;
@@ -297,6 +299,24 @@ TEST(Specimen, ReadingValidates) {
     write_specimen(out, s);
     out.commit();
     expect_one_line<InputError>([&] { read_specimen(H5Input(folder.file("s.h5"))); }, {"s.h5", "kind"});
+}
+
+TEST(Specimen, ReadingComparesWhatIsSaidTwice) {
+    const auto expect_refused = [](const std::string& object, const std::string& attribute, const auto& value,
+                                   const std::vector<std::string>& says) {
+        const TemporaryFolder folder;
+        Specimen s = two_squares();
+        s.phase_names = {"quartz", "mica"};
+        H5Output out(folder.file("s.h5"), "specimen");
+        write_specimen(out, s);
+        out.attribute(object, attribute, value);
+        out.commit();
+        expect_one_line<InputError>([&] { read_specimen(H5Input(folder.file("s.h5"))); }, says);
+    };
+    expect_refused("/specimen", "grains", std::int64_t{3}, {"s.h5: ", "grains is 3, and there are 2"});
+    expect_refused("/contacts/class", "names", std::vector<std::string>{"quartz-quartz", "mica-mica", "quartz-mica"},
+                   {"the names of /contacts/class are not quartz-quartz, quartz-mica, mica-mica"});
+    expect_refused("/contacts/class", "names", std::vector<std::string>{"quartz"}, {"the names of /contacts/class are not"});
 }
 
 TEST(Specimen, MissingOrMisshapenArraysAreNamed) {
