@@ -216,6 +216,7 @@ int solve(int argc, char** argv, const Ranks& ranks) {
         opened = open_specimen(options->specimen, ranks);
         specimen = read_specimen(*opened);
         require_shape(options->request.loading.test, specimen, opened->name());
+        require_same_phases(options->request.material, specimen.phase_names);
         digest = opened->digest();
         Facts facts{{"the specimen", content(digest)}};
         if (ranks.is_alone()) return facts;

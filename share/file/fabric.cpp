@@ -10,20 +10,22 @@
 #include "share/base/random_bits.hpp"
 
 namespace graincrack {
-namespace {
 
 void require_same_phases(const Material& material, const std::vector<std::string>& phase_names) {
     std::vector<std::string> described;
     for (const auto& [name, phase] : material.fabric.phases) described.push_back(name);
+    if (described.empty() && phase_names.size() == 1) return;
     std::vector<std::string> present = phase_names;
     std::sort(present.begin(), present.end());
-    if (present != described) {
-        throw InputError(
-            fmt::format("the specimen has the phases {}, the material {} has {}; make the specimen with "
-                        "graincrack-mesh … --material, or take another material",
-                        fmt::join(present, ", "), material.file.string(), fmt::join(described, ", ")));
-    }
+    if (present == described) return;
+    throw InputError(
+        fmt::format("the specimen has the phases {}, the material {} has {}; make the specimen with "
+                    "graincrack-mesh … --material, or take another material",
+                    fmt::join(present, ", "), material.file.string(),
+                    described.empty() ? "none" : fmt::format("{}", fmt::join(described, ", "))));
 }
+
+namespace {
 
 /// What a class is made from.
 struct ContactSides {

@@ -47,6 +47,9 @@ struct Fabric {
         return std::any_of(phases.begin(), phases.end(), [](auto& p) { return p.has_axis(); });
     }
 };
+/// \throws InputError unless a material describes the phases of a specimen and no others; without phases all grains are the rock
+void require_same_phases(const Material& material, const std::vector<std::string>& phase_names);
+
 /// Properties of the phases of a specimen and of their contacts, by the fabric of a material. A contact has the values of
 /// [contact]; where a phase gives its side others, the mean or the least of both sides; then those of its pair; then its factors.
 /// Stiffnesses are those of the rock, or, by `StiffnessRule::sides`, times the harmonic mean of the two moduli over the rock's

@@ -356,6 +356,9 @@ TEST(Fabric, WhatDoesNotFitTogetherIsRefused) {
     const Material granite = material_of(granite_text + phases);
     expect_one_line<InputError>([&] { fabric_of(granite, PlaneCondition::strain, std::nullopt, {"rock"}); },
                                 {"phases rock", "feldspar, mica, quartz", "graincrack-mesh"});
+    expect_one_line<InputError>([&] { require_same_phases(material_of(granite_text), phase_names); },
+                                {"phases feldspar, mica, quartz, the material", "has none; "});
+    EXPECT_NO_THROW(require_same_phases(material_of(granite_text), {"rock"}));
 }
 
 TEST(Fabric, AMaterialNamesItsLaw) {
