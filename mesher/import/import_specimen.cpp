@@ -14,6 +14,7 @@
 
 #include "mesher/fabric/crystals.hpp"
 #include "mesher/import/gmsh.hpp"
+#include "mesher/import/label_image.hpp"
 #include "mesher/import/label_table.hpp"
 #include "share/base/error.hpp"
 #include "share/base/sha256.hpp"
@@ -46,6 +47,7 @@ MeshFormat known_format(std::string_view bytes, const ImportRequest& request) {
     const std::string name = name_of_file(request);
     const auto format = request.format ? request.format : format_of(bytes);
     if (format) return *format;
+    if (is_binary(bytes)) throw InputError(fmt::format("{}: is no whole PNG and no text; {}", name, known_formats));
     const bool is_abaqus = trimmed(bytes).starts_with('*');
     throw InputError(fmt::format(
         "{}: begins with \"{}\"; {}", name, beginning(trimmed(bytes)),

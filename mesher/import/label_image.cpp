@@ -226,7 +226,14 @@ std::optional<int> LabelImage::colour_of(int label) const {
     return palette[static_cast<std::size_t>(label)];
 }
 
+bool is_binary(std::string_view bytes) {
+    const auto first = bytes.empty() ? 0U : static_cast<unsigned char>(bytes.front());
+    const bool begins_amid_character = (first & 0xc0U) == 0x80U || first >= 0xf8U;  // of UTF-8
+    return !bytes.starts_with(png_signature) && (begins_amid_character || bytes.substr(0, 40).find('\0') < 40);
+}
+
 LabelImage read_label_image(std::string_view bytes, const std::string& name) {
+    if (is_binary(bytes)) throw InputError(name + ": is no PNG and no text; save the picture as PNG");
     return bytes.starts_with(png_signature) ? read_png(bytes, name) : read_text(bytes, name);
 }
 

@@ -35,6 +35,9 @@ inline constexpr std::size_t most_pixels = 100'000'000;
 ///         length, or anything in it is no integer from 0
 LabelImage read_label_image(std::string_view bytes, const std::string& name);
 
+/// Whether these are neither a whole PNG nor text: another picture, or a part of one.
+bool is_binary(std::string_view bytes);
+
 /// Whether these are the bytes of a PNG, or a text of nothing but integers and blanks.
 bool looks_like_labels(std::string_view bytes);
 

@@ -92,6 +92,9 @@ TEST(LabelImage, RefusesDamagedPictures) {
             EXPECT_FALSE(error_of(damaged).empty()) << i;
         }
     }
+    for (const std::string& other : {std::string("\xff\xd8\xff\xe0"), std::string("II*\0", 4), std::string("\x89PNG")}) {
+        EXPECT_EQ(error_of(other), "section: is no PNG and no text; save the picture as PNG");
+    }
     const std::string signature = "\x89PNG\r\n\x1a\n";
     EXPECT_EQ(error_of(signature), "section: the PNG is damaged: it ends too early; a whole picture is needed");
 }
