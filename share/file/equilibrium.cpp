@@ -15,8 +15,9 @@ namespace {
 /// Share of the load at the peak that it rises by while a wave crosses the specimen, beyond which a run warns. Measured,
 /// strengths against those at the automatic rate: UCS of 1,122 grains 1 % too high at 0.0067, 2 % at 0.013, 4 % at 0.026; ten
 /// tests at 4 MPa 0.3 % at 0.002 to 0.004 (share/doc/loading.md); a rectangle of 300 grains 3.5 % at 0.004, a disc of as many
-/// 18 % at 0.015.
-constexpr double trusted_load_rise = 5e-3;
+/// 18 % at 0.015. It is the rate tolerance that examples and studies recommend, which costs a UCS 1.4 ± 1.1 % against 0.0015
+/// (share/studies/minerals) and a confined strength 0.4 ± 1.6 % against half of it (share/studies/equilibrium).
+constexpr double trusted_load_rise = 6e-3;
 /// Difference of the platen forces before the peak, over their mean, beyond which a run warns. The strength is from their mean.
 constexpr double trusted_force_difference = 0.05;
 /// Mean unbalanced ratio before the peak beyond which a run warns. Measured on 300 grains: damped tests at the automatic rate,
