@@ -28,7 +28,8 @@ struct EmissionEvent {
     double tensile_share = 0;          ///< of the points
     double length = 0;                 ///< m
     double energy = 0;                 ///< fracture energy of the points until the end of the run, J per metre of thickness
-    /// Σ G L √(δn² + δs²) over the points with their jump at failure: a two-dimensional moment, N·m per metre of thickness.
+    /// Σ G L √(δn² + δs²) over the points with their jump at the event of their label: a two-dimensional moment, N·m per metre of
+    /// thickness.
     double moment = 0;
     /// (2/3) log10(moment/(N·m)) − 6.07 (Hanks & Kanamori 1979) for a metre of thickness: values are comparable within one model
     /// only.

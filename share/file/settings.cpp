@@ -99,7 +99,10 @@ std::string shown(const Setting& setting, int digits) {
         int digits;
         std::string operator()(std::monostate) const { return "none"; }
         std::string operator()(bool value) const { return value ? "given" : "left out"; }
-        std::string operator()(double value) const { return format_quantity(value, setting.dimension, digits); }
+        std::string operator()(double value) const {
+            const bool is_none = value == 0 && option_name(setting) == "peak-drop";  // --peak-drop none
+            return is_none ? "none" : format_quantity(value, setting.dimension, digits);
+        }
         std::string operator()(std::uint64_t value) const { return std::to_string(value); }
         std::string operator()(const std::string& value) const { return value.empty() ? "none" : value.substr(0, 60); }
         std::string operator()(const std::vector<double>& values) const {

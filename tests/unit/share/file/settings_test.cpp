@@ -50,6 +50,7 @@ TEST(Settings, AreShownWithTheirUnits) {
     for (const Setting& each : one_of_each) texts.push_back(shown(each));
     EXPECT_EQ(texts, (std::vector<std::string>{"none", "given", "80 mm", "1122", "9223372036854775808", "voronoi",
                                                "0 m 333.3 mm 2 mm", "joint broken \"quoted\""}));
+    EXPECT_EQ(shown({"peak_drop", 0.0, Dimension::one, SettingGroup::end}), "none");  // not "peak drop 0"
     EXPECT_EQ(number_of(one_of_each, "width"), 0.08);
     EXPECT_EQ(text_of(one_of_each, "tessellation"), "voronoi");
     EXPECT_EQ(text_of(one_of_each, "width"), "");
