@@ -34,7 +34,8 @@ protected:
         write(out);
         return out.str();
     }
-    std::string strength_of(const std::string& file, TableFormat format = TableFormat::tsv, StrengthKind kind = StrengthKind::first_peak) {
+    std::string strength_of(const std::string& file, TableFormat format = TableFormat::tsv,
+                            StrengthKind kind = StrengthKind::first_peak) {
         return text([&](std::ostream& out) { write_strength_table(out, {file}, format, notes_, kind); });
     }
     std::string moduli_of(const std::string& file) {
