@@ -8,5 +8,5 @@ WITH shown(nth, quantities, heading, format, counted) AS (VALUES
     (4, 'direct_tension_MPa', 'direct tension', '{:.2f}', ''),
     (5, 'direct_over_Brazilian', 'direct / Brazilian', '{:.2f}', ''))
 SELECT variant, ifnull(heading, replace(quantity, '_', ' ')),
-    coalesce(text(format || ' ± ' || format, mean, half_interval), text(format, mean), '-') || text(counted, n)
+    coalesce(text(format || ' ± ' || format, mean, half_interval), text(format, mean), '-') || iif(counted = '', '', text(counted, n))
 FROM minerals JOIN shown ON quantity LIKE quantities ORDER BY nth, minerals.rowid
