@@ -8,7 +8,7 @@ WITH shown(nth, quantities, heading, counted) AS (VALUES
     (5, 'UCS_MPa', 'UCS'), (6, 'first_peak_at_%', NULL), (7, 'Brazilian_MPa', 'Brazilian')
 ), entries AS (
     SELECT nth, minerals.rowid AS place, variant, heading,
-        coalesce(text('{:.2f} ± {:.2f}', mean, half_interval), text('{:.2f}', mean), '-') || text(counted, n) AS entry
+        coalesce(text('{:.2f} ± {:.2f}', mean, half_interval), text('{:.2f}', mean), '-') || iif(counted = '', '', text(counted, n)) AS entry
     FROM minerals JOIN shown ON quantity LIKE quantities
     UNION ALL SELECT nth, minerals.rowid, variant, text('c. v. of {}, %', ifnull(heading, replace(quantity, '_', ' '))),
         ifnull(text('{:.1f}', 100 * coefficient_of_variation), '-')
