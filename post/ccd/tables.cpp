@@ -209,7 +209,7 @@ void write_solution(std::ostream& out, const std::string& file, const SolveOptio
         const bool is_coded = factor.name == fmt::format("x{}", k + 1);  // which stands there
         if (!is_coded) add(factor.name, [&factor, k](const Optimum& o) { return factor.value(o.coded[k]); });
         for (const auto& [end, bounds] : {std::pair{"_region_low", &RegionExtent::low}, {"_region_high", &RegionExtent::high}}) {
-            const Cell bound = extent ? Cell(factor.value(((*extent).*bounds)[k])) : Cell();
+            Cell bound = extent ? Cell(factor.value(((*extent).*bounds)[k])) : Cell();
             add(factor.name + end, [bound](const Optimum&) { return bound; });
         }
     }
