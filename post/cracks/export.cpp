@@ -94,7 +94,7 @@ void write_crack_summary(std::ostream& out, const RunData& run, const std::optio
         SummaryRow row{run.name, at, run.history[HistoryColumn::time][index], {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
         if (curve) {
             row.axial_strain = curve->axial_strain[index];
-            row.peak_kind = peak_kind(run, *curve);
+            row.peak_kind = peak_kind(run.header, curve->strength.has_value());
         }
         row.balance = balance_cracks(cracks, row.time);
         row.counts = count_other_labels(log.all, run.header.crack_event, row.time);

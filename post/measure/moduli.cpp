@@ -63,7 +63,7 @@ ModuliRow read_moduli_row(const std::string& path) {
                   measure_moduli(run),
                   predict_moduli(run.header, specimen),
                   grain_moduli(run.header, specimen),
-                  peak_kind(run, curve),
+                  peak_kind(run.header, curve.strength.has_value()),
                   {}};
     if (is_compression(run.header) && !row.peak_kind.empty()) {
         row.thresholds = measure_all_thresholds(run, curve, reader.cracks());

@@ -79,7 +79,7 @@ Strength measure_strength(const RunData& run, const LoadCurve& curve) {
     strength.peak = curve_row(run, curve, curve.peak);
     strength.largest = curve_row(run, curve, curve.largest);
     strength.largest_is_peak = has_fallen(run.header, curve.loaded());
-    strength.peak_kind = peak_kind(run, curve);
+    strength.peak_kind = peak_kind(run.header, curve.strength.has_value());
     strength.first_yield = first_yield(curve);
     strength.first_peak = measure_first_peak(run, curve);
     std::transform(strain_marks.begin(), strain_marks.end(), strength.stress_at_marks.begin(),

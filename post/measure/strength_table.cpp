@@ -33,10 +33,6 @@ struct StrengthRow {
     /// A value that a checkpoint does not have yet.
     [[nodiscard]] Cell at_end(double value) const { return header().stop_reason == "checkpoint" ? Cell() : Cell(value); }
     [[nodiscard]] const CurveRow& shown() const { return strength.at(kind); }
-    [[nodiscard]] Cell shown_peak_kind() const {
-        if (strength.has_peak(kind)) return "drop";
-        return header().stop_reason == "strain limit" ? "cap" : "";
-    }
     /// True if the stress exceeds it later.
     [[nodiscard]] bool is_exceeded() const { return shown().row < strength.largest.row; }
     [[nodiscard]] bool is_pulled() const {
@@ -88,7 +84,7 @@ const Columns<StrengthRow>& strength_columns() {
             {"peak_compressive_stress", megapascal, &R::largest_compression},
             {"tensile_strength", megapascal, [](const R& r) { return r.is_pulled() ? Cell(r.strength.strength) : Cell(); }},
             {"strain_at_peak", none, [](const R& r) { return r.shown().strain; }},
-            {"peak_kind", none, &R::shown_peak_kind},
+            {"peak_kind", none, [](const R& r) { return peak_kind(r.header(), r.strength.has_peak(r.kind)); }},
             {"first_yield", megapascal, [](const R& r) { return r.strength.first_yield; }},
             {"tensile_cracks", none, [](const R& r) { return count_cell(r.shown().tensile_cracks); }},
             {"shear_cracks", none, [](const R& r) { return count_cell(r.shown().shear_cracks); }},

@@ -271,9 +271,9 @@ double decisive_drop(const RunSettings& header) {
     return header.peak_drop > 0 ? std::min(header.peak_drop, usual_drop) : usual_drop;
 }
 
-std::string peak_kind(const RunData& run, const LoadCurve& curve) {
-    if (curve.strength) return "drop";
-    return run.header.stop_reason == "strain limit" ? "cap" : "";
+std::string peak_kind(const RunHeader& header, bool has_failed) {
+    if (has_failed) return "drop";
+    return header.stop_reason == "strain limit" ? "cap" : "";
 }
 
 }  // namespace graincrack

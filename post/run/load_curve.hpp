@@ -135,6 +135,6 @@ bool is_compression(const RunSettings& header);
 double decisive_drop(const RunSettings& header);
 
 /// "drop" if the test failed; "cap" if it was stopped at the strain limit before that, "" if otherwise.
-std::string peak_kind(const RunData& run, const LoadCurve& curve);
+std::string peak_kind(const RunHeader& header, bool has_failed);
 
 }  // namespace graincrack

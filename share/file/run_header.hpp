@@ -75,8 +75,10 @@ struct RunSummary {
     double isotropic_end_time = 0;  ///< end of heating and of the isotropic stage (triaxial), s; 0 without them
     double peak_axial_stress = 0;   ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t); bend:
                                     ///< load over length or diameter
-    double peak_time = 0;     ///< when the test had its strength (`find_strength`) or, if it did not fail, its largest stress, s
-    double energy_scale = 0;  ///< largest stored energy (strain + contact) of the run, J: the scale of the energy balance
+    double peak_time = 0;  ///< when the test had its strength (`find_strength`) or, if it did not fail, its largest stress, s
+    /// Largest stored energy (strain + contact) of the run, J: the scale of the energy balance. Of a heated test both count from
+    /// where its platens were placed.
+    double energy_scale = 0;
     double energy_balance_error = 0;     ///< energy balance: max over time of |external − sum of the others| / energy_scale
     double platen_force_difference = 0;  ///< max before the peak of |top − bottom| / mean while the mean exceeds half the peak
     double confinement_mean = 0;         ///< achieved after the isotropic stage, Pa

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rows_of_longest_time = 8000;  // of the longest time
 constexpr std::int64_t min_steps_of_stage_row = 10;
-constexpr double max_transits_between_rows = 0.5;  // while measures decide how fast the temperature changes
+constexpr double max_transits_between_rows = 0.5;  // of an automatic change of the temperature; and of stages that are short
 
 /// Platens that go nowhere if it has none.
 ProgramPlatens platens_of(const Program& program) {

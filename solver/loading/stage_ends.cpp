@@ -38,40 +38,46 @@ bool has_fallen_below(double stress, const StageRow& row) {
     return std::abs(history[HistoryColumn::axial_stress][i]) < stress;
 }
 
-/// True if the platens go further, in the sense of the largest load of the stage, than in all its rows before: what the stress
-/// loses where they retreat is no fall.
-bool is_loading(const StageRow& row) {
+/// Axial stress and strain of the rows of a stage.
+struct StageCurve {
+    std::span<const double> stress, strain;
+};
+StageCurve curve_of(const StageRow& row) {
     const History& history = row.rows.history;
     const std::vector<double>& time = history[HistoryColumn::time];
-    const auto begin = std::lower_bound(time.begin(), time.end(), row.begin) - time.begin();
-    const std::span stress = std::span(history[HistoryColumn::axial_stress]).subspan(begin);
-    const std::span strain = std::span(history[HistoryColumn::axial_strain]).subspan(begin);
-    const auto [lowest, highest] = std::minmax_element(stress.begin(), stress.end());
+    const auto begin = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), row.begin) - time.begin());
+    return {std::span(history[HistoryColumn::axial_stress]).subspan(begin),
+            std::span(history[HistoryColumn::axial_strain]).subspan(begin)};
+}
+
+/// True if the platens go further, in the sense of the largest load of the stage, than in all its rows before: what the stress
+/// loses where they retreat is no fall.
+bool is_loading(const StageCurve& curve) {
+    const auto [lowest, highest] = std::minmax_element(curve.stress.begin(), curve.stress.end());
     const double sense = -*lowest > *highest ? -1 : 1;
-    return std::all_of(strain.begin(), strain.end() - 1, [&](double before) { return sense * before < sense * strain.back(); });
+    const double last = curve.strain.back();
+    return std::all_of(curve.strain.begin(), curve.strain.end() - 1,
+                       [&](double before) { return sense * before < sense * last; });
 }
 
 /// True of a specimen that heat has cracked until it has gone far enough beyond its highest stress.
-bool may_settle(const StageRow& row) {
-    if (row.least_load == 0) return false;
-    const History& history = row.rows.history;
-    const std::vector<double>& time = history[HistoryColumn::time];
-    const auto begin = std::lower_bound(time.begin(), time.end(), row.begin) - time.begin();
-    const std::vector<double>& stress = history[HistoryColumn::axial_stress];
+bool may_settle(const StageCurve& curve) {
     const auto highest =
-        std::max_element(stress.begin() + begin, stress.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    const std::vector<double>& strain = history[HistoryColumn::axial_strain];
-    return std::abs(strain.back()) < heated_strain * std::abs(strain[static_cast<std::size_t>(highest - stress.begin())]);
+        std::max_element(curve.stress.begin(), curve.stress.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const double strain = curve.strain[static_cast<std::size_t>(highest - curve.stress.begin())];
+    return std::abs(curve.strain.back()) < heated_strain * std::abs(strain);
 }
 
 /// The axial stress falls, under loading, below its highest of the stage since contacts have failed.
 StageEnd peak_drop(double share) {
     return {ended_by_peak_drop, "highest", 0, [share](const StageRow& row, double& highest) {
-                if (!is_loading(row)) return false;
+                const StageCurve curve = curve_of(row);
+                if (!is_loading(curve)) return false;
                 const double stress = std::abs(row.feedback.axial_compression);
                 const bool fails = cracks_in(row.rows.history) > row.cracks_before && stress >= row.least_load;
                 if (highest > 0 || fails) highest = std::max(highest, stress);
-                return has_fallen_below((1 - share) * highest, row) && !may_settle(row);
+                const bool is_heated = row.least_load > 0;
+                return has_fallen_below((1 - share) * highest, row) && !(is_heated && may_settle(curve));
             }};
 }
 

@@ -76,7 +76,7 @@ TEST(LoadCurve, PeakKindTellsDropFromCap) {
     Recipe recipe;
     const auto kind = [&] {
         const RunData run = data_of(recipe);
-        return peak_kind(run, load_curve(run));
+        return peak_kind(run.header, load_curve(run).strength.has_value());
     };
     EXPECT_EQ(kind(), "drop");
     recipe.stop_reason = "strain limit";  // reached the strain limit, but the stress had fallen by half: there was a peak
