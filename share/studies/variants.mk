@@ -22,7 +22,9 @@ TENSION_DROP ?= 0.95
 # The same of Brazilian tests; empty: the solver's default
 BRAZILIAN_DROP ?=
 UNIAXIAL_PEAK_DROP ?= 0.15
-PARTS ?= $(call unique,$(shell tail -n +2 variants.tsv | cut -f 2))
+# Read once: a default that is expanded at each use would start a shell for each variant and part.
+parts_of_table := $(shell tail -n +2 variants.tsv | cut -f 2)
+PARTS ?= $(call unique,$(parts_of_table))
 VARIANTS ?= $(foreach r,$(table_of_variants),$(if $(filter $(PARTS),$(call entry,2)),$(call entry,1)))
 include $(dir $(lastword $(MAKEFILE_LIST)))common.mk
 

@@ -8,7 +8,7 @@ a tool, a script, make or printf, with the pipelines that they begin and the lin
 behind them the blocks of Python that begin with the import of graincrack. Those of one document run one after the other in one folder, which has links to what
 is called by a path from the top. A command fails the test if its exit code is not 0.
 
-Studies are printed and not made (make -n; tests/studies/run makes them on tiny specimens; STAND_INS are what later commands read of them),
+Studies are printed and not made (make -n, with one specimen of each kind; tests/studies/run makes them on tiny ones; STAND_INS are what later commands read of them),
 share/quickstart has QUICK=1, and tests have a larger tolerance of the loading rate, those of LARGER_GRAINS larger grains too, unless
 --whole-tests is given. A form with a word to be replaced (FILE.toml, RUN) is no command. NOT_HERE
 lists what cannot run here, and why; a command that is in no list runs.
@@ -20,6 +20,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 
 TOP = pathlib.Path(__file__).resolve().parent.parent.parent
 CALLS = re.compile(r"(graincrack-(mesh|solve|post)|share/|tests/|make|cmake|sbatch|export|printf)\b(?!:)")
@@ -38,8 +39,13 @@ PLACEHOLDER = re.compile(r"(?<![\w$=/])[A-Z]{3,}(\.\w+)?(?![\w=])|…|►|\[")
 # A rock of one's own, as README says: one of a kind, and its values entered.
 INIT = "graincrack-post material init my-rock --kind granite"
 ENTER_VALUES = "sed -i 's/^# \\([a-z_]* = \\)/\\1/' my-rock.toml\n"
+# A study that is printed has one specimen of each kind where the command does not say how many: a dry run costs by the number of runs.
+def one_of_each(command):
+    return "".join(f" {name}=1" for name in ("RECTANGLES", "DISCS", "HALF_DISCS", "SEEDS") if f"{name}=" not in command)
+
+
 QUICK = {
-    "make -C share/studies": lambda command: command.replace("make ", "make -n "),
+    "make -C share/studies": lambda command: command.replace("make ", "make -n ") + one_of_each(command),
     "share/quickstart": lambda command: "QUICK=1 " + command,
 }
 # Made in place of the results of a study, for the commands behind it.
@@ -61,8 +67,7 @@ LARGER_GRAINS = {
     "tutorial.md": {"--width 30mm --height 60mm": "--width 12mm --height 24mm"},
     "gallery.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", "--width 40mm --height 80mm": "--width 20mm --height 40mm",
                    "--diameter 68mm --inner-diameter 25mm": "--diameter 50mm --inner-diameter 25mm", "--diameter 68mm": "--diameter 32mm",
-                   "--diameter 80mm --slit 20mm": "--diameter 40mm --slit 10mm", "0.006 --peak-drop none": "0.01 --peak-drop none",
-                   "--rate-tolerance 0.006": "--rate-tolerance 0.02"},
+                   "--diameter 80mm --slit 20mm": "--diameter 40mm --slit 10mm", "0.006 --peak-drop none": "0.01 --peak-drop none"},
 }
 
 
@@ -102,7 +107,7 @@ def python_blocks(text):
 
 
 def with_larger_grains(command, document):
-    for small, large in LARGER_GRAINS.get(document, {}).items():
+    for small, large in (LARGER_GRAINS.get(document, {}) | {"--rate-tolerance 0.006": "--rate-tolerance 0.02", "--frames 100": "--frames 20"}).items():
         command = command.replace(small, large)
     return command
 
@@ -165,14 +170,16 @@ def check(path, bin_folder, whole_tests):
                 print(f"  not run: {command}: {reason}")
                 continue
             called = as_run(command if whole_tests else with_larger_grains(command, path.name))
+            start = time.monotonic()
             result = run(called, folder, environment)
+            took = time.monotonic() - start
             if command == INIT:
                 run(ENTER_VALUES, folder, environment)
-            for start, stand_in in STAND_INS.items():
-                if command.startswith(start):
+            for call, stand_in in STAND_INS.items():
+                if command.startswith(call):
                     run(stand_in, folder, environment)
             ran += 1
-            print(f"  {'ran' if result.returncode == 0 else 'FAILED'}: {called}", flush=True)
+            print(f"  {'ran' if result.returncode == 0 else 'FAILED'}, {took:.1f} s: {called}", flush=True)
             if result.returncode != 0:
                 failed.append(f"{path.name}: {command}: exit code {result.returncode}\n{result.stderr[-2000:]}")
     return ran, failed
