@@ -58,7 +58,7 @@ STAND_INS = {
 }
 LARGER_GRAINS = {
     "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"', "disc --diameter 68mm --slit 17mm": "disc --diameter 40mm --slit 10mm",
-                  "disc --diameter 68mm": "disc --diameter 24mm"},
+                  "disc --diameter 68mm": "disc --diameter 24mm", "half-disc --diameter 84mm --slit 21mm": "half-disc --diameter 48mm --slit 12mm"},
     "file-format.md": {'diameter="68mm"': 'diameter="24mm"'},
     "from-udec-and-pfc.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"'},
     "loading.md": {"--edge 3mm": "--edge 5mm"},
@@ -119,7 +119,10 @@ def as_run(command):
     return command
 
 
-def reason_not_to_run(command):
+def reason_not_to_run(command, printed):
+    """Why, or "". A study that a document before has printed (`printed`) is the same in each."""
+    if command.startswith("make -C share/studies") and command in printed:
+        return "was printed before"
     if command.startswith("export PATH="):
         return "the tools are on the PATH"
     for start, reason in NOT_HERE.items():
@@ -146,7 +149,7 @@ exec {bin_folder}/graincrack-solve "$@"
     solver.chmod(0o755)
 
 
-def check(path, bin_folder, whole_tests):
+def check(path, bin_folder, whole_tests, printed):
     """The number of commands that ran, and what failed, of one document."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith("GRAINCRACK_") and not k.startswith("MAKE")}
     ran, failed = 0, []
@@ -165,7 +168,8 @@ def check(path, bin_folder, whole_tests):
         if not any(command == INIT for command in commands) and any("my-rock" in command for command in commands):
             run(INIT + "; " + ENTER_VALUES, folder, environment)
         for command in commands:
-            reason = reason_not_to_run(command)
+            reason = reason_not_to_run(command, printed)
+            printed.add(command)
             if reason:
                 print(f"  not run: {command}: {reason}")
                 continue
@@ -194,10 +198,10 @@ def main():
     documents = [TOP / "README.md", TOP / "CONTRIBUTING.md", *sorted((TOP / "share" / "doc").glob("*.md")),
                  *sorted((TOP / "share" / "studies").glob("*/README.md")), *sorted((TOP / "share" / "programs").glob("*.toml"))]
     documents = [path for path in documents if options.only in (None, path.name)]
-    total, failures = 0, []
+    total, failures, printed = 0, [], set()
     for path in documents:
         print(path.relative_to(TOP))
-        ran, failed = check(path, pathlib.Path(options.bin).resolve(), options.whole_tests)
+        ran, failed = check(path, pathlib.Path(options.bin).resolve(), options.whole_tests, printed)
         total += ran
         failures += failed
     print(f"{total} commands ran, {len(failures)} failed")
