@@ -88,7 +88,7 @@ void print_summary(std::ostream& out, const SimulationSummary& s, const Specimen
     const RunHeader& h = s.header;
     add_to_outcome("stop_reason", h.stop_reason);
     if (s.strength && h.loading() != Loading::bending) add_to_outcome("strength", factor_of_strength(h) * *s.strength);
-    if (h.heat != 0) {
+    if (h.heat != 0 && h.loading() != Loading::program) {
         say(out, fmt::format("{}: {} before axial loading, with {} contacts past their peak", h.test, h.heat_label(),
                              std::ceil(s.cracks_before)));
     }

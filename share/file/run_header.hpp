@@ -44,8 +44,9 @@ struct LoadingSettings {
     std::string damping_form = "local";  ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;
-    double heat = 0;                    ///< rise of the temperature before a standard test, K; 0 and no attributes without one
-    std::int64_t cooled = 0;            ///< 1 if it fell back before the test
+    double heat = 0;  ///< rise of the temperature before a standard test, or the largest of a program and the runs that it
+                      ///< continues, K; 0 and no attributes without one
+    std::int64_t cooled = 0;            ///< 1 if it fell back before the test, or until the program ended
     double span = 0;                    ///< bend: distance of the lower rollers, m; 0 and no attribute in other tests
     std::string mass_scaling = "none";  ///< "none" | "selective"
     double mass_scaling_factor = 0;     ///< β: added mass over mass, for relative motion across contacts
@@ -56,7 +57,7 @@ struct RunSettings : MaterialSettings, LoadingSettings {
     Settings request;  ///< effective values of the options by which the run was asked for
     [[nodiscard]] const TestDescription& description() const { return test_named(test); }
     [[nodiscard]] Loading loading() const { return description().loading; }
-    /// "heated by 300 K and cooled", "at +300 K"; "" of a specimen that was not heated before its test.
+    /// "heated by 300 K and cooled", "at +300 K"; "" of a specimen that was not heated.
     [[nodiscard]] std::string heat_label() const;
     [[nodiscard]] bool is_unconfined_compression() const {
         return loading() == Loading::compression && !description().is_confined;

@@ -218,7 +218,7 @@ void StageController::refuse_end(const std::string& reason) const {
 void StageController::check_stage_end(const Feedback& feedback, const Rows& rows) {
     feedback_ = feedback;
     if (finished()) return;
-    const double least_load = thermal_.is_thermal() ? platens_.settling_stress() : 0;
+    const bool is_heated = thermal_.is_thermal();
     const StageRow row{feedback_,
                        rows,
                        stage_begin_,
@@ -227,7 +227,8 @@ void StageController::check_stage_end(const Feedback& feedback, const Rows& rows
                        platens_.pressure_error(feedback_.time),
                        platens_.transit_time(),
                        thermal_.cracks_before(),
-                       least_load};
+                       is_heated,
+                       is_heated ? platens_.settling_stress() : 0};
     const auto end = std::find_if(ends_.begin(), ends_.end(), [&](StageEnd& e) { return e.is_reached(row, e.memory); });
     if (end == ends_.end()) return;
     const std::string reason = end->name;

@@ -76,8 +76,7 @@ StageEnd peak_drop(double share) {
                 const double stress = std::abs(row.feedback.axial_compression);
                 const bool fails = cracks_in(row.rows.history) > row.cracks_before && stress >= row.least_load;
                 if (highest > 0 || fails) highest = std::max(highest, stress);
-                const bool is_heated = row.least_load > 0;
-                return has_fallen_below((1 - share) * highest, row) && !(is_heated && may_settle(curve));
+                return has_fallen_below((1 - share) * highest, row) && !(row.is_heated && may_settle(curve));
             }};
 }
 

@@ -21,6 +21,7 @@ struct StageRow {
     double pressure_error;    ///< of a servo
     double transit_time;      ///< of a bar wave through the specimen, s
     double cracks_before;     ///< contacts whose failure does not count
+    bool is_heated;           ///< the rock has, or had, a temperature
     double least_load;        ///< axial stress from which on a failure counts, absolute, Pa
 };
 

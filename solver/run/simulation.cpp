@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <utility>
 
@@ -131,6 +132,7 @@ private:
         recorder_.restore(saved);
         header_.energy_scale = recorder_.energy().scale();
         const RunReader run(request_.restart);
+        header_.heat = run.header().heat;
         if (request_.loading.test == TestKind::program && !is_checkpoint(run)) {
             if (begins_without_platens() && !has_absent_platens()) {
                 throw InputError(fmt::format("{}: stage.{}: platens: are there already in {}; they cannot be absent any more",
@@ -154,6 +156,7 @@ private:
     void record() {
         const Feedback feedback = recorder_.record(driver_.stages().platens().speed(), team_, state_);
         header_.energy_scale = recorder_.energy().scale();
+        if (request_.loading.test == TestKind::program) take_heat(state_.loading.temperature);
         header_.steps = state_.step;
         header_.integrations = state_.step;
         driver_.record(setup_.assemblage, setup_.boundary, state_, recorder_.history(), feedback);
@@ -164,6 +167,12 @@ private:
         }
         driver_.start_next(recorder_.history());
         if (output_) output_->record();
+    }
+
+    /// What a program does to the temperature decides by which rule a fall of the stress is a peak.
+    void take_heat(double temperature) {
+        if (std::abs(temperature) > std::abs(header_.heat)) header_.heat = temperature;
+        header_.cooled = header_.heat != 0 && temperature == 0 ? 1 : 0;
     }
 
     /// On a signal, keeps what there is in a checkpoint and ends the run.

@@ -374,6 +374,7 @@ TEST(Temperature, ARunHasItAndResumesWithIt) {
     EXPECT_NEAR(*std::max_element(temperature.begin(), temperature.end()), 400, 1e-9);
     EXPECT_NEAR(temperature.back(), 0, 1e-9);
     EXPECT_EQ(whole.header().fabric.phases.front().thermal_expansion, 13e-6);
+    EXPECT_EQ(whole.header().heat_label(), "heated by 400 K and cooled");
     const std::string run = folder.file("run.h5");
     r.stops_after = [stop = history.size() / 3](std::size_t rows) { return rows == stop; };
     EXPECT_THROW(simulate(specimen, r, run, Verbosity::quiet, {}), Interrupted);
@@ -381,6 +382,12 @@ TEST(Temperature, ARunHasItAndResumesWithIt) {
     r.stops_after = nullptr;
     simulate(specimen, r, run, Verbosity::quiet, {});
     EXPECT_EQ(H5Input(run, "run").digest(), H5Input(folder.file("whole.h5"), "run").digest());
+    // A program that continues it has no temperature of its own.
+    r.program =
+        parse_program("name = \"after\"\ndamping = 0.8\nstages = [\"wait\"]\nstage.wait.until.time = \"1 us\"", "after.toml");
+    r.restart = folder.file("whole.h5");
+    simulate(specimen, r, folder.file("after.h5"), Verbosity::quiet, {});
+    EXPECT_EQ(RunReader(folder.file("after.h5")).header().heat_label(), "heated by 400 K and cooled");
 }
 
 /// A uniaxial test after heating. \param expansion of the quartz; the other minerals have `others`
