@@ -465,6 +465,28 @@ TEST(Heating, TheFallOfATestIsThatOfALoad) {
         request.heat = 300;
         LedPlatens led(request);
         heat_through(led, 1);
+// A long stage beside a short one does not part its rows, and a stage that goes far beyond the value that ends it says so.
+TEST(StageController, RowsAreThoseOfTheStageThatIsOn) {
+    const auto ends_at = [](double stress) {
+        LedPlatens led(
+            parse_program("name = \"rows\"\ndamping = 0.8\nstages = [\"short\", \"long\"]\n[platens]\n"
+                          "[stage.short]\nplaten_speed = \"1 mm/s\"\nuntil = { time = \"8 ms\", axial_stress = \"-30 MPa\" }\n"
+                          "[stage.long]\nplaten_speed = 0.0\nuntil = { time = \"8 s\" }\n",
+                          "rows.toml"));
+        constexpr double time_step = 1e-8;
+        led.row(0);
+        EXPECT_EQ(led.stages.interval_steps(time_step), std::llround(0.5 * transit / time_step));
+        led.row(1e-3, -stress);
+        EXPECT_EQ(led.stages.records().size(), 1U);
+        EXPECT_EQ(led.stages.interval_steps(time_step), 100000);  // 8 s in 8,000 rows
+        return led.stages.overshoots();
+    };
+    EXPECT_TRUE(ends_at(30.5e6).empty());
+    ASSERT_EQ(ends_at(31e6).size(), 1U);
+    EXPECT_TRUE(ends_at(31e6).front().starts_with("stage short went 3.3 % beyond its end by axial_stress"))
+        << ends_at(31e6).front();
+}
+
         double time = led.stages.records().back().end;
         const auto goes_on = [&](double stress, double cracks) {
             led.row(time += transit, -stress, 1e-4, {}, cracks);
