@@ -263,7 +263,7 @@ std::vector<ReleasedContact> release_contacts(const Assemblage& a, const Contact
 }
 
 /// A rank that owns one of the two nodes has the pairs of both, and does the same as the owner of the other.
-void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& carried, State& s) {
+void transfer_to_pairs(const Assemblage& a, const ContactLaws& laws, const std::vector<ReleasedContact>& carried, State& s) {
     ContactPairList& list = s.contact_pairs;
     for (const ReleasedContact& h : carried) {
         const ContactGeometry& contact = a.contacts[h.contact];
@@ -272,8 +272,7 @@ void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& 
         // ends.
         std::ptrdiff_t best = -1;
         double inside = -std::numeric_limits<double>::max();
-        double depth = 0;
-        double place = 0;
+        double depth = 0, place = 0;
         for (std::int32_t side = 0; side < 2; ++side) {
             const CandidatePair pair{contact.nodes[2 * (1 - side) + h.point], 2 * a.specimen_contact[h.contact] + side};
             const auto it = std::lower_bound(list.pairs.begin(), list.pairs.end(), pair);
@@ -287,8 +286,12 @@ void transfer_to_pairs(const Assemblage& a, const std::vector<ReleasedContact>& 
                 place = g.place;
             }
         }
+        const NodeEdgeContact taken{true, place < 0.5, contact.point_area, depth - h.overlap, h.overlap, h.elastic_slip, 0.0};
         if (best >= 0) {
-            list.contacts[best] = {true, place < 0.5, contact.point_area, depth - h.overlap, h.overlap, h.elastic_slip, 0.0};
+            list.contacts[best] = taken;
+        } else {  // the nodes have gone past both edges, or too deep, since the last search: the springs' energy is lost
+            const CandidatePair pair{contact.nodes[h.point], 2 * a.specimen_contact[h.contact] + 1};
+            list.friction[chunk_of_node(a, pair.node)] += node_edge_energy(friction_law(a, laws, pair), taken);
         }
     }
 }
@@ -343,7 +346,7 @@ void rebuild(const Assemblage& a, const ContactLaws& laws, const std::vector<std
     const std::vector<ReleasedContact> carried = contact_law::with_law(
         laws.variant(), [&](auto kind) { return release_contacts<decltype(kind)>(a, laws, released_now, s); });
     search(a, laws, s);
-    transfer_to_pairs(a, carried, s);
+    transfer_to_pairs(a, laws, carried, s);
     take_contacts_of_owners(a, s.contact_pairs);
     find_ghosts(a, s);
     refresh_forces(a, laws, s);

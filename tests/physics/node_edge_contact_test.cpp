@@ -339,6 +339,30 @@ TEST(NodeEdgeContact, ReleaseOfAContactKeepsForceAndEnergy) {
     expect_release_without_a_jump(test::augig_law(), 0.7);  // what the law keeps is over the strength factor
 }
 
+// Where both nodes of a point have gone past the edges of the other grain within an update, no pair takes over what it stored.
+TEST(NodeEdgeContact, ReleaseOfAContactBeyondItsEdgesBooksItsEnergy) {
+    ContactLaws laws(test::augig_law());
+    laws.of_class.assign(3, test::augig_law());
+    SmallRun run = sliding_blocks(120.0, laws);
+    SmallRun before = run;
+    while (released_contacts(run) == 0 && run.state.step < 20000) {
+        before = run;
+        update_pair_list(run.assemblage, run.parameters, run.state);
+        run.steps(1);
+    }
+    ASSERT_EQ(released_contacts(run), 1U);
+    const Energies e = before.measured().energies;
+    for (std::int32_t i = 0; i < before.assemblage.n_nodes(); ++i) {
+        if (before.assemblage.surface.grain_of_node[i] == 0) before.state.displacement[i] += Vector2{1, 1};
+    }
+    update_pair_list(before.assemblage, before.parameters, before.state);
+    ASSERT_EQ(released_contacts(before), 1U);
+    const Energies f = before.measured().energies;
+    EXPECT_GT(e.contact, 0);
+    EXPECT_EQ(f.contact, 0);
+    expect_close(f.friction - e.friction, e.contact, 1e-9, e.contact);
+}
+
 // Sliding farther than friction allows, a node bears the residual cohesion and friction; at the end friction has taken all that
 // the spring stored.
 TEST(NodeEdgeContact, ResidualCohesionAndFrictionHold) {
