@@ -14,7 +14,7 @@ namespace graincrack {
 namespace {
 
 constexpr double whole = 1e-6;                   // by how much fractions may miss 1
-constexpr std::size_t most_temperatures = 1000;  // of a table, which is searched at each step that heats
+constexpr std::size_t most_temperatures = 1000;  // of a table, whose integral is summed at each step that heats
 constexpr std::size_t longest_name = 256;        // bytes, of a phase or a class of flaws
 constexpr Quantity relative_modulus{
     "relative_young_modulus", Dimension::one, 0, 100, "Young's modulus of a phase over the rock's", true};

@@ -26,8 +26,9 @@ constexpr double pressure_transits = 40;
 constexpr double give_up_transits = 200;
 /// Unbalanced ratio, and relative error of the axial pressure, at the end of the isotropic stage and of heating.
 constexpr double isotropic_rest = 2e-3;
-/// The longest that a change of the temperature takes, times tolerance and share: at the slowest rate, from 1 K to 480 K.
-constexpr double longest_heating_transits = 150;
+/// The longest that a change of the temperature takes, times tolerance and share: at the slowest rate, from 0.1 K (where marble
+/// begins to be stressed) to 480 K.
+constexpr double longest_heating_transits = 200;
 
 constexpr const char* membrane_name = "membrane";
 

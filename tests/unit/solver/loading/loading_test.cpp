@@ -394,6 +394,16 @@ TEST(Heating, GoesToItsTemperatureAndToRestBeforeThePlatensCome) {
     EXPECT_EQ(led.pressure(led.stages.records().back().end), 300);  // its only amplitude is the temperature
 }
 
+// Also of marble, whose crystals are under stress from some tenths of a kelvin on, if all of it is at the slowest rate.
+TEST(Heating, HasTheTimeOfTheSlowestRate) {
+    LoadingRequest request;
+    request.heat = 480;
+    const HeatingControl control(request.heating_tolerance(), {transit, 0.1, 1000});
+    double time = 0;
+    for (double change = 0; change < request.heat; time += transit) change += transit * control.min_rate(change);
+    EXPECT_LT(time, LedPlatens(request).program.stages.front().longest_time);
+}
+
 TEST(Heating, EnergyThatHeatLockedInDoesNotHurryThePlatens) {
     LoadingRequest request;
     request.rate = RateKind::automatic;
