@@ -104,14 +104,19 @@ const std::string& RunOutput::write_checkpoint() {
             [=, this, write_frames = std::move(write_frames), state = whole.state(), program = run_.program,
              history = run_.recorder.history(), error = run_.recorder.energy().largest_error(),
              cracks = run_.recorder.crack_log().rows(run_.setup.assemblage, whole.state().fracture_energy)](RunWriter& run) {
-                RunWriter checkpoint(H5Output(OutputFile::covered(checkpoint_), "run"), run_.specimen, header);
-                const FrameProgress frames = write_frames(run, checkpoint);
-                checkpoint.append_history(history);
-                program.append(checkpoint.file(), 0);
-                program.write(checkpoint.file());
-                write_faces(checkpoint.file(), run_.setup.boundary, run_.specimen);
-                write_saved_state(checkpoint.file(), state, program.stages().state(), error, frames);
-                checkpoint.finish(header, cracks, run_.provenance);
+                checkpoint_problem_.clear();
+                try {
+                    RunWriter checkpoint(H5Output(OutputFile::covered(checkpoint_), "run"), run_.specimen, header);
+                    const FrameProgress frames = write_frames(run, checkpoint);
+                    checkpoint.append_history(history);
+                    program.append(checkpoint.file(), 0);
+                    program.write(checkpoint.file());
+                    write_faces(checkpoint.file(), run_.setup.boundary, run_.specimen);
+                    write_saved_state(checkpoint.file(), state, program.stages().state(), error, frames);
+                    checkpoint.finish(header, cracks, run_.provenance);
+                } catch (const OutputError& cause) {
+                    checkpoint_problem_ = cause.what();
+                }
             });
     });
     return checkpoint_;

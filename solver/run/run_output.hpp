@@ -48,6 +48,15 @@ public:
     /// Writes a run file of its own, with all rows, cracks and frames so far and the present state, while the run goes on.
     /// \return its name, "" for a run that has none
     const std::string& write_checkpoint();
+    /// Why the last checkpoint could not be written, once that is known; a run goes on without it, and one that stops does not.
+    [[nodiscard]] std::string checkpoint_problem() const { return file_ && file_->is_done() ? checkpoint_problem_ : ""; }
+    /// Waits until the last checkpoint is written. \throws OutputError
+    void require_checkpoint() {
+        ranks_.on_first([&] {
+            file_->when_done();
+            if (!checkpoint_problem_.empty()) throw OutputError(checkpoint_problem_);
+        });
+    }
     /// Waits until all that was to be written is. To be called by all ranks before other files are opened.
     void wait() {
         ranks_.on_first([&] { file_->when_done(); });
@@ -61,6 +70,7 @@ private:
     Run run_;
     const Ranks& ranks_;
     std::string checkpoint_;               ///< its file, "" for none
+    std::string checkpoint_problem_;       ///< told by the thread of `file_`, which ends before it does
     std::unique_ptr<WritingThread> file_;  ///< on the first rank
     FrameOutput frames_;
     std::size_t rows_written_ = 0;

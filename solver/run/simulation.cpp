@@ -90,7 +90,7 @@ public:
             show_progress();
             header_.stop_reason = driver_.stop_reason();
             const bool goes_on = header_.stop_reason.empty();
-            if (goes_on && output_ && output_->wants_checkpoint()) write_checkpoint();
+            if (goes_on && output_) keep_checkpoints();
         }
         if (output_) output_->wait();
         progress_.finish();
@@ -182,7 +182,7 @@ private:
         const int signal = static_cast<int>(request_.ranks->largest(own));
         if (signal == 0) return;
         const std::string checkpoint = output_ ? output_->write_checkpoint() : "";
-        if (output_) output_->wait();
+        if (output_) output_->require_checkpoint();
         if (!checkpoint.empty()) {
             add_to_outcome("checkpoint", checkpoint);
             say(diagnostics(verbosity_),
@@ -192,7 +192,15 @@ private:
         throw Interrupted(signal);
     }
 
-    void write_checkpoint() {
+    /// What is wrong with them is told once.
+    void keep_checkpoints() {
+        const std::string problem = tells_of_problem_ ? output_->checkpoint_problem() : "";
+        if (!problem.empty()) {
+            tells_of_problem_ = false;
+            warn(diagnostics(verbosity_), header_.test,
+                 {problem + "; the run goes on, and tries again at its next checkpoint", "checkpoint"}, "");
+        }
+        if (!output_->wants_checkpoint()) return;
         output_->write_checkpoint();
         const double least = output_->least_checkpoint_interval();
         if (tells_of_interval_ && least > request_.checkpoint_interval.value_or(least)) {
@@ -230,7 +238,7 @@ private:
     ThreadTeam team_;
     std::optional<FrameProgress> frames_;  ///< of the checkpoint that the run resumes from
     std::optional<RunOutput> output_;
-    bool tells_of_interval_ = true;  ///< once
+    bool tells_of_interval_ = true, tells_of_problem_ = true;  ///< once
 };
 
 }  // namespace

@@ -122,6 +122,30 @@ TEST(Checkpoints, AreThoseOfAStopWhileOthersAreBeingWritten) {
     EXPECT_EQ(checkpoint.frame(checkpoint.n_frames() - 1).step, checkpoint.header().steps);
 }
 
+/// Nobody can write them while a folder has the name of what is unfinished.
+TEST(Checkpoints, ThatCannotBeWrittenEndNoRunButOneThatStops) {
+    const test::TemporaryFolder folder;
+    const std::string run = folder.file("run.h5"), blocks = checkpoint_of(run) + ".part";
+    SimulationRequest r = restart_request({"uniaxial", TestKind::uniaxial, RateKind::fixed, 1.0, false});
+    simulate(restart_specimen(), r, folder.file("whole.h5"), Verbosity::quiet, {});
+    std::filesystem::create_directory(blocks);
+    r.checkpoint_interval = 0;
+    testing::internal::CaptureStderr();
+    simulate(restart_specimen(), r, run, Verbosity::normal, {});
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("uniaxial: warning: " + checkpoint_of(run) + ": cannot be written"), std::string::npos) << said;
+    EXPECT_EQ(said.find("warning"), said.rfind("warning")) << said;
+    EXPECT_EQ(run_digest(run), run_digest(folder.file("whole.h5")));
+    r.stops_after = [](std::size_t rows) { return rows == 20; };
+    EXPECT_THROW(simulate(restart_specimen(), r, run, Verbosity::quiet, {}), OutputError);
+    r.stops_after = [&](std::size_t rows) {
+        if (rows == 10) std::filesystem::remove(blocks);
+        return rows == 20;
+    };
+    EXPECT_THROW(simulate(restart_specimen(), r, run, Verbosity::quiet, {}), Interrupted);
+    EXPECT_EQ(RunReader(checkpoint_of(run)).history().size(), 20U);
+}
+
 class Restart : public testing::TestWithParam<RestartCase> {};
 
 TEST_P(Restart, AfterEverySoManyRowsGivesTheSameRun) {
