@@ -214,6 +214,17 @@ void check_size(const Specimen& s, const Checker& check) {
     }
 }
 
+/// A declared loading arc must be the angle under which the straight side at the top is seen from the centre.
+void check_loading_arc(const Specimen& s, const Checker& check) {
+    constexpr double off_straight = 1e-6;  // of the nodes of that side, over the height
+    double top = -s.height, side = 0;
+    for (const auto& position : s.node_position) top = std::max(top, position[1]);
+    const auto is_at_top = [&](std::int32_t node) { return s.node_position[node][1] >= top - off_straight * s.height; };
+    for (const auto& [i, j] : s.boundary_edges) side += is_at_top(i) && is_at_top(j) ? distance(s, i, j) : 0;
+    check.require(s.loading_arc == 0 || std::abs(2 * std::atan2(side, s.height) - s.loading_arc) <= tolerance * s.loading_arc,
+                  "loading_arc is more than 1 % off the angle of the straight side at the top");
+}
+
 /// A declared mean edge must be that of the contacts and the boundary, or, where grains are not single triangles or triangles of
 /// n × n elements, the edge of the equilateral triangle of the grains' mean area.
 void check_mean_edge(const Specimen& s, const Checker& check) {
@@ -337,6 +348,7 @@ void validate(const Specimen& specimen, const std::string& where) {
     check_boundary(specimen, sides, check);
     check_size(specimen, check);
     check_mean_edge(specimen, check);
+    check_loading_arc(specimen, check);
 }
 
 // --- in a file ------------------------------------------------------------------------------------------------------

@@ -44,7 +44,7 @@ TEST(Specimen, RoundTrip) {
     s.shape = "rectangle";
     s.seed = 12345;
     s.elements_per_edge = 2;
-    s.loading_arc = 0.11;
+    s.loading_arc = 2 * std::atan2(0.03, 0.04);
     s.statistics = {2 * s.statistics.mean_edge, 0.1, 0.003, 0.005, 0.0038, 0.12, 0.003, 0.0045, 0.6, 0.05, 1e-15};
     s.phase_names = {"quartz", "feldspar"};
     s.grain_phase[1] = 1;
@@ -210,6 +210,8 @@ const std::vector<Offence>& offences() {
         {"unknown shape", [](Specimen& s) { s.shape = "hexagon"; }, "rectangle, disc, ring, beam, half-disc or polygon"},
         {"negative arc", [](Specimen& s) { s.loading_arc = -0.1; }, "loading_arc must be from 0"},
         {"arc in degrees", [](Specimen& s) { s.loading_arc = 8; }, "loading_arc must be from 0"},
+        {"arc of another side", [](Specimen& s) { s.loading_arc = 1.02 * 2 * std::atan2(s.width, s.height); },
+         "loading_arc is more"},
         {"middle off the origin",
          [](Specimen& s) {
              for (auto& p : s.node_position) p[1] += 0.0011 * s.height;
