@@ -11,7 +11,6 @@
 #include <set>
 
 #include "mesher/cells/triangles.hpp"
-#include "mesher/fabric/crystals.hpp"
 #include "mesher/plane/refined_triangulation.hpp"
 #include "share/base/units.hpp"
 #include "share/file/fabric.hpp"
@@ -29,8 +28,7 @@ struct Zones {
     double shortest = std::numeric_limits<double>::infinity();  ///< m
     double longest = 0;
     std::string of;  ///< class of the shortest
-    double length = 0;
-    double number = 0;
+    double length = 0, number = 0;
     [[nodiscard]] double elements() const { return shortest * number / length; }
 };
 
@@ -114,17 +112,6 @@ std::string with_commas(std::size_t number) {
     std::string digits = std::to_string(number);
     for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
     return digits;
-}
-
-/// Flaws as they came out, and the length of all contacts that are broken from the start.
-std::string flaw_line(const Specimen& specimen, const MeshReport& report) {
-    double broken = 0;
-    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        if (starts_broken(specimen.contact_kind[c])) broken += contact_length(specimen, c);
-    }
-    return fmt::format("{} of flaws and joints, {} long in all; contacts broken from the start: {}",
-                       report.n_flaws == 1 ? "1 piece" : fmt::format("{} pieces", report.n_flaws),
-                       format_length(report.flaw_length), format_length(broken));
 }
 
 /// Sizes and angles of crystals, which are made once and have no preferred direction to speak of.
@@ -216,6 +203,7 @@ std::vector<std::string> summary_of(const Specimen& specimen, const std::string&
         specimen.width == specimen.height ? mm(specimen.width) : mm(specimen.width) + " × " + mm(specimen.height),
         with_commas(number_of_crystals(specimen)), kind, format_quantity(mean_crystal_diameter(specimen), Dimension::length, 3),
         with_commas(specimen.n_elements()), with_commas(specimen.n_contacts()))};
+    if (const std::string flaws = flaws_text(specimen); !flaws.empty()) lines.push_back("  flaws: " + flaws);
     if (specimen.phase_names == Specimen{}.phase_names) return lines;
     const std::vector<double> fractions = phase_fractions(specimen);
     std::string phases;
@@ -242,7 +230,11 @@ std::vector<Remark> describe_mesh(const Specimen& specimen, const Request& reque
     if (s.elongation > 0) {
         lines.push_back(fmt::format("elongation {:.3f} along {:.1f} deg", s.elongation, degrees(s.elongation_angle)));
     }
-    if (report.n_flaws > 0 || !request.joint_sets.empty()) lines.push_back(flaw_line(specimen, report));
+    if (report.n_flaws > 0 || !request.joint_sets.empty()) {
+        lines.push_back(fmt::format("{} of flaws and joints, {} long in all",
+                                    report.n_flaws == 1 ? "1 piece" : fmt::format("{} pieces", report.n_flaws),
+                                    format_length(report.flaw_length)));
+    }
     lines.insert(lines.end(), report.warnings.begin(), report.warnings.end());
     if (!fabric.has_crystals()) add_notes_on_triangles(specimen, request, report, lines);
     const double min_angle = fabric.has_crystals() ? s.min_angle : report.min_angle;

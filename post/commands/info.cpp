@@ -80,12 +80,14 @@ void write_crystals(std::ostream& out, const H5Input& file) {
     line(out, "elements_per_crystal", format_number(sizes->elements, 4));
 }
 
-void write_open_boundaries(std::ostream& out, const H5Input& file) {
+/// Flaws, joints and open boundaries, if there are any.
+void write_flaws(std::ostream& out, const H5Input& file) {
     const char* path = schema::contact_kind.path;
     const std::vector<std::uint8_t> kinds = file.has(path) ? file.read<std::uint8_t>(path) : std::vector<std::uint8_t>{};
-    const auto open = static_cast<std::uint8_t>(ContactKind::open_boundary);
-    if (std::find(kinds.begin(), kinds.end(), open) == kinds.end()) return;
-    line(out, "open_boundaries", open_boundaries_text(read_specimen(file)));
+    if (std::none_of(kinds.begin(), kinds.end(), starts_broken) && !file.has(schema::contact_class.path)) return;
+    const Specimen specimen = read_specimen(file);
+    if (const std::string flaws = flaws_text(specimen); !flaws.empty()) line(out, "flaws", flaws);
+    if (const std::string open = open_boundaries_text(specimen); !open.empty()) line(out, "open_boundaries", open);
 }
 
 void write_specimen_lines(std::ostream& out, const H5Input& file) {
@@ -116,7 +118,7 @@ void write_specimen_lines(std::ostream& out, const H5Input& file) {
     write_counts(out, file);
     write_parts(out, file);
     write_phases(out, file);
-    write_open_boundaries(out, file);
+    write_flaws(out, file);
 }
 
 void write_run_lines(std::ostream& out, const H5Input& file) {

@@ -14,8 +14,7 @@
 namespace graincrack {
 
 double width_of_part(const Specimen& specimen, BoundaryPart part) {
-    double left = specimen.width;
-    double right = -specimen.width;
+    double left = specimen.width, right = -specimen.width;
     for (std::size_t e = 0; e < specimen.n_boundary_edges(); ++e) {
         if (specimen.boundary_part[e] != static_cast<std::uint8_t>(part)) continue;
         for (const std::int32_t node : specimen.boundary_edges[e]) {
@@ -93,6 +92,32 @@ std::string open_boundaries_text(const Specimen& specimen) {
     return n_open == 0 ? ""
                        : fmt::format("{} of {}, {:.4f} of their length", n_open, boundaries[0].size() + n_open,
                                      length[1] / (length[0] + length[1]));
+}
+
+std::string flaws_text(const Specimen& specimen) {
+    struct Flaws {
+        std::size_t contacts = 0, broken = 0;
+        double length = 0;
+    };
+    std::vector<Flaws> classes(specimen.flaw_names.size() + 1);  // the first is none
+    for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
+        const std::size_t of_class = specimen.contact_flaw.empty() ? 0 : specimen.contact_flaw[c];
+        const auto kind = static_cast<ContactKind>(specimen.contact_kind[c]);
+        const bool is_crack = kind == ContactKind::pre_existing_crack;
+        if (kind == ContactKind::within_crystal || (of_class == 0 && !is_crack)) continue;
+        ++classes[of_class].contacts;
+        classes[of_class].broken += is_crack ? 1 : 0;
+        classes[of_class].length += contact_length(specimen, c);
+    }
+    std::string text;
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const auto& [contacts, broken, length] = classes[i];
+        if (contacts == 0) continue;
+        const std::string state = broken == 0 ? "intact" : broken == contacts ? "broken" : fmt::format("{} broken", broken);
+        text += fmt::format("{}{} {} contacts, {} long, {}", text.empty() ? "" : "; ",
+                            i == 0 ? "cracks" : specimen.flaw_names[i - 1], contacts, format_length(length), state);
+    }
+    return text;
 }
 
 std::size_t number_of_crystals(const Specimen& specimen) {

@@ -47,6 +47,10 @@ std::optional<EdgeNotch> edge_notch(const Specimen& specimen);
 /// none is. Contacts between two crystals are one boundary.
 std::string open_boundaries_text(const Specimen& specimen);
 
+/// Contacts of flaws and joints by their class, "joint 93 contacts, 295 mm long, intact"; "" if there are none. Those of no class
+/// are cracks.
+std::string flaws_text(const Specimen& specimen);
+
 /// The number of crystals: of grains where each is one.
 std::size_t number_of_crystals(const Specimen& specimen);
 

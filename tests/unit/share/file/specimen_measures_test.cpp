@@ -60,6 +60,24 @@ TEST(OpenBoundaries, AreCountedByCrystalsAndLength) {
     EXPECT_EQ(open_boundaries_text(s), "1 of 1, 1.0000 of their length");
 }
 
+TEST(Flaws, AreCountedByClassWhetherTheyAreBrokenOrIntact) {
+    Specimen s = test::one_diagonal_grid(3, 1, 0.03, 0.01);
+    EXPECT_EQ(flaws_text(s), "");
+    s.flaw_names = {"joint", "vein"};
+    s.contact_flaw.assign(s.n_contacts(), 0);
+    std::vector<std::size_t> diagonals;
+    for (std::size_t c = 0; c < s.n_contacts(); ++c) {
+        if (contact_length(s, c) > 0.011) diagonals.push_back(c);
+    }
+    ASSERT_EQ(diagonals.size(), 3U);
+    s.contact_flaw[diagonals[0]] = s.contact_flaw[diagonals[1]] = 2;
+    EXPECT_EQ(flaws_text(s), "vein 2 contacts, 28.28 mm long, intact");
+    s.contact_kind[diagonals[1]] = s.contact_kind[diagonals[2]] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
+    EXPECT_EQ(flaws_text(s), "cracks 1 contacts, 14.14 mm long, broken; vein 2 contacts, 28.28 mm long, 1 broken");
+    s.contact_kind[diagonals[0]] = static_cast<std::uint8_t>(ContactKind::within_crystal);  // whose class is no flaw
+    EXPECT_EQ(flaws_text(s), "cracks 1 contacts, 14.14 mm long, broken; vein 1 contacts, 14.14 mm long, broken");
+}
+
 TEST(OpenBoundaries, KeepTheirKindInAFileThatOthersDoNotName) {
     const test::TemporaryFolder folder;
     Specimen s = test::one_diagonal_grid(2, 1, 0.02, 0.01);
