@@ -22,14 +22,14 @@ constexpr std::array<double, 2> mean_edges_of_paper{4.0e-3, 5.13e-3};
 
 /// The known values of a rock: all of them, or its laboratory values alone, without those of its contacts.
 struct KnownRock {
-    Rock rock;
-    std::optional<double> contact_tensile_strength;  ///< Pa
-    std::optional<double> contact_cohesion;          ///< Pa
-    std::vector<double> edges;                       ///< mean edges of the grains, m
+    Material material;
+    std::vector<double> edges;  ///< mean edges of the grains, m
+    [[nodiscard]] GivenContact contact(PlaneCondition plane) const { return given_contact(material, plane, std::nullopt); }
 };
 
 void write_plane(TableWriter& table, const KnownRock& known, PlaneCondition condition) {
-    const Rock& rock = known.rock;
+    const Rock& rock = known.material.rock;
+    const GivenContact contact = known.contact(condition);
     const std::string plane(name_of(condition));
     const double kt = fpz::normal_stiffness(rock, condition);
     const double ks = fpz::shear_stiffness(rock, condition);
@@ -40,17 +40,17 @@ void write_plane(TableWriter& table, const KnownRock& known, PlaneCondition cond
     table.row({"contact_normal_stiffness", plane, kt * 1e-9, "MPa/mm", "3-6"});
     table.row({"contact_shear_stiffness", plane, ks * 1e-9, "MPa/mm", "3-6"});
     table.row({"stiffness_ratio", plane, ks / kt, "1", "3-6"});
-    if (known.contact_tensile_strength) {
-        const double critical_opening = fpz::critical_displacement(*known.contact_tensile_strength, kt);
+    if (contact.tensile_strength) {
+        const double critical_opening = fpz::critical_displacement(*contact.tensile_strength, kt);
         table.row({"critical_opening", plane, critical_opening * 1e3, "mm", "8"});
     }
-    if (known.contact_cohesion) {
-        table.row({"critical_sliding", plane, fpz::critical_displacement(*known.contact_cohesion, ks) * 1e3, "mm", "11"});
+    if (contact.cohesion) {
+        table.row({"critical_sliding", plane, fpz::critical_displacement(*contact.cohesion, ks) * 1e3, "mm", "11"});
     }
     const auto energy = [&](const std::string& name, double value, const std::string& equation) {
         table.row({name + "_fracture_energy", plane, value, "J/m2", equation});
-        if (!known.contact_tensile_strength) return;
-        const double tc = *known.contact_tensile_strength;
+        if (!contact.tensile_strength) return;
+        const double tc = *contact.tensile_strength;
         const double opening = fpz::ultimate_displacement(value, tc, fpz::critical_displacement(tc, kt));
         table.row({name + "_ultimate_opening", plane, opening * 1e3, "mm", "14"});
         table.row({name + "_contact_zone_length", plane, fpz::contact_zone_length(rock, condition, value, tc) * 1e3, "mm",
@@ -58,6 +58,10 @@ void write_plane(TableWriter& table, const KnownRock& known, PlaneCondition cond
     };
     energy("mixed_mode", fpz::mixed_mode_fracture_energy(rock, condition), "32");
     energy("mode_i", fpz::mode_i_fracture_energy(rock, condition), "32 with K_IC alone");
+    if (contact.fracture_energy) energy("contact_mode_i", *contact.fracture_energy, "of the material");
+    if (contact.mode_ii_fracture_energy) {
+        table.row({"contact_mode_ii_fracture_energy", plane, *contact.mode_ii_fracture_energy, "J/m2", "of the material"});
+    }
 }
 
 void write_grain_size(TableWriter& table, const Rock& rock) {
@@ -82,25 +86,26 @@ void write_lennard_jones(TableWriter& table, const Rock& rock) {
 
 /// Appendix 2: strengths of contact and rock, for each mean edge.
 void write_macro_micro(TableWriter& table, const KnownRock& known) {
-    const Rock& rock = known.rock;
+    const Rock& rock = known.material.rock;
+    const GivenContact contact = known.contact(PlaneCondition::strain);
     for (const double edge : known.edges) {
         const std::string suffix = fmt::format("({:.4g} mm)", edge * 1e3);
         const double force = rock.mode_i_toughness * std::sqrt(edge / std::numbers::pi);
         const double strength = fpz::contact_tensile_strength_from_toughness(rock.mode_i_toughness, edge);
         table.row({"first_contact_force_at_toughness" + suffix, "", force * 1e-3, "kN/m", "35-38"});
         table.row({"contact_tensile_strength_from_toughness" + suffix, "", strength * 1e-6, "MPa", "39, 40"});
-        if (known.contact_tensile_strength) {
-            const double tc = *known.contact_tensile_strength;
+        if (contact.tensile_strength) {
+            const double tc = *contact.tensile_strength;
             table.row({"mode_i_toughness_over_contact_strength" + suffix, "", rock.mode_i_toughness / (tc * std::sqrt(edge)), "1",
                        "41"});
         }
-        if (known.contact_cohesion) {
+        if (contact.cohesion) {
             table.row({"mode_ii_toughness_over_contact_cohesion" + suffix, "",
-                       rock.mode_ii_toughness / (*known.contact_cohesion * std::sqrt(edge)), "1", "42"});
+                       rock.mode_ii_toughness / (*contact.cohesion * std::sqrt(edge)), "1", "42"});
         }
-        if (known.contact_tensile_strength) {
+        if (contact.tensile_strength) {
             table.row({"tensile_strength_over_contact_strength" + suffix, "",
-                       rock.tensile_strength / (*known.contact_tensile_strength * std::sqrt(edge)), "1/m^0.5", "44"});
+                       rock.tensile_strength / (*contact.tensile_strength * std::sqrt(edge)), "1/m^0.5", "44"});
         }
     }
     table.row(
@@ -111,11 +116,11 @@ void write_macro_micro(TableWriter& table, const KnownRock& known) {
 /// "strain" or "stress", empty for what does not depend on it.
 void write_fpz_table(std::ostream& out, const KnownRock& known, TableFormat format) {
     TableWriter table(out, {"quantity", "plane", "value", "unit", "equation"}, format);
-    table.row({"shear_modulus", "", fpz::shear_modulus(known.rock) * 1e-9, "GPa", "3-6"});
+    table.row({"shear_modulus", "", fpz::shear_modulus(known.material.rock) * 1e-9, "GPa", "3-6"});
     write_plane(table, known, PlaneCondition::strain);
     write_plane(table, known, PlaneCondition::stress);
-    write_grain_size(table, known.rock);
-    write_lennard_jones(table, known.rock);
+    write_grain_size(table, known.material.rock);
+    write_lennard_jones(table, known.material.rock);
     write_macro_micro(table, known);
 }
 
@@ -135,11 +140,9 @@ std::vector<double> edges_of(const FpzOptions& options, const Material& material
 
 /// \param notes gets a sentence for each value that was not measured
 KnownRock known_rock(const IncompleteMaterial& read, const FpzOptions& options, std::vector<std::string>& notes) {
-    Material material = read.material;
-    material.rock = rock_of_laboratory(read, notes);
-    const GivenContact contact = given_contact(material, PlaneCondition::strain, std::nullopt);
-    KnownRock rock{material.rock, contact.tensile_strength, contact.cohesion, edges_of(options, material)};
-    if (!rock.contact_tensile_strength) {
+    KnownRock rock{read.material, edges_of(options, read.material)};
+    rock.material.rock = rock_of_laboratory(read, notes);
+    if (!rock.contact(PlaneCondition::strain).tensile_strength) {
         notes.emplace_back("contact.tensile_strength is missing: quantities that follow from it are left out");
     }
     if (rock.edges.empty()) {
