@@ -34,7 +34,11 @@ PROGRAMS = ["graincrack-mesh", "graincrack-solve", "graincrack-post"]
 def configure(folder, bundle):
     """Configures a build folder; if that fails for want of packages, one line names them."""
     command = ["cmake", "-S", TOP, "-B", folder]
-    if not (folder / "CMakeCache.txt").exists():
+    if (folder / "CMakeCache.txt").exists():
+        sources = re.search(r"^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)", (folder / "CMakeCache.txt").read_text(), re.M)[1]
+        if Path(sources).resolve() != TOP:
+            sys.exit(f"graincrack: --config-settings build-dir={folder}: is configured for the sources in {sources}, not {TOP}; name another")
+    else:
         command = ["cmake", "--preset", "release", "-B", folder, "-DGRAINCRACK_TESTS=OFF", "-DGRAINCRACK_MPI=OFF"]
         command += shlex.split(os.environ.get("CMAKE_ARGS", "")) + (SEARCH_PATH if bundle else [])
     result = shutil.which("cmake") and subprocess.run(command, cwd=TOP, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

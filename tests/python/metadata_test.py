@@ -100,6 +100,12 @@ class Sources(unittest.TestCase):
         done = self.backend(TOP, "build_wheel('.', {'bundel': 'yes'})")
         self.assertEqual(done.stderr, "graincrack: --config-settings bundel: unknown; build-dir=FOLDER or bundle=yes fits\n")
 
+    def test_a_build_folder_of_other_sources_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "CMakeCache.txt").write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/other\n")
+            done = self.backend(TOP, f"build_wheel('.', {{'build-dir': '{folder}'}})")
+        self.assertEqual(done.stderr, f"graincrack: --config-settings build-dir={folder}: is configured for the sources in /other, not {TOP}; name another\n")
+
     def test_an_archive_has_the_sources_and_their_description(self):
         with tempfile.TemporaryDirectory() as folder:
             name = self.backend(TOP, f"build_sdist({folder!r})").stdout.strip()
