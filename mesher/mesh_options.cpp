@@ -8,7 +8,6 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "mesher/mesh_settings.hpp"
@@ -37,13 +36,9 @@ constexpr const char* examples =
 
 /// What the options of a kind of specimens set; kinds share them.
 struct KindOptions {
-    double width = 0;
-    double height = 0;
-    double diameter = 0;
-    double inner_diameter = 0;
+    double width = 0, height = 0, diameter = 0, inner_diameter = 0;
     Pole pole = Pole::facet;
-    int diameters = 1;
-    int loaded_diameter = 0;
+    int diameters = 1, loaded_diameter = 0;
     std::optional<double> flats;
     std::optional<double> notch;
     std::optional<double> angle;  ///< of a slit
@@ -180,8 +175,7 @@ const Kind kinds[] = {
 struct CutOptions {
     std::vector<std::string> holes;
     std::vector<std::string> joint_sets;
-    std::string flaws;
-    std::string hole_file;
+    std::string flaws, hole_file;
 };
 
 void add_cuts(OptionSet set, CutOptions& options) {

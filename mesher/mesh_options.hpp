@@ -6,7 +6,6 @@
 
 #include "mesher/import/import_specimen.hpp"
 #include "mesher/mesh.hpp"
-#include "share/base/progress.hpp"
 #include "share/rock/material.hpp"
 
 namespace graincrack::mesher {

@@ -81,8 +81,7 @@ std::vector<double> requested_areas(std::size_t n, double total, double spread, 
         std::vector<double> quantiles(n);
         for (std::size_t i = 0; i < n; ++i) quantiles[i] = (static_cast<double>(i) + random.uniform()) / static_cast<double>(n);
         for (std::size_t i = n; i > 1; --i) std::swap(quantiles[i - 1], quantiles[random.below(i)]);
-        double low = 0;
-        double high = widest_scatter;
+        double low = 0, high = widest_scatter;
         for (int i = 0; i < 50; ++i) {
             const double middle = 0.5 * (low + high);
             diameters = diameters_at(quantiles, middle, distribution);

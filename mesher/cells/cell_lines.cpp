@@ -1,7 +1,6 @@
 #include "mesher/cells/cell_lines.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>

@@ -1,9 +1,7 @@
 #include "mesher/cells/clipped_diagram.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 #include "mesher/plane/power_diagram.hpp"
@@ -44,10 +42,8 @@ public:
 
     /// Where the segment enters and leaves the outline, as shares of its length, and the sides that it crosses.
     struct Span {
-        double enter = 0;
-        double leave = 1;
-        std::size_t enter_side = 0;
-        std::size_t leave_side = 0;
+        double enter = 0, leave = 1;
+        std::size_t enter_side = 0, leave_side = 0;
     };
     [[nodiscard]] Span span(Point from, Point to) const {
         Span span;
@@ -82,8 +78,7 @@ public:
 private:
     const ConvexOutline& outline_;
     Point centre_;
-    double inner_radius_;
-    double reach_ = 0;
+    double inner_radius_, reach_ = 0;
     std::vector<Point> normals_;
 };
 

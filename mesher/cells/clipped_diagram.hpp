@@ -17,10 +17,8 @@ public:
 
     /// A side that two cells share, with the cell of `left` on its left.
     struct Side {
-        int left = 0;
-        int right = 0;
-        Point from;
-        Point to;
+        int left = 0, right = 0;
+        Point from, to;
         int from_point = 0;  ///< number of a vertex of the diagram; −1 − number of the crossing on the outline
         int to_point = 0;
     };
@@ -41,8 +39,7 @@ private:
         std::size_t outline_side;
         double share;  ///< along the side of the outline
         int after;     ///< cell that follows counter-clockwise
-        int before;
-        int number;
+        int before, number;
         Point at;
     };
     void clip(const PowerDiagram& diagram);

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -46,8 +45,7 @@ struct CrystalsInPlane {
     PlaneCells cells;
     std::size_t n_fixed = 0;
     std::vector<double> areas;
-    double largest_error = 0;
-    double loading_arc = 0;
+    double largest_error = 0, loading_arc = 0;
     std::size_t n_short_edges = 0;  ///< that were removed
 };
 

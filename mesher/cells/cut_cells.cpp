@@ -1,7 +1,6 @@
 #include "mesher/cells/cut_cells.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>

@@ -63,9 +63,7 @@ std::vector<Point> tangents_of(const PlaneCells& cells) {
 }
 
 Elongation elongation_of(const PlaneCells& cells) {
-    double xx = 0;
-    double xy = 0;
-    double yy = 0;
+    double xx = 0, xy = 0, yy = 0;
     for (const Edge& e : cells.edges) {
         const Point d = cells.points[index(e[1])] - cells.points[index(e[0])];
         xx += d.x * d.x;

@@ -21,8 +21,7 @@ constexpr double smallest_pivot = 1e-12;  ///< over the largest
 
 /// The change of a cell's area with the move of one of its corners over the reach of that corner, m².
 struct Gradient {
-    std::size_t cell;
-    std::size_t point;
+    std::size_t cell, point;
     Point value;
 };
 
@@ -193,8 +192,7 @@ public:
 private:
     /// A corner of a cell.
     struct Corner {
-        std::size_t cell;
-        std::size_t number;
+        std::size_t cell, number;
     };
 
     [[nodiscard]] Point at(int p) const { return cells_.points[index(p)]; }

@@ -38,8 +38,7 @@ public:
     /// An edge with its length; points ascending.
     struct Each {
         double length;
-        int p;
-        int q;
+        int p, q;
         friend bool operator<(const Each& a, const Each& b) {
             return std::tie(a.length, a.p, a.q) < std::tie(b.length, b.p, b.q);
         }

@@ -1,11 +1,9 @@
 #include "mesher/cells/statistics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <vector>
 
 #include "mesher/cells/cell_areas.hpp"
@@ -18,8 +16,7 @@ namespace {
 
 /// Mean, variation and extremes of a stream of lengths.
 struct Distribution {
-    double n = 0;
-    double mean = 0;
+    double n = 0, mean = 0;
     double squares = 0;  ///< sum of squared deviations
     double min = std::numeric_limits<double>::infinity();
     double max = 0;
@@ -62,8 +59,7 @@ MeshStatistics statistics_of(const Region& region, const PlaneCells& cells) {
     Distribution edges;
     for (const Edge& e : cells.edges) edges.add(length(at(e[1]) - at(e[0])));
     Distribution diameters;
-    double total_area = 0;
-    double min_angle = std::numbers::pi;
+    double total_area = 0, min_angle = std::numbers::pi;
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         const auto loop = cells.loop(cell);
         const auto corner = [&](std::size_t i) { return at(loop[i % loop.size()]); };

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "mesher/cells/polygon.hpp"
 #include "mesher/cells/statistics.hpp"
 #include "mesher/region/region.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"

@@ -1,12 +1,10 @@
 #include "mesher/cells/walls.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "mesher/plane/triangulation.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
@@ -247,8 +245,7 @@ std::size_t Zones::zone_at(Point p) const {
 
 Point Zones::random_point(std::size_t zone, RandomNumbers& random) const {
     double rest = random.uniform() * areas_[zone];
-    double u = random.uniform();
-    double v = random.uniform();
+    double u = random.uniform(), v = random.uniform();
     if (u + v > 1) {
         u = 1 - u;
         v = 1 - v;

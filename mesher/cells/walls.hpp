@@ -57,8 +57,7 @@ private:
         std::size_t zone;
     };
     struct Segment {
-        Point from;
-        Point to;
+        Point from, to;
         bool is_inner;  ///< cells lie on both sides
     };
     [[nodiscard]] bool is_free(Point from, Point to) const;

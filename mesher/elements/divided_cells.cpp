@@ -178,8 +178,7 @@ private:
     }
 
     PlaneCells cells_;
-    int n_;
-    int n_corners_;
+    int n_, n_corners_;
     PlaneMesh mesh_;
 };
 

@@ -143,11 +143,9 @@ private:
         }
     }
 
-    double size_;
-    double spacing_;
+    double size_, spacing_;
     Point low_;
-    int columns_ = 0;
-    int rows_ = 0;
+    int columns_ = 0, rows_ = 0;
     std::vector<double> distance_;                            ///< negative outside
     std::vector<std::vector<std::size_t>> levels_{n_levels};  ///< places by the level of a distance that they had
 };

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "share/file/specimen.hpp"

@@ -1,7 +1,6 @@
 // What files leave to be put right before an imported mesh can be a specimen.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,7 @@ void clean(ImportedMesh& mesh, const std::string& name);
 
 /// A side that belongs to one triangle only, with the triangle on its left.
 struct OpenSide {
-    int from = 0;
-    int to = 0;
+    int from = 0, to = 0;
 };
 /// Sides of triangles that face none, ascending by their triangles.
 std::vector<OpenSide> open_sides(const std::vector<Triangle>& triangles);

@@ -23,8 +23,7 @@ constexpr std::size_t longest_plain_name = 40;
 /// All points of the elements must lie in a plane z = constant.
 void check_plane(const FileMesh& file, const ImportedMesh& mesh, const std::string& name) {
     double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    double extent = 0;
+    double high = -low, extent = 0;
     for (const Triangle& triangle : mesh.triangles) {
         for (const int p : triangle) {
             const auto& q = file.positions[index(p)];
@@ -233,8 +232,7 @@ private:
     std::map<std::int64_t, int> number_of_grain_;
     std::vector<const FileElement*> first_of_grain_;
     std::set<std::array<int, 4>> seen_;  ///< corners of elements
-    std::size_t n_twice_ = 0;
-    std::size_t n_quadrangles_ = 0;
+    std::size_t n_twice_ = 0, n_quadrangles_ = 0;
 };
 
 }  // namespace

@@ -117,8 +117,7 @@ private:
 
     std::string_view bytes_;
     std::string name_;
-    std::size_t place_ = 0;
-    std::size_t line_ = 1;
+    std::size_t place_ = 0, line_ = 1;
 };
 
 /// Corners of elements by the numbers that the format gives their types.

@@ -2,17 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
-#include "mesher/fabric/crystals.hpp"
 #include "mesher/import/gmsh.hpp"
 #include "mesher/import/label_image.hpp"
 #include "mesher/import/label_table.hpp"

@@ -14,8 +14,7 @@ namespace graincrack::mesher {
 /// A side of triangles that a file gives a name: of a part of the boundary, or of contacts. Inside, `crack` makes contacts that
 /// are broken from the start, `flaw-NAME` such of the class NAME of flaws, `flaw-NAME-broken` both.
 struct NamedLine {
-    int from = 0;
-    int to = 0;
+    int from = 0, to = 0;
     std::string name;
 };
 

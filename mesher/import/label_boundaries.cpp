@@ -19,8 +19,7 @@ constexpr std::array<std::array<int, 2>, 4> step{{{1, 0}, {0, -1}, {-1, 0}, {0, 
 
 /// A corner of pixels: lines between columns and rows are counted from the left and the top.
 struct Corner {
-    int column = 0;
-    int row = 0;
+    int column = 0, row = 0;
 };
 
 class Tracing {
@@ -164,8 +163,7 @@ private:
 /// What meets in a node.
 struct Junction {
     std::vector<std::size_t> chains;
-    bool on_outline = false;
-    bool joined = false;
+    bool on_outline = false, joined = false;
 };
 
 class JunctionJoining {

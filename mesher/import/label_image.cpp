@@ -186,8 +186,7 @@ LabelImage read_text(std::string_view text, const std::string& name) {
     if (text.empty()) throw InputError(name + ": there is no number in it; the rows of a picture are needed");
     LabelImage image;
     image.format = "text";
-    std::size_t width = 0;
-    std::size_t row = 0;
+    std::size_t width = 0, row = 0;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::size_t before = image.labels.size();

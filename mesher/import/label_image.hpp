@@ -11,8 +11,7 @@ namespace graincrack::mesher {
 
 /// The labels of a picture, row by row from its top.
 struct LabelImage {
-    int width = 0;
-    int height = 0;
+    int width = 0, height = 0;
     /// Of text, the integer; of a PNG of greys, the grey; of a palette, the index. Of colours, 65536 red + 256 green + blue. Of
     /// what is not opaque, the last bits of that with 255 − alpha (65535 − alpha of 16 bits) in the bits above.
     std::vector<int> labels;

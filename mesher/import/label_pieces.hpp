@@ -12,8 +12,7 @@ namespace graincrack::mesher {
 /// The pieces of a picture, each connected by sides of pixels, numbered in the order of their first pixels, row by row from the
 /// top.
 struct LabelPieces {
-    int width = 0;
-    int height = 0;
+    int width = 0, height = 0;
     std::vector<int> piece_of_pixel;
     std::vector<int> label_of_piece;
     std::vector<int> pixels_of_piece;

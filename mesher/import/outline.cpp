@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -178,8 +176,7 @@ private:
             named.try_emplace(edge_between(line.from, line.to), i, &line.name);
         }
         std::vector<std::pair<std::size_t, Side>> sides;
-        std::size_t n_holes = 0;
-        std::size_t place = mesh_.lines.size();
+        std::size_t n_holes = 0, place = mesh_.lines.size();
         for (const Chain& chain : chains_) {
             const bool is_hole = area(chain) < 0;
             if (is_hole) ++n_holes;

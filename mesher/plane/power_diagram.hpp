@@ -12,10 +12,7 @@ namespace graincrack::mesher {
 struct PowerDiagram {
     /// What two cells share: a segment between two vertices, with the cell of `left` on its left.
     struct Side {
-        int left = 0;
-        int right = 0;
-        int from = 0;
-        int to = 0;
+        int left = 0, right = 0, from = 0, to = 0;
     };
     std::vector<Point> vertices;
     std::vector<Side> sides;

@@ -12,10 +12,7 @@ namespace graincrack::mesher {
 
 /// A segment between two points that is a border of regions; a region is a number from 0, −1 is outside.
 struct RegionEdge {
-    int from = 0;
-    int to = 0;
-    int left = -1;
-    int right = -1;
+    int from = 0, to = 0, left = -1, right = -1;
 };
 
 /// Triangles in the area of a square of their side, measured.

@@ -100,8 +100,7 @@ private:
     }
 
     const Lines& lines_;
-    double distance_;
-    double cosine_;
+    double distance_, cosine_;
 };
 
 /// Length of the segment without a point over the longest, or its distance from points left out over the tolerance; none where

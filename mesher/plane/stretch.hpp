@@ -32,9 +32,7 @@ public:
 private:
     /// A symmetric matrix with the principal values k along a direction and 1/k across.
     struct Matrix {
-        double xx = 1;
-        double xy = 0;
-        double yy = 1;
+        double xx = 1, xy = 0, yy = 1;
 
         Matrix() = default;
         Matrix(double k, double angle) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -255,9 +254,7 @@ private:
     }
 
     Region loops_;  ///< the region without edges
-    double edge_;
-    double tolerance_ = 0;
-    double near_ = 0;
+    double edge_, tolerance_ = 0, near_ = 0;
     std::vector<Point> corners_;  ///< points of loops that stay where they are
     std::vector<PrescribedEdge> placed_;
     std::vector<PrescribedEdge> requested_;  ///< what these were before any end was moved

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -27,8 +26,7 @@ JointSet parse_joint_set(std::string_view text, const std::string& name) {
     std::optional<double> spacing;
     std::optional<double> dip;
     std::optional<double> length;
-    std::string contact_class;
-    std::string state;
+    std::string contact_class, state;
     for (const std::string_view item : split(text, ',')) {
         const auto [key, value] = sides_of_equals(item);
         const std::string where = name + ": " + key;

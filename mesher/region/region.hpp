@@ -62,8 +62,7 @@ inline constexpr const char* kinds_of_flaws =
 
 /// A straight edge inside a region that grain sides follow to round-off. The contacts along it are of its kind.
 struct PrescribedEdge {
-    Point from;
-    Point to;
+    Point from, to;
     FlawKind kind = {};
     std::string name = "a prescribed edge";  ///< for messages: "flaws.tsv: line 3"
     bool needed = true;                      ///< false: left out where it has no room, as a joint drawn at random is

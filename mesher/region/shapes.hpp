@@ -2,8 +2,6 @@
 // y. Sizes in m, angles in rad, counter-clockwise from x.
 #pragma once
 
-#include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "mesher/seeds/relaxation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "mesher/plane/triangulation.hpp"

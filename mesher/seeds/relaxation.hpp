@@ -4,7 +4,6 @@
 #include <functional>
 #include <vector>
 
-#include "mesher/plane/random_numbers.hpp"
 #include "mesher/region/depth_grid.hpp"
 #include "mesher/seeds/seeds.hpp"
 #include "mesher/seeds/size_field.hpp"

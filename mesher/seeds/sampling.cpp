@@ -55,8 +55,7 @@ private:
     double inv_cell_;
     std::int64_t margin_;
     Point origin_;
-    std::int64_t n_x_;
-    std::int64_t n_y_;
+    std::int64_t n_x_, n_y_;
     std::vector<std::int32_t> occupant_;
 };
 

@@ -12,17 +12,14 @@ namespace graincrack::mesher {
 
 /// A side that is a side of triangles and of grains: of a loop, with the region on its left, or along a prescribed edge.
 struct Side {
-    int from = 0;
-    int to = 0;
+    int from = 0, to = 0;
     int part = -1;       ///< of the boundary; −1 along a prescribed edge
     FlawKind kind = {};  ///< of contacts along a prescribed edge
 };
 
 /// A point of a loop where a single triangle could cut off the corner, and its neighbours on the loop.
 struct Corner {
-    int before = 0;
-    int at = 0;
-    int after = 0;
+    int before = 0, at = 0, after = 0;
 };
 
 struct Seeds {

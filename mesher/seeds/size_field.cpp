@@ -62,9 +62,7 @@ void SizeField::tabulate(const Region& region, double edge, const GradedSize& si
     const double finest = std::sqrt(extent / std::min(max_table, max_distances / static_cast<double>(1 + size.n_curves())));
     resolution_ = std::max(table_spacing * smallest * edge, finest);
     graded_ = Table(box, resolution_, 0);
-    double n = 0;
-    double inverse = 0;
-    double inverse_squares = 0;
+    double n = 0, inverse = 0, inverse_squares = 0;
     for (int y = 0; y < graded_.n_y; ++y) {
         for (int x = 0; x < graded_.n_x; ++x) {
             const Point p = graded_.low + resolution_ * Point{static_cast<double>(x), static_cast<double>(y)};
@@ -136,8 +134,7 @@ double SizeField::mean_edge_of_scatter() const { return std::exp(-scatter_ * sca
 double SizeField::mean_edge_along_lines() const { return is_scattered() ? std::exp(scatter_ * scatter_ / 2) : 1; }
 
 double spread_of_edges(const std::vector<Point>& points, const std::vector<Edge>& edges, const SizeField& size) {
-    double sum = 0;
-    double squares = 0;
+    double sum = 0, squares = 0;
     for (const Edge& e : edges) {
         const Point p = points[index(e[0])];
         const Point q = points[index(e[1])];

@@ -59,8 +59,7 @@ private:
     struct Table {
         Point low;
         double spacing = 1;
-        int n_x = 0;
-        int n_y = 0;
+        int n_x = 0, n_y = 0;
         std::vector<double> values;  ///< row by row from below
 
         Table() = default;
@@ -74,12 +73,9 @@ private:
     void tabulate(const Region& region, double edge, const GradedSize& size);
 
     Stretch stretch_;
-    double edge_ = 1;
-    double scatter_ = 0;
-    double resolution_ = 1;
+    double edge_ = 1, scatter_ = 0, resolution_ = 1;
     double mean_of_inverse_ = 1;  ///< of the graded sizes, over the area
-    double smallest_grade_ = 1;
-    double largest_grade_ = 1;
+    double smallest_grade_ = 1, largest_grade_ = 1;
     Table graded_;
     Table field_;  ///< coefficients of z
 };

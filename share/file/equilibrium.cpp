@@ -48,8 +48,7 @@ double load_rise_at_peak(const RunHeader& header, const History& history, std::s
 /// Mean unbalanced ratio while the last tenth of the strain at the peak is reached.
 double unbalanced_before_peak(const History& history, std::size_t peak) {
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
-    double sum = 0;
-    double rows = 0;
+    double sum = 0, rows = 0;
     for (std::size_t i = peak; i > 0 && std::abs(strain[i]) >= 0.9 * std::abs(strain[peak]); --i) {
         sum += history[HistoryColumn::unbalanced_ratio][i];
         ++rows;

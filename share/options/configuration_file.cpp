@@ -173,8 +173,7 @@ ConfigurationFile* configuration_file(const CLI::App& app) {
 }
 
 std::string effective_configuration(const CLI::App& app) {
-    std::string text;
-    std::string section;
+    std::string text, section;
     for (const CLI::App* each : running(app)) {
         if (each != &app) {
             section += (section.empty() ? "" : ".") + each->get_name();

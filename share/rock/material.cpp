@@ -61,8 +61,7 @@ void assume_toughness(IncompleteMaterial& read, std::vector<std::string>& notes)
 /// Round orders of magnitude that hold all rocks of share/materials, from soils to ores, and what is derived from them for
 /// contacts. A warning needs a value a thousand times beyond them, so that they need not be known to a factor.
 struct Magnitudes {
-    double low;
-    double high;
+    double low, high;
 };
 std::optional<Magnitudes> magnitudes_of(const Quantity& quantity) {
     if (quantity.name == quantity::young_modulus.name) return Magnitudes{1e8, 2e11};

@@ -1,7 +1,6 @@
 #include "solver/detection/active_contacts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "solver/arithmetic/simd.hpp"

@@ -52,8 +52,7 @@ double platen_force_difference(const RunSettings& header, const History& history
 /// Mean of the damping load over the travel of the platens from nine tenths of the strain at the peak to the peak.
 double damping_load_at_peak(const History& history, std::size_t peak) {
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
-    double sum = 0;
-    double travel = 0;
+    double sum = 0, travel = 0;
     for (std::size_t i = peak; i > 0 && std::abs(strain[i - 1]) >= 0.9 * std::abs(strain[peak]); --i) {
         const double increment = std::abs(strain[i] - strain[i - 1]);
         sum += increment * history[HistoryColumn::damping_load][i];
@@ -64,9 +63,7 @@ double damping_load_at_peak(const History& history, std::size_t peak) {
 
 /// Mean (Pa) and standard deviation (Pa) of the confining pressure over the rows from a time on (s).
 std::pair<double, double> achieved_confinement(const History& history, double begin) {
-    double sum = 0;
-    double squares = 0;
-    double n = 0;
+    double sum = 0, squares = 0, n = 0;
     for (std::size_t i = 0; i < history.size(); ++i) {
         if (history[HistoryColumn::time][i] >= begin) {
             const double p = history[HistoryColumn::confining_pressure][i];

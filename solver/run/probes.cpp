@@ -142,8 +142,7 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
         const std::vector<std::int32_t> nodes(point.nodes.begin(), point.nodes.end());
         const std::vector<Vector2> displacement = values_at(a.part, nodes, s.displacement);
         const std::vector<Vector2> velocity = values_at(a.part, nodes, s.velocity);
-        Vector2 u;
-        Vector2 v;
+        Vector2 u, v;
         for (std::size_t k = 0; k < 3; ++k) {
             u += point.weights[k] * displacement[k];
             v += point.weights[k] * velocity[k];

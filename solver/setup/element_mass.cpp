@@ -38,8 +38,7 @@ std::vector<double> squared_frequencies(const Assemblage& a) {
 /// The ω² that no element is above once `fraction` of all mass has been added to those that were.
 double level(const Assemblage& a, const std::vector<double>& squared, double fraction) {
     const auto added = [&](double requested) {
-        double mass = 0;
-        double sum = 0;
+        double mass = 0, sum = 0;
         for (std::size_t e = 0; e < squared.size(); ++e) {
             mass += a.element_mass[e];
             sum += (std::max(1.0, squared[e] / requested) - 1) * a.element_mass[e];
@@ -63,8 +62,7 @@ double scale_mass_of_stiffest_elements(Assemblage& a, double fraction) {
     if (a.element_nodes.empty() || fraction <= 0) return 0;
     const std::vector<double> squared = squared_frequencies(a);
     const double common = level(a, squared, fraction);
-    double before = 0;
-    double added = 0;
+    double before = 0, added = 0;
     for (std::size_t e = 0; e < a.element_nodes.size(); ++e) {
         const double mass = a.element_mass[e] / 3;
         const double more = (std::max(1.0, squared[e] / common) - 1) * mass;

@@ -57,10 +57,8 @@ private:
 
     IntervalLoading interval_;
     std::int64_t n_steps_;
-    double time_step_;
-    double origin_time_;
-    std::int64_t steps_since_origin_;
-    std::int64_t k_ = 0;
+    double time_step_, origin_time_;
+    std::int64_t steps_since_origin_, k_ = 0;
     StepLoading now_;
 };
 

@@ -465,16 +465,6 @@ TEST(StageController, ADropIsCountedUnderLoading) {
     EXPECT_EQ(row(7, 1.4e-3, 45e6), 2U);
 }
 
-// What settles on a face that heat has cracked falls before it bears a load, and contacts that heat has cracked are none of the
-// test. In bending any load is one.
-TEST(Heating, TheFallOfATestIsThatOfALoad) {
-    for (const TestKind test : {TestKind::uniaxial, TestKind::bend}) {
-        LoadingRequest request;
-        request.test = test;
-        request.span = 0.025;
-        request.heat = 300;
-        LedPlatens led(request);
-        heat_through(led, 1);
 // A long stage beside a short one does not part its rows, and a stage that goes far beyond the value that ends it says so.
 TEST(StageController, RowsAreThoseOfTheStageThatIsOn) {
     const auto ends_at = [](double stress) {
@@ -497,6 +487,16 @@ TEST(StageController, RowsAreThoseOfTheStageThatIsOn) {
         << ends_at(31e6).front();
 }
 
+// What settles on a face that heat has cracked falls before it bears a load, and contacts that heat has cracked are none of the
+// test. In bending any load is one.
+TEST(Heating, TheFallOfATestIsThatOfALoad) {
+    for (const TestKind test : {TestKind::uniaxial, TestKind::bend}) {
+        LoadingRequest request;
+        request.test = test;
+        request.span = 0.025;
+        request.heat = 300;
+        LedPlatens led(request);
+        heat_through(led, 1);
         double time = led.stages.records().back().end;
         const auto goes_on = [&](double stress, double cracks) {
             led.row(time += transit, -stress, 1e-4, {}, cracks);
