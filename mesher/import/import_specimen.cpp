@@ -41,6 +41,11 @@ std::string name_of_file(const ImportRequest& request) { return request.file == 
 
 MeshFormat known_format(std::string_view bytes, const ImportRequest& request) {
     const std::string name = name_of_file(request);
+    if (bytes.starts_with("\xff\xd8\xff")) {
+        throw InputError(name +
+                         ": is a JPEG, in which colours run into each other; save it as PNG of labels, one colour for each " +
+                         "grain or mineral (in GIMP: Image > Mode > Indexed, then Export As)");
+    }
     const auto format = request.format ? request.format : format_of(bytes);
     if (format) return *format;
     if (is_binary(bytes)) throw InputError(fmt::format("{}: is no whole PNG and no text; {}", name, known_formats));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -147,9 +148,17 @@ LabelPieces label_pieces(const LabelImage& image, int smallest_piece, const std:
     pieces.width = image.width;
     pieces.height = image.height;
     number_pieces(image, pieces, name);
-    const auto is_small = [&](int pixels) { return pixels < smallest_piece; };
     const std::vector<int>& pixels = pieces.pixels_of_piece;
-    if (std::any_of(pixels.begin(), pixels.end(), is_small)) PieceJoining(pieces, smallest_piece).run();
+    const auto in_small = [&](std::size_t sum, int own) {
+        return sum + static_cast<std::size_t>(own < smallest_piece ? own : 0);
+    };
+    const std::size_t small = std::accumulate(pixels.begin(), pixels.end(), std::size_t{0}, in_small);
+    if (image.are_colours && 2 * small > image.labels.size()) {
+        throw InputError(name +
+                         ": is a photo: most of its pixels are in pieces too small for grains; a PNG of labels is needed, " +
+                         "one colour for each grain or mineral");
+    }
+    if (small > 0) PieceJoining(pieces, smallest_piece).run();
     if (pieces.size() > most_grains) {
         throw InputError(fmt::format("{}: {} grains; at most {} are made, so a larger smallest piece is needed", name,
                                      pieces.size(), most_grains));

@@ -32,7 +32,8 @@ inline constexpr std::size_t most_grains = 1'000'000;
 
 /// Divides a picture into pieces of one label. Those of fewer pixels than `smallest_piece` join the neighbour with which they
 /// share most sides of pixels, the smallest first; of several such neighbours the larger, then the one that comes first in the
-/// picture. \throws InputError if more than `most_grains` are left, or ten times as many are there at first
+/// picture. \throws InputError for a photo, most of whose pixels are in such small pieces of a colour, if more than `most_grains`
+/// are left, or ten times as many are there at first
 LabelPieces label_pieces(const LabelImage& image, int smallest_piece, const std::string& name);
 
 }  // namespace graincrack::mesher

@@ -22,6 +22,7 @@ namespace {
 constexpr double element_of_side = 3;  ///< for each side of pixels of boundaries that are too short for elements
 constexpr double least_element = 2;    ///< by default, pixels
 constexpr double most_triangles = 20'000'000;
+constexpr int soft_edge = 2;  ///< pixels from a colour of the key
 
 /// The requested side of triangles, pixels.
 double element_in_pixels(const LabelPieces& pieces, const LabelOptions& options, const std::string& name) {
@@ -44,6 +45,40 @@ RefinedMesh triangles_of(const LabelNetwork& network, double element, const std:
     } catch (const UsageError& error) {
         throw InputError(fmt::format("{}: {}; a picture of fewer pixels or larger grains is needed", name, error.what()));
     }
+}
+
+int distance_squared(int colour, int other) {
+    int sum = 0;
+    for (const int shift : {0, 8, 16}) sum += static_cast<int>(std::pow((colour >> shift & 0xff) - (other >> shift & 0xff), 2));
+    return sum;
+}
+
+/// Gives pixels of colours that the key lacks, as of soft edges, the nearest of its colours around them. \return how many
+int sharpen_edges(LabelImage& image, const PhaseKey::OfLabels& phases) {
+    std::map<int, int> known;  // colours of labels
+    for (const int label : std::set<int>(image.labels.begin(), image.labels.end())) {
+        const int colour = image.colour_of(label).value_or(-1);
+        if (phases.by_colour.count(colour) + phases.by_number.count(label) > 0) known[label] = colour;
+    }
+    int sharpened = 0;
+    for (int pass = 0; pass < soft_edge && !phases.by_colour.empty(); ++pass) {
+        const LabelImage before = image;
+        for (int i = 0; i < image.width * image.height; ++i) {
+            int& label = image.labels[static_cast<std::size_t>(i)];
+            const std::optional<int> colour = image.colour_of(label);
+            if (!colour || known.count(label) > 0) continue;
+            std::map<int, int> around;  // by distance
+            for (int k = 0; k < 9; ++k) {
+                const int column = std::clamp(i % image.width + k % 3 - 1, 0, image.width - 1);
+                const auto other = known.find(before.at(column, std::clamp(i / image.width + k / 3 - 1, 0, image.height - 1)));
+                if (other != known.end()) around.emplace(distance_squared(*colour, other->second), other->first);
+            }
+            if (around.empty()) continue;
+            label = around.begin()->second;
+            ++sharpened;
+        }
+    }
+    return sharpened;
 }
 
 std::string count(int n, const std::string& one, const std::string& many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
@@ -103,8 +138,10 @@ std::vector<LabelRow> labels_of(std::string_view bytes, const LabelOptions& opti
 ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, const std::string& name) {
     ImportedMesh imported;
     LabelPieces pieces;
+    int sharpened = 0;
     {
-        const LabelImage image = read_label_image(bytes, name);
+        LabelImage image = read_label_image(bytes, name);
+        sharpened = sharpen_edges(image, options.phases);
         imported.format = fmt::format("labels, {}, {} × {} pixels", image.format, image.width, image.height);
         pieces = label_pieces(image, options.smallest_piece, name);
         imported.labels = label_rows(image, pieces, options.phases, name);
@@ -113,6 +150,10 @@ ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, 
     const double pixel = options.pixel_size;
     const double element = element_in_pixels(pieces, options, name);
     imported.notes = notes_on_pieces(pieces, options);
+    if (sharpened > 0) {
+        imported.notes.push_back(fmt::format("{} up to {} from a colour of the key took the nearest of its colours beside them",
+                                             count(sharpened, "pixel", "pixels"), soft_edge));
+    }
     for (Remark& note : notes_on_key(imported.labels, options.phases)) imported.notes.push_back(std::move(note));
 
     LabelBoundaries boundaries = label_boundaries(pieces);

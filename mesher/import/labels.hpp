@@ -27,8 +27,9 @@ std::vector<LabelRow> labels_of(std::string_view bytes, const LabelOptions& opti
 
 /// Divides the grains of a picture into triangles: each connected piece of one label is a grain. Coordinates are in m, with the
 /// origin at the lower left of the picture. Grains have the numbers of their first pixels' order, row by row from the top. Notes
-/// say what was joined, opened or divided. \param name of the file, for messages \throws InputError as `read_label_image` and
-/// `label_pieces`, and if the picture needs too many triangles, or the key has phases but none for one of its labels
+/// say what was joined, opened or divided, and which pixels took a colour of the key. \param name of the file, for messages
+/// \throws InputError as `read_label_image` and `label_pieces`, and if the picture needs too many triangles, or the key has
+/// phases but none for one of its labels
 ImportedMesh import_labels(std::string_view bytes, const LabelOptions& options, const std::string& name);
 
 }  // namespace graincrack::mesher

@@ -236,6 +236,49 @@ TEST(Labels, OfAPngAreThoseOfItsText) {
     EXPECT_EQ(of_png.triangles, of_text.triangles);
 }
 
+/// A PNG of a red and a white half, or of two of them and a third colour, whose slanted boundary is soft.
+std::string soft_picture(int third) {
+    std::vector<int> samples;
+    for (int row = 0; row < 40; ++row) {
+        for (int column = 0; column < 60; ++column) {
+            const double share = std::clamp(column - 25.3 - row / 6.0, 0.0, 1.0);
+            const int soft = static_cast<int>(std::lround(48 + share * 207));
+            const bool is_third = third != 0 && row > 30;
+            samples.insert(samples.end(), {is_third ? third : static_cast<int>(std::lround(192 + share * 63)), soft, soft});
+        }
+    }
+    return test::png_of(60, 40, samples, {PNG_COLOR_TYPE_RGB, 8});
+}
+
+TEST(Labels, SoftEdgesHaveTheNearestColourOfTheKey) {
+    LabelOptions options = options_of();
+    options.phases.by_colour = {{0xc03030, "quartz"}, {0xffffff, "mica"}, {0xe09898, "of_the_edge_alone"}};
+    const ImportedMesh mesh = import_labels(soft_picture(0), options, "");
+    ASSERT_EQ(mesh.labels.size(), 2U);  // not the third, of which the soft edge has a pixel somewhere
+    EXPECT_EQ(mesh.labels[0].phase + mesh.labels[1].phase, "micaquartz");
+    EXPECT_EQ(mesh.phase_of_grain.size(), 2U);
+    const auto said = std::ranges::find_if(mesh.notes, [](const Remark& note) { return note.text.find("took the") < 60; });
+    ASSERT_NE(said, mesh.notes.end());
+    EXPECT_TRUE(said->text.starts_with("40 pixels up to 2 from a colour of the key took the nearest")) << said->text;
+}
+
+TEST(Labels, AColourThatTheKeyLacksIsRefused) {
+    LabelOptions options = options_of();
+    options.phases.by_colour = {{0xc03030, "quartz"}, {0xffffff, "mica"}};
+    graincrack::test::expect_one_line<InputError>([&] { import_labels(soft_picture(90), options, "minerals.png"); },
+                                                  {"minerals.png: the label ", "has no phase"});
+}
+
+TEST(Labels, APhotoIsRefused) {
+    std::vector<int> samples;
+    for (int i = 0; i < 3 * 30 * 30; ++i) samples.push_back(i * i % 251);
+    graincrack::test::expect_one_line<InputError>(
+        [&] {
+            import_labels(test::png_of(30, 30, samples, {PNG_COLOR_TYPE_RGB, 8}), options_of(), "photo.png");
+        },
+        {"photo.png: is a photo", "a PNG of labels is needed"});
+}
+
 TEST(Labels, RefuseSizesThatMeanNothing) {
     LabelOptions options = options_of();
     options.element_size = 1e-6;
