@@ -93,7 +93,48 @@ MapBox bounds(const Positions& places) {
     return box;
 }
 
+Colour between(Colour from, Colour to, double share) {
+    const auto channel = [share](double a, double b) { return static_cast<std::uint8_t>(std::lround(a + share * (b - a))); };
+    return {channel(from.red, to.red), channel(from.green, to.green), channel(from.blue, to.blue)};
+}
+
 }  // namespace
+
+Colour ColourScale::of(double value) const {
+    constexpr double middle = 0.7, steps = 64;  // few colours make few shapes
+    const double share = std::round(steps * std::min(1.0, std::abs(value) / std::max({-low, high, 1e-300}))) / steps;
+    const Colour end = value < 0 ? Colour{230, 140, 30} : Colour{0, 114, 178};
+    if (share < middle) return between(palette::white, end, share / middle);
+    return between(end, value < 0 ? Colour{120, 40, 0} : Colour{0, 40, 90}, (share - middle) / (1 - middle));
+}
+
+void ColourScale::include(std::vector<double> values) {
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) return;
+    std::ranges::sort(values);
+    low = std::min(low, values[values.size() / 100]);
+    high = std::max(high, values[values.size() - 1 - values.size() / 100]);
+}
+
+double ColourScale::draw(Drawing& page, const TextColumn& column, double top) const {
+    constexpr double height = 22, most_wide = 560, mark = 8;
+    constexpr int steps = 128;
+    const double width = std::min(most_wide, column.right - column.left - 60);
+    const double left = column.left + 30;
+    const Axis axis{label, low, high > low ? high : low + 1};
+    const Ticks ticks = ticks_along(axis, width, letters::text, 6);
+    const double end = draw_heading(page, {"", {ticks.label}}, column, top) + 8;
+    for (int i = 0; i < steps; ++i) {  // each to the end, so that no seams show
+        page.rectangle({left + width * i / steps, end}, {left + width, end + height},
+                       of(low + (axis.high - low) * (i + 0.5) / steps));
+    }
+    for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+        const double x = left + width * axis.share(ticks.values[i]);
+        page.line({x, end + height}, {x, end + height + mark}, 2, palette::ink);
+        page.text({{x, end + height + mark + letters::text}, ticks.texts[i], letters::text, palette::ink, Anchor::middle});
+    }
+    return end + height + mark + 1.4 * letters::text;
+}
 
 void MapBox::include(const MapBox& other) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -158,7 +199,7 @@ void MapView::draw_outline(std::int32_t from, std::int32_t to, double width, Col
 }
 
 template <class Draw>
-void MapView::each_grain(const Draw& draw) const {
+void MapView::each_grain(const std::vector<double>& values, const Draw& draw) const {
     const std::vector<Colour> colours = palette::phases(specimen_.phase_names);
     for (std::size_t e = 0; e < specimen_.n_elements(); ++e) {
         const auto& nodes = specimen_.element_nodes[e];
@@ -166,14 +207,15 @@ void MapView::each_grain(const Draw& draw) const {
         const auto [a, b, c] = std::array{place(0), place(1), place(2)};
         if (!visible({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3})) continue;
         const auto grain = static_cast<std::size_t>(specimen_.element_grain[e]);
-        draw(pixel(a), pixel(b), pixel(c), colours[specimen_.grain_phase[grain]]);
+        draw(pixel(a), pixel(b), pixel(c),
+             page_.colours ? page_.colours->of(values.at(e)) : colours[specimen_.grain_phase[grain]]);
     }
 }
 
-void MapView::draw_grains() {
+void MapView::draw_grains(const std::vector<double>& values) {
     const double edge = specimen_.statistics.mean_edge > 0 ? specimen_.statistics.mean_edge * scale_ : 1e3;
-    if (edge < min_edge) return draw_small_grains();
-    each_grain([&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
+    if (edge < min_edge) return draw_small_grains(values);
+    each_grain(values, [&](Pixel a, Pixel b, Pixel c, Colour fill) { drawing_.polygon({a, b, c}, fill); });
     const double thin = std::clamp(0.03 * edge, 0.3, 1.2);
     const auto apart = [&](std::int32_t a, std::int32_t b) {
         const auto& p = positions_[static_cast<std::size_t>(a)];
@@ -203,9 +245,9 @@ bool MapView::draw_pre_existing_cracks(double width) {
     return any;
 }
 
-void MapView::draw_small_grains() {
+void MapView::draw_small_grains(const std::vector<double>& values) {
     PixelFill fill(pixel({low_[0], high_[1]}), pixel({high_[0], low_[1]}));
-    each_grain([&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });
+    each_grain(values, [&](Pixel a, Pixel b, Pixel c, Colour own) { fill.triangle(a, b, c, own); });
     fill.draw(drawing_);
     for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.5, palette::rim);
 }
@@ -242,7 +284,9 @@ double draw_scale_bar(Drawing& page, const MapScale& scale, const TextColumn& co
 
 void MapView::draw_legend(const std::vector<LegendEntry>& entries, const std::vector<std::string>& notes) {
     const TextColumn column{page_margin, drawing_.width() - page_margin};
-    const LegendEnd end = graincrack::draw_legend(drawing_, entries, column, drawing_.height() + 6);
+    double top = drawing_.height() + 6;
+    if (page_.colours) top = page_.colours->draw(drawing_, column, top);
+    const LegendEnd end = graincrack::draw_legend(drawing_, entries, column, top);
     const double bottom = draw_scale_bar(drawing_, scale(), column, end);
     drawing_.set_height(draw_heading(drawing_, {"", notes}, column, bottom) + 14);
 }

@@ -43,6 +43,20 @@ struct MapScale {
 /// \param end of the legend \return where both end
 double draw_scale_bar(Drawing& page, const MapScale& scale, const TextColumn& column, const LegendEnd& end);
 
+/// White at 0, blue above and orange below, dark where a number has the size of the farther end: as the page of `view` has
+/// stresses.
+struct ColourScale {
+    std::string label;  ///< with the unit: "displacement, mm"
+    double low = 0;
+    double high = 0;
+
+    [[nodiscard]] Colour of(double value) const;
+    /// Widens the ends to hold all values but a hundredth on each side, which would leave the others pale.
+    void include(std::vector<double> values);
+    /// Draws the label, and below it the colours from end to end with round numbers. \return where that ends
+    double draw(Drawing& page, const TextColumn& column, double top) const;
+};
+
 /// The parts of a page beside its map.
 struct MapPage {
     PictureStyle style = {};
@@ -50,6 +64,7 @@ struct MapPage {
     double margin = page_margin;
     double heading_height = 0;        ///< at least, so that maps side by side stand at one height
     std::optional<MapBox> view = {};  ///< what is drawn, so that maps have one scale; else the bounds of the map's own positions
+    std::optional<ColourScale> colours = {};  ///< of numbers that fill the grains in place of the colours of minerals
 };
 
 class MapView {
@@ -60,14 +75,15 @@ public:
     MapView(const Specimen& specimen, Positions positions, const ChartText& text, const MapPage& page = {});
 
     /// Fills the grains and draws their outlines, unless they are too small for that, those within crystals thinner, and the rim.
-    void draw_grains();
+    /// \param values of the elements, where the page has colours of numbers
+    void draw_grains(const std::vector<double>& values = {});
     /// Contacts that start broken. \return whether there are any
     bool draw_pre_existing_cracks(double width);
     /// A stroke between two places; left out if its middle lies off the map.
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
     /// Rigid platens, rollers or punches: a bar outside each face, all moved by `approach`; m.
     void draw_platens(const PlatenFaceSet& set, double approach);
-    /// Legend and a scale bar below the map, and below them lines of text.
+    /// Colours of numbers, legend and a scale bar below the map, and below them lines of text.
     void draw_legend(const std::vector<LegendEntry>& entries, const std::vector<std::string>& notes = {});
 
     [[nodiscard]] const Positions& positions() const { return positions_; }
@@ -79,8 +95,8 @@ public:
 private:
     /// Calls `draw` with the corners of each triangle on the map and its colour.
     template <class Draw>
-    void each_grain(const Draw& draw) const;
-    void draw_small_grains();
+    void each_grain(const std::vector<double>& values, const Draw& draw) const;
+    void draw_small_grains(const std::vector<double>& values);
     [[nodiscard]] Pixel pixel(std::array<double, 2> place) const;
     [[nodiscard]] bool visible(std::array<double, 2> place) const;
     void draw_outline(std::int32_t from, std::int32_t to, double width, Colour colour);

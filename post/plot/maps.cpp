@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -18,6 +19,7 @@
 #include "post/run/load_curve.hpp"
 #include "post/run/run_state.hpp"
 #include "post/run/test_label.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/progress.hpp"
 #include "share/base/units.hpp"
@@ -81,32 +83,58 @@ struct Scene {
 };
 
 /// Cracks by mode and from before the test, and phases. \param tensile what stands behind the words for tensile cracks
-std::vector<LegendEntry> crack_legend(const Specimen& specimen, const std::string& tensile, const std::string& shear) {
+std::vector<LegendEntry> crack_legend(const Scene& scene, const std::string& tensile, const std::string& shear) {
     std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks" + tensile},
                                     {Stroke{palette::shear, 6}, "shear cracks" + shear}};
-    if (has_pre_existing_cracks(specimen)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
-    for (LegendEntry& phase : phase_legend(specimen)) legend.push_back(std::move(phase));
+    if (has_pre_existing_cracks(scene.specimen)) legend.push_back({Stroke{palette::pre_existing, 6}, "pre-existing"});
+    if (scene.options.fill != MapFill::mineral) return legend;
+    for (LegendEntry& phase : phase_legend(scene.specimen)) legend.push_back(std::move(phase));
     return legend;
 }
 
-void draw_state(MapView& map, const Scene& scene, double time, const std::vector<Crack>& present) {
-    map.draw_grains();
-    if (has_platens_to_draw(scene.data)) {
-        const double approach = -scene.options.magnification * scene.at(time).axial_strain * scene.specimen.height / 2;
-        map.draw_platens(read_platen_faces(scene.run.file(), scene.specimen), approach);
+const char* label_of(MapFill fill) {
+    return fill == MapFill::sigma1   ? "greatest compression σ1 in the plane, MPa"
+           : fill == MapFill::sigma3 ? "least compression σ3 in the plane (tension below 0), MPa"
+                                     : "displacement, mm";
+}
+
+/// The numbers of the elements in the unit of `label_of`; none of minerals.
+std::vector<double> values_of(const Specimen& specimen, const Frame& frame, MapFill fill) {
+    std::vector<double> values;
+    for (std::size_t e = 0; fill != MapFill::mineral && e < specimen.n_elements(); ++e) {
+        const auto& [xx, yy, xy, zz] = frame.element_stress[e];
+        const double radius = std::hypot((xx - yy) / 2, xy);
+        std::array<double, 2> sum{};
+        for (const std::int32_t node : specimen.element_nodes[e]) {
+            for (std::size_t axis = 0; axis < 2; ++axis) sum[axis] += frame.displacement[static_cast<std::size_t>(node)][axis];
+        }
+        values.push_back(fill == MapFill::displacement
+                             ? 1e3 * std::hypot(sum[0], sum[1]) / 3
+                             : in_megapascals * ((fill == MapFill::sigma1 ? radius : -radius) - (xx + yy) / 2));
     }
-    draw_cracks(map, scene.specimen, present);
+    return values;
 }
 
 /// The part of a frame that a map shows; the frame itself is released.
 struct Snapshot {
     double time;
     Positions places;
+    std::vector<double> values;
 };
 
 Snapshot snapshot(const Scene& scene, std::size_t index) {
     const Frame frame = read_frame(scene.run, scene.specimen, index);
-    return {frame.time, moved_nodes(scene.specimen, frame, scene.options.magnification)};
+    return {frame.time, moved_nodes(scene.specimen, frame, scene.options.magnification),
+            values_of(scene.specimen, frame, scene.options.fill)};
+}
+
+void draw_state(MapView& map, const Scene& scene, const Snapshot& shot, const std::vector<Crack>& present) {
+    map.draw_grains(shot.values);
+    if (has_platens_to_draw(scene.data)) {
+        const double approach = -scene.options.magnification * scene.at(shot.time).axial_strain * scene.specimen.height / 2;
+        map.draw_platens(read_platen_faces(scene.run.file(), scene.specimen), approach);
+    }
+    draw_cracks(map, scene.specimen, present);
 }
 
 ChartText heading_at(const Scene& scene, double time) {
@@ -123,8 +151,8 @@ ChartText heading_at(const Scene& scene, double time) {
 Drawing single_map(const Scene& scene, Snapshot shot, const MapPage& page) {
     const std::vector<Crack> present = cracks_until(scene.cracks, shot.time);
     MapView map(scene.specimen, std::move(shot.places), heading_at(scene, shot.time), page);
-    draw_state(map, scene, shot.time, present);
-    map.draw_legend(crack_legend(scene.specimen, ": " + cracked_contacts(present, CrackMode::tensile),
+    draw_state(map, scene, shot, present);
+    map.draw_legend(crack_legend(scene, ": " + cracked_contacts(present, CrackMode::tensile),
                                  ": " + cracked_contacts(present, CrackMode::shear)),
                     scene.notes);
     return std::move(map).drawing();
@@ -161,18 +189,25 @@ Drawing row_of_maps(const Scene& scene, std::span<const std::size_t> frames, cha
     for (std::size_t i = 0; i < frames.size(); ++i) {
         Snapshot shot = snapshot(scene, frames[i]);
         MapView map(scene.specimen, std::move(shot.places), text(i), page);
-        draw_state(map, scene, shot.time, cracks_until(scene.cracks, shot.time));
+        draw_state(map, scene, shot, cracks_until(scene.cracks, shot.time));
         scale = map.scale();
         maps.push_back(std::move(map).drawing());
     }
     return side_by_side(maps);
 }
 
-/// The box that holds what is seen in any of some frames.
-MapBox common_view(const Scene& scene, const std::vector<std::size_t>& frames) {
+/// A page for maps of some frames, of one scale: a box that holds what is seen in any of them, and colours for their numbers.
+MapPage common_page(const Scene& scene, const std::vector<std::size_t>& frames, MapPage page) {
     MapBox view;
-    for (const std::size_t frame : frames) view.include(view_box(scene.specimen, snapshot(scene, frame).places));
-    return view;
+    ColourScale colours{label_of(scene.options.fill)};
+    for (const std::size_t frame : frames) {
+        Snapshot shot = snapshot(scene, frame);
+        view.include(view_box(scene.specimen, shot.places));
+        colours.include(std::move(shot.values));
+    }
+    page.view = view;
+    if (scene.options.fill != MapFill::mineral) page.colours = colours;
+    return page;
 }
 
 /// Maps side by side under one title, of one scale.
@@ -183,7 +218,7 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     ChartText text{scene.style.title.empty() ? test_title(scene.data.header) : scene.style.title,
                    {fmt::format("plane {}", name_of(scene.data.header.plane))}};
     const double width = std::floor(page_width / static_cast<double>(in_a_row));
-    const MapPage part{scene.style.of_part(width), page_width, 10, 0, common_view(scene, frames)};
+    const MapPage part = common_page(scene, frames, {scene.style.of_part(width), page_width, 10});
     MapScale scale;
     Drawing page(static_cast<int>(page_width), 0);
     page.set_height(draw_heading(page, text, column, 14));
@@ -191,8 +226,9 @@ Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
         const auto row = std::span(frames).subspan(first, std::min(in_a_row, frames.size() - first));
         page = stacked({page, row_of_maps(scene, row, static_cast<char>('a' + first), part, scale)});
     }
-    const LegendEnd end =
-        draw_legend(page, crack_legend(scene.specimen, "", " (counts are contacts)"), column, page.height() + 6);
+    double top = page.height() + 6;
+    if (part.colours) top = part.colours->draw(page, column, top);
+    const LegendEnd end = draw_legend(page, crack_legend(scene, "", " (counts are contacts)"), column, top);
     const double bottom = draw_scale_bar(page, scale, column, end);
     page.set_height(draw_heading(page, {"", scene.notes}, column, bottom) + 14);
     return page;
@@ -204,7 +240,7 @@ Drawing draw_cracks(const RunReader& run, const CrackMapOptions& options, const 
     const std::vector<std::size_t> frames = choose_frames(run, options.frame, options.time);
     const Scene scene(run, options, style);
     if (frames.size() > 1) return panels(scene, frames);
-    return single_map(scene, snapshot(scene, frames[0]), {style, options.largest_height});
+    return single_map(scene, snapshot(scene, frames[0]), common_page(scene, frames, {style, options.largest_height}));
 }
 
 void write_frames(const RunReader& run, const CrackMapOptions& options, const PictureStyle& style, const std::string& folder,
@@ -215,7 +251,7 @@ void write_frames(const RunReader& run, const CrackMapOptions& options, const Pi
     std::vector<std::size_t> frames(choose_frame(run, "last", std::nullopt) + 1);
     std::iota(frames.begin(), frames.end(), 0);
     const Scene scene(run, options, style);
-    MapPage page{style, options.largest_height, page_margin, 0, common_view(scene, frames)};
+    MapPage page = common_page(scene, frames, {style, options.largest_height});
     const TextColumn column{page.margin, style.page_width - page.margin};
     for (const double time : run.frame_times()) {
         page.heading_height = std::max(page.heading_height, heading_height(heading_at(scene, time), column));

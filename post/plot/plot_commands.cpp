@@ -83,6 +83,14 @@ void frame(OptionSet set, PlotOptions& options) {
              "several with commas stand side by side, once where they mean the same, and all are numbered PNG of one scale in "
              "the folder of --output");
     add_quantity(set, "--time", options.map.time, frame_time, "frame nearest to a simulated time");
+    add_choice<MapFill>(
+        set, "--fill", options.map.fill,
+        {{"mineral", MapFill::mineral},
+         {"sigma1", MapFill::sigma1},
+         {"sigma3", MapFill::sigma3},
+         {"displacement", MapFill::displacement}},
+        "what colours the grains: their minerals, the greatest (sigma1) or least (sigma3) compression in the plane, "
+        "displacements");
     add_quantity(set, "--magnify", options.map.magnification, magnification, "draw displacements so many times as large", "1");
 }
 

@@ -34,6 +34,9 @@ Drawing draw_specimen(const Specimen& specimen, const PictureStyle& style = {});
 Drawing draw_curves(const std::vector<RunData>& runs, const std::string& definition, const std::vector<std::string>& caveats = {},
                     const PictureStyle& style = {});
 
+/// What fills the grains of a map: minerals, the greatest and the least compression in the plane, displacements.
+enum class MapFill { mineral, sigma1, sigma3, displacement };
+
 /// Which state is drawn, and how.
 struct CrackMapOptions {
     std::string frame = "last";  ///< as `choose_frames` reads it: several are drawn side by side
@@ -41,6 +44,7 @@ struct CrackMapOptions {
     double magnification = 1;    ///< of the displacements
     CrackLabelChoice label = {};
     double largest_height = 1400;  ///< of a single map without its texts, pixels of the page
+    MapFill fill = MapFill::mineral;
 };
 
 /// \throws InputError, UsageError as `choose_frames` and `read_labelled_cracks`

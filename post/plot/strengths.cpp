@@ -69,12 +69,6 @@ Points hull_of(const HoekBrown& fit, double largest) {
     return points;
 }
 
-double largest_confining(const EnvelopeTests& tests) {
-    double largest = 0;
-    for (const auto& test : tests.compression) largest = std::max(largest, test.confining);
-    return largest;
-}
-
 std::string envelope_label(const Estimate& e, double factor) {
     return fmt::format("{:.1f} [{:.1f}, {:.1f}]", e.value * factor, *e.low * factor, *e.high * factor);
 }
@@ -141,14 +135,13 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
     const Envelope envelope = fit_envelope(tests.confining(), tests.strength());
     Chart chart = envelope_page(tests, envelope, title, style);
     draw_circles(chart, tests);
-    double right = 0;
-    for (const auto& test : tests.compression) right = std::max(right, test.strength * in_megapascals);
+    const double right = largest(tests.strength()) * in_megapascals;
     if (std::isfinite(envelope.cohesion.value)) {
         const Points line = line_of(envelope, right);
         chart.line(line.x, line.y, {palette::ink, 4}, "Mohr–Coulomb");
     }
     if (envelope.hoek_brown) {
-        const Points hull = hull_of(*envelope.hoek_brown, std::max(largest_confining(tests), 0.1 * right / in_megapascals));
+        const Points hull = hull_of(*envelope.hoek_brown, std::max(largest(tests.confining()), 0.1 * right / in_megapascals));
         const HoekBrown& fit = *envelope.hoek_brown;
         std::string values;
         if (determined(fit.mi)) {

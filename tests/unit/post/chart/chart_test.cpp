@@ -9,6 +9,7 @@
 #include "post/chart/axis.hpp"
 #include "post/chart/drawing.hpp"
 #include "post/chart/font.hpp"
+#include "post/chart/map_view.hpp"
 #include "post/chart/page.hpp"
 #include "post/chart/picture_style.hpp"
 #include "post/command_line.hpp"
@@ -316,6 +317,24 @@ TEST(PictureStyle, EveryPictureTakesTheOptions) {
     EXPECT_NE(svg_of({"curve", run, "--x-limits", "-0.1,0.2", "--y-limits", "0,500"}).find("\n500\n"), std::string::npos);
     test::expect_one_line<UsageError>([&] { (void)svg_of({"curve", run, "--label", "wet.h5=wet"}); }, {"wet.h5", "run.h5"});
     test::expect_one_line<UsageError>([&] { (void)svg_of({"energy", run, "--x-limits", "1e6,2e6"}); }, {"--x-limits 1e6,2e6"});
+}
+
+TEST(ColourScale, HoldsAllButAHundredthOnEachSideAndIsWhiteAtZero) {
+    ColourScale scale{"stress, MPa"};
+    std::vector<double> values{-1e9, 1e9, std::nan("")};
+    for (int i = -40; i < 160; ++i) values.push_back(i);
+    scale.include(values);
+    EXPECT_EQ(scale.low, -39);
+    EXPECT_EQ(scale.high, 158);
+    EXPECT_EQ(scale.of(0), palette::white);
+    EXPECT_EQ(scale.of(158), (Colour{0, 40, 90}));
+    EXPECT_EQ(scale.of(1e9), scale.of(158));
+    EXPECT_GT(scale.of(-39).red, scale.of(-39).blue);  // orange
+    Drawing page(1000, 0);
+    EXPECT_GT(scale.draw(page, {28, 972}, 100), 150);
+    for (const char* word : {"stress, MPa\n", "\n0\n", "\n50\n", "\n150\n"}) {
+        EXPECT_NE(page.words().find(word), std::string::npos) << word << page.words();
+    }
 }
 
 }  // namespace

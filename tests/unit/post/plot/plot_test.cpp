@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -124,6 +125,30 @@ TEST_F(Plot, MapsSideBySideHaveOneScaleBarAndTellWhereTheyStand) {
     const std::size_t bar = words.find(" mm\n", words.find("counts are contacts"));
     EXPECT_NE(bar, std::string::npos) << words;
     EXPECT_EQ(words.find(" mm\n", bar + 1), std::string::npos) << words;
+}
+
+TEST_F(Plot, GrainsAreFilledByStressOrDisplacementWithAScaleOfColours) {
+    const RunReader run(path("run.h5"));
+    const auto fills_of = [&](MapFill fill, const std::string& words) {
+        CrackMapOptions options;
+        options.frame = "peak";
+        options.fill = fill;
+        const Drawing page = draw_cracks(run, options);
+        EXPECT_TRUE(says(page, words)) << page.words();
+        std::set<std::array<int, 3>> fills;
+        for (const Drawing::Shape& shape : page.shapes()) {
+            const auto* triangles = std::get_if<Polygons>(&shape);
+            if (triangles == nullptr || triangles->sides != 3) continue;
+            fills.insert({triangles->fill.red, triangles->fill.green, triangles->fill.blue});
+        }
+        return fills;
+    };
+    using Fills = std::set<std::array<int, 3>>;
+    // 1, −100 and 5 MPa everywhere: σ1 = 49.5 + √(50.5² + 5²) = 100.2, σ3 = −1.25 MPa, the ends of their scales.
+    EXPECT_EQ(fills_of(MapFill::sigma1, "greatest compression σ1 in the plane, MPa\n"), (Fills{{0, 40, 90}}));
+    EXPECT_EQ(fills_of(MapFill::sigma3, "least compression σ3 in the plane (tension below 0), MPa\n"), (Fills{{120, 40, 0}}));
+    EXPECT_GT(fills_of(MapFill::displacement, "displacement, mm\n").size(), 3U);
+    EXPECT_EQ(fills_of(MapFill::mineral, "tensile cracks").size(), 1U);
 }
 
 TEST_F(Plot, AllFramesAreNumberedPicturesOfOneSize) {
