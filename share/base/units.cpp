@@ -225,14 +225,17 @@ double rounded(double value, int digits) {
 std::string format_quantity(double value, Dimension dimension, int digits) {
     if (dimension == Dimension::one) return format_number(value, digits);
     std::string_view chosen = row_of(dimension).shown.front();
+    const auto number = [&](std::string_view symbol) { return format_number(in_unit(value, dimension, symbol), digits); };
     if (value == 0 || !std::isfinite(value)) {
         if (dimension != Dimension::angle) chosen = si_unit(dimension);
     } else {
         for (const std::string_view symbol : row_of(dimension).shown) {
-            if (!symbol.empty() && std::abs(in_unit(value, dimension, symbol)) >= 1) chosen = symbol;
+            if (symbol.empty()) break;
+            const bool has_exponent = number(chosen).find("e+") != std::string::npos;  // of two digits 0.8 mm, not 8e+02 um
+            if (has_exponent || std::abs(in_unit(value, dimension, symbol)) >= 1) chosen = symbol;
         }
     }
-    return fmt::format("{} {}", format_number(in_unit(value, dimension, chosen), digits), chosen);
+    return fmt::format("{} {}", number(chosen), chosen);
 }
 
 std::string format_length(double value) { return format_quantity(value, Dimension::length); }

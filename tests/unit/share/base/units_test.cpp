@@ -142,6 +142,9 @@ TEST(Units, QuantitiesAreShownInAReadableUnit) {
     EXPECT_EQ(format_quantity(0.25, Dimension::one), "0.25");
     EXPECT_EQ(format_quantity(6.87e14, Dimension::stiffness), "6.87e+05 MPa/mm");
     EXPECT_EQ(format_quantity(1e-9, Dimension::time), "0.001 us");
+    EXPECT_EQ(format_quantity(0.0008, Dimension::length, 2), "0.8 mm");
+    EXPECT_EQ(format_quantity(0.0008, Dimension::length, 3), "800 um");
+    EXPECT_EQ(format_quantity(0.9996e-3, Dimension::length, 3), "1 mm");
 }
 
 /// A locale with decimal comma and grouped thousands, on any machine.
