@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_version.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <list>
+#include <sstream>
 
 #include "post/chart/font.hpp"
 #include "post/chart/picture.hpp"
@@ -16,6 +18,7 @@
 #include "post/table/tables_page.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
+#include "share/file/output_file.hpp"
 #include "share/options/command_line.hpp"
 
 namespace graincrack {
@@ -61,6 +64,9 @@ struct Registered {
     std::optional<FileArguments> arguments;
     std::vector<std::string> files;
     std::string files_from;
+    Prints prints;
+    std::optional<TableFormat> format;
+    std::string output;  ///< of the table; "" for stdout
     Action action;
 };
 using Registry = std::list<Registered>;  // their files stay where the options write them
@@ -75,7 +81,7 @@ void add(OptionSet parent, const Command& command, const std::string& prefix, Re
         for (const Command& sub : command.subcommands) add(set, sub, name + " ", registry);
         return;
     }
-    Registered& own = registry.emplace_back(Registered{set, name, command.files, {}, {}, {}});
+    Registered& own = registry.emplace_back(Registered{set, name, command.files, {}, {}, command.prints, {}, {}, {}});
     if (command.files) {
         add_files(set, command.files->name, own.files, std::string(command.files->help) + " (- is stdin)", command.files->several)
             .only_on_command_line();
@@ -85,6 +91,10 @@ void add(OptionSet parent, const Command& command, const std::string& prefix, Re
             .only_on_command_line();
     }
     own.action = command.add_options(set);
+    if (command.prints == Prints::no_table) return;
+    if (command.prints == Prints::table) add_format(set, own.format.emplace(TableFormat::tsv));
+    if (command.prints == Prints::terminal_table) add_format(set, own.format);
+    add_output_file(set, own.output, "file of the table, in place of stdout", {".tsv"});
 }
 
 /// Names of files, one a line, or each with a NUL behind it as of `find -print0`.
@@ -118,6 +128,16 @@ std::vector<std::string> files_of(const Registered& command) {
     return files;
 }
 
+/// Runs a command. A file of its table appears whole or not at all.
+void run(const Registered& command, std::ostream& out, Verbosity verbosity) {
+    const bool is_terminal = command.output.empty() && out.rdbuf() == std::cout.rdbuf() && ::isatty(STDOUT_FILENO) == 1;
+    const TableFormat format = command.format.value_or(is_terminal ? TableFormat::aligned : TableFormat::tsv);
+    std::ostringstream table;
+    std::ostream& data = command.output.empty() ? out : table;
+    command.action({command.name, files_of(command), data, verbosity, format});
+    if (!command.output.empty()) write_whole_file(command.output, table.str());
+}
+
 }  // namespace
 
 void run_command_line(int argc, const char* const* argv, std::ostream& out) {
@@ -131,9 +151,7 @@ void run_command_line(int argc, const char* const* argv, std::ostream& out) {
     Registry registry;
     for (const Command& command : commands()) add(line.options(), command, "", registry);
     if (!line.parse(argc, argv)) return;
-    const Registered& command =
-        *std::find_if(registry.begin(), registry.end(), [](const Registered& each) { return each.options.is_called(); });
-    command.action({command.name, files_of(command), out, common.verbosity});
+    run(*std::ranges::find_if(registry, [](const Registered& each) { return each.options.is_called(); }), out, common.verbosity);
     out.flush();
     if (!out) throw OutputError("stdout: could not be written whole");
 }

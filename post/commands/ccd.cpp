@@ -8,64 +8,55 @@ namespace graincrack {
 
 namespace {
 
-template <class Options>
-struct WithFormat {
-    Options ccd;
-    TableFormat format = TableFormat::tsv;
-};
-
 Command design_command() {
-    using Options = WithFormat<ccd::DesignOptions>;
+    using Options = ccd::DesignOptions;
     return make_command<Options>(
         "design", "the runs of a central composite design",
         {"--factor contact_cohesion_MPa=30:90 --factor contact_friction_angle_deg=45:61",
          "--factor contact_cohesion_MPa=30:90 --factor edge_mm=3:5 --star face-centred --centre-runs 3"},
         std::nullopt,
         [](OptionSet set, Options& options) {
-            add_texts(set, "--factor", options.ccd.factors, "NAME=LOW:HIGH",
+            add_texts(set, "--factor", options.factors, "NAME=LOW:HIGH",
                       "factor with its values at the levels -1 and +1; its unit is part of its name");
-            add_choice<ccd::Star>(set, "--star", options.ccd.star,
+            add_choice<ccd::Star>(set, "--star", options.star,
                                   {{"rotatable", ccd::Star::rotatable}, {"face-centred", ccd::Star::face_centred}},
                                   "position of the star points: at (2^k)^(1/4), or on the faces");
-            add_integer<std::size_t>(set, "--centre-runs", options.ccd.centre_runs, "runs at the centre", 0, 1000);
-            add_format(set, options.format);
+            add_integer<std::size_t>(set, "--centre-runs", options.centre_runs, "runs at the centre", 0, 1000);
         },
-        [](const Options& options, const Call& call) { ccd::write_design(call.out, options.ccd, options.format); });
+        [](const Options& options, const Call& call) { ccd::write_design(call.out, options, call.format); }, Prints::table);
 }
 
 Command fit_command() {
-    using Options = WithFormat<ccd::FitOptions>;
+    using Options = ccd::FitOptions;
     return make_command<Options>(
         "fit", "quadratic response surfaces: coefficients, analysis of variance, lack of fit",
         {"table7.csv --response C_MPa --response phi_deg", "table7.csv --response C_MPa --model backward --table anova"},
         ccd::design_table,
         [](OptionSet set, Options& options) {
             using ccd::FitTable;
-            ccd::add_model(set, options.ccd.model);
-            add_texts(set, "--response", options.ccd.responses, "NAME", "column to fit; may be given again");
-            add_choice<FitTable>(set, "--table", options.ccd.table,
+            ccd::add_model(set, options.model);
+            add_texts(set, "--response", options.responses, "NAME", "column to fit; may be given again");
+            add_choice<FitTable>(set, "--table", options.table,
                                  {{"terms", FitTable::terms}, {"anova", FitTable::anova}, {"summary", FitTable::summary}},
                                  "what to print");
-            add_format(set, options.format);
         },
-        [](const Options& options, const Call& call) { ccd::write_fit(call.out, call.file(), options.ccd, options.format); });
+        [](const Options& options, const Call& call) { ccd::write_fit(call.out, call.file(), options, call.format); },
+        Prints::table);
 }
 
 Command solve_command() {
-    using Options = WithFormat<ccd::SolveOptions>;
+    using Options = ccd::SolveOptions;
     return make_command<Options>(
         "solve", "factors at which the responses meet their goals (desirability), within the design",
         {"table7.csv --target C_MPa=21 --target phi_deg=53",
          "table7.csv --target phi_deg=53 --maximise C_MPa=10:30 --model backward --alpha 0.05"},
         ccd::design_table,
         [](OptionSet set, Options& options) {
-            ccd::add_model(set, options.ccd.model);
-            ccd::add_goals(set, options.ccd.goals);
-            add_format(set, options.format);
+            ccd::add_model(set, options.model);
+            ccd::add_goals(set, options.goals);
         },
-        [](const Options& options, const Call& call) {
-            ccd::write_solution(call.out, call.file(), options.ccd, options.format);
-        });
+        [](const Options& options, const Call& call) { ccd::write_solution(call.out, call.file(), options, call.format); },
+        Prints::table);
 }
 
 }  // namespace

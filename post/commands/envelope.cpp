@@ -84,35 +84,18 @@ Cell plane_of_compression(const std::vector<RunData>& runs) {
 }
 
 /// The few quantities that people look for, a line each, with their intervals.
-struct Quantity95 {
-    std::string label;
-    Cell value, interval;
-    std::string unit;
-};
-
-const Columns<Quantity95>& terminal_columns() {
-    using unit::none;
-    using Q = Quantity95;
-    static const Columns<Q> all{{"quantity", none, [](const Q& q) { return q.label; }},
-                                {"value", none, [](const Q& q) { return q.value; }},
-                                {"95 % interval", none, [](const Q& q) { return q.interval; }},
-                                {"unit", none, [](const Q& q) { return q.unit; }}};
-    return all;
-}
-
 void write_to_terminal(std::ostream& out, const Envelope& envelope, const EnvelopeTests& tests, const Cell& plane) {
-    TerminalTable table(terminal_columns());
+    TerminalTable table({"quantity", "value", "95 % interval", "unit"});
     const std::size_t runs = tests.compression.size();
     const auto add = [&](const std::string& label, const ColumnUnit& unit, const std::string& symbol,
                          const std::optional<Estimate>& e) {
         const bool is_known = determined(e).has_value();
-        table.row(cells_of(terminal_columns(), {label, is_known ? Cell(e->value).times(unit.factor) : Cell(" "),
-                                                is_known ? interval_cell(e->low, e->high, unit) : Cell(not_determined(runs)),
-                                                is_known ? symbol : " "}));
+        table.row({label, is_known ? Cell(e->value).times(unit.factor) : Cell(" "),
+                   is_known ? interval_cell(e->low, e->high, unit) : Cell(not_determined(runs)), is_known ? symbol : " "});
     };
     const auto add_value = [&](const std::string& label, const std::optional<double>& stress) {
         const Cell value = Cell(stress).times(unit::megapascal.factor);
-        if (!value.empty()) table.row(cells_of(terminal_columns(), {label, value, " ", "MPa"}));
+        if (!value.empty()) table.row({label, value, " ", "MPa"});
     };
     const auto& hoek_brown = envelope.hoek_brown;
     table.group(fmt::format("{} of {} compression runs, plane {}; strength: {}", runs, tests.compression_runs, plane.text(),
@@ -167,21 +150,14 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
 }
 
 Command envelope_command() {
-    struct Options {
-        std::optional<TableFormat> format;
-        EnvelopeOptions envelope;
-    };
-    return make_command<Options>(
+    return make_command<EnvelopeOptions>(
         "envelope", "cohesion, friction angle and Hoek-Brown constants of a set of tests, with 95 % intervals",
         {"uniaxial.h5 triaxial.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --strength largest --capped accept"}, several_runs,
-        [](OptionSet set, Options& options) {
-            add_format(set, options.format);
-            add_envelope_options(set, options.envelope);
+        add_envelope_options,
+        [](const EnvelopeOptions& options, const Call& call) {
+            write_envelope_table(call.out, call.files, call.format, options, call.diagnostics());
         },
-        [](const Options& options, const Call& call) {
-            write_envelope_table(call.out, call.files, format_for(options.format, call.out), options.envelope,
-                                 call.diagnostics());
-        });
+        Prints::terminal_table);
 }
 
 }  // namespace graincrack

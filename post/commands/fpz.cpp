@@ -127,7 +127,6 @@ void write_fpz_table(std::ostream& out, const KnownRock& known, TableFormat form
 struct FpzOptions {
     std::string material;
     std::vector<double> edges;
-    TableFormat format = TableFormat::tsv;
 };
 
 /// The edges that were asked for; else those of the paper for its rock, else the laboratory's grain size, if there is one.
@@ -166,14 +165,14 @@ Command fpz_command() {
             add_value(set, "--edge", add_edge, quantity::mean_edge,
                       "mean edge of the grains; may be given again; default: the grain size of the laboratory", "LENGTH")
                 .repeatable();
-            add_format(set, options.format);
         },
         [](const FpzOptions& options, const Call& call) {
             std::vector<std::string> notes;
             const KnownRock rock = known_rock(read_incomplete_material_of(call, options.material), options, notes);
-            write_fpz_table(call.out, rock, options.format);
+            write_fpz_table(call.out, rock, call.format);
             for (const std::string& note : notes) say(call.diagnostics(), fmt::format("fpz: note: {}", note));
-        });
+        },
+        Prints::table);
 }
 
 }  // namespace graincrack

@@ -51,7 +51,6 @@ struct HistoryOptions {
     bool follow = false;
     std::string probe;    ///< of a loading program
     bool stages = false;  ///< of a loading program
-    TableFormat format = TableFormat::tsv;
 };
 
 void add_history_options(OptionSet set, HistoryOptions& options) {
@@ -62,22 +61,21 @@ void add_history_options(OptionSet set, HistoryOptions& options) {
     Option stages =
         add_flag(set, "--stages", options.stages, "print the stages of a loading program instead, and how each ended");
     stages.excludes(probe);
-    add_format(set, options.format);
 }
 
 void show_history(const HistoryOptions& options, const Call& call) {
     if (options.follow && (options.stages || !options.probe.empty())) {
         throw UsageError("history --follow: follows the history alone; leave out --probe and --stages");
     }
-    if (options.follow && options.format == TableFormat::aligned) {
+    if (options.follow && call.format == TableFormat::aligned) {
         throw UsageError("history --follow: aligned columns are as wide as all rows need; --format tsv or jsonl fits");
     }
     const std::string& file = call.file();
-    if (options.stages) return write_stages(call.out, RunReader(file), options.format);
-    if (!options.probe.empty()) return write_probe(call.out, RunReader(file), options.probe, options.format);
-    if (!options.follow) return write_history(call.out, RunReader(file), options.format);
+    if (options.stages) return write_stages(call.out, RunReader(file), call.format);
+    if (!options.probe.empty()) return write_probe(call.out, RunReader(file), options.probe, call.format);
+    if (!options.follow) return write_history(call.out, RunReader(file), call.format);
     if (file == "-") throw UsageError("history --follow: stdin cannot be followed; name a file");
-    follow_history(call.out, file, options.format);
+    follow_history(call.out, file, call.format);
 }
 
 }  // namespace
@@ -85,7 +83,7 @@ void show_history(const HistoryOptions& options, const Call& call) {
 Command history_command() {
     return make_command<HistoryOptions>("history", "history of a run as a table, tension positive",
                                         {"uniaxial.h5", "uniaxial.h5 --follow --format jsonl"}, one_run, add_history_options,
-                                        show_history);
+                                        show_history, Prints::table);
 }
 
 }  // namespace graincrack

@@ -34,6 +34,14 @@ void write_integer(std::ostream& out, const H5Input& file, const char* group, co
     line(out, name, file.has_attribute(group, name) ? std::to_string(file.attribute<std::int64_t>(group, name)) : "unknown");
 }
 
+/// Quantities of a group, if they are there.
+void write_quantities(std::ostream& out, const H5Input& file, const char* group, Dimension dimension,
+                      const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        if (file.has_attribute(group, name)) line(out, name, format_quantity(file.attribute<double>(group, name), dimension));
+    }
+}
+
 /// How many rows a dataset has, 0 if it is missing.
 std::string count_of(const H5Input& file, const std::string& path) {
     return std::to_string(file.has(path) ? graincrack::rows_of(file, path) : 0);
@@ -92,25 +100,12 @@ void write_flaws(std::ostream& out, const H5Input& file) {
 
 void write_specimen_lines(std::ostream& out, const H5Input& file) {
     const char* group = schema::specimen_group;
-    const auto length = [&](const char* name) {
-        if (file.has_attribute(group, name)) {
-            line(out, name, format_quantity(file.attribute<double>(group, name), Dimension::length));
-        }
-    };
-    const auto number = [&](const char* name) {
-        if (file.has_attribute(group, name)) line(out, name, format_number(file.attribute<double>(group, name), 4));
-    };
     line(out, "shape", file.attribute_or<std::string>(group, "shape", "unknown"));
-    length("width");
-    length("height");
-    length("mean_edge");
-    number("edge_variation");
-    length("mean_diameter");
-    number("diameter_variation");
-    number("elongation");
-    if (file.has_attribute(group, "elongation_angle")) {
-        line(out, "elongation_angle", format_quantity(file.attribute<double>(group, "elongation_angle"), Dimension::angle));
-    }
+    write_quantities(out, file, group, Dimension::length, {"width", "height", "mean_edge"});
+    write_quantities(out, file, group, Dimension::one, {"edge_variation"});
+    write_quantities(out, file, group, Dimension::length, {"mean_diameter"});
+    write_quantities(out, file, group, Dimension::one, {"diameter_variation", "elongation"});
+    write_quantities(out, file, group, Dimension::angle, {"elongation_angle"});
     line(out, "tessellation", file.attribute_or<std::string>(group, "tessellation", "unknown"));
     if (const std::string asked = asked_grains(file); !asked.empty()) line(out, "asked_for", asked);
     write_integer(out, file, group, "seed");
@@ -127,18 +122,17 @@ void write_run_lines(std::ostream& out, const H5Input& file) {
         const auto text = file.attribute_or<std::string>(group, name, "");
         line(out, name, text.empty() ? "unknown" : text);
     };
-    const auto number = [&](const std::string& name, Dimension dimension) {
-        if (file.has_attribute(group, name)) line(out, name, format_quantity(file.attribute<double>(group, name), dimension));
-    };
     for (const char* name : {"test", "plane", "material", "contact_law", "fracture_energy_choice"}) word(name);
-    for (const ContactParameter& p : all_contact_parameters()) number(std::string(p.quantity.name), p.quantity.dimension);
-    number("confining_pressure", Dimension::stress);
-    number("heat", Dimension::temperature);
+    for (const ContactParameter& p : all_contact_parameters()) {
+        write_quantities(out, file, group, p.quantity.dimension, {std::string(p.quantity.name)});
+    }
+    write_quantities(out, file, group, Dimension::stress, {"confining_pressure"});
+    write_quantities(out, file, group, Dimension::temperature, {"heat"});
     if (file.has_attribute(group, "cooled")) write_integer(out, file, group, "cooled");
     word("rate");
-    number("platen_speed", Dimension::speed);
-    number("span", Dimension::length);
-    number("time_step", Dimension::time);
+    write_quantities(out, file, group, Dimension::speed, {"platen_speed"});
+    write_quantities(out, file, group, Dimension::length, {"span"});
+    write_quantities(out, file, group, Dimension::time, {"time_step"});
     write_integer(out, file, group, "steps");
     word("stop_reason");
     line(out, "history_rows", count_of(file, std::string(schema::history_group) + "/time"));

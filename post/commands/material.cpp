@@ -8,6 +8,7 @@
 
 #include "post/kind/kind_surface.hpp"
 #include "post/options/command.hpp"
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"
 #include "share/base/text.hpp"
@@ -76,17 +77,6 @@ Command init_command() {
         });
 }
 
-/// Unit in which tables and names of runs have values of a dimension.
-std::string_view table_unit(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::stress: return "MPa";
-        case Dimension::angle: return "deg";
-        case Dimension::length: return "mm";
-        case Dimension::toughness: return "MPa.m^0.5";
-        default: return si_unit(dimension);
-    }
-}
-
 /// \param unit "": that of tables
 void write_value(const Call& call, const std::string& key, const std::string& name_or_file, const std::string& unit) {
     const Quantity quantity = material_quantity(key);
@@ -96,15 +86,13 @@ void write_value(const Call& call, const std::string& key, const std::string& na
     if (value == read.values.end()) {
         throw InputError(fmt::format("{}: has no {}; it is the {}", read.material.file.string(), key, quantity.meaning));
     }
-    const std::vector<Unit> units = units_of(quantity.dimension);
-    const auto fits = [&](const Unit& each) { return each.symbol == unit; };
-    if (!unit.empty() && std::none_of(units.begin(), units.end(), fits)) {
-        std::vector<std::string_view> symbols;
-        for (const Unit& each : units) symbols.push_back(each.symbol);
+    std::vector<std::string_view> symbols;
+    for (const Unit& each : units_of(quantity.dimension)) symbols.push_back(each.symbol);
+    if (!unit.empty() && std::ranges::find(symbols, unit) == symbols.end()) {
         throw UsageError(fmt::format("--unit {}: {} is a {}; one of {} fits", unit, key, name_of(quantity.dimension),
                                      fmt::join(symbols, ", ")));
     }
-    const std::string_view shown = unit.empty() ? table_unit(quantity.dimension) : std::string_view(unit);
+    const std::string_view shown = unit.empty() ? unit_in_tables(quantity.dimension).name : std::string_view(unit);
     fmt::print(call.out, "{}\n", format_number(in_unit(value->second, quantity.dimension, shown), 6));
 }
 
@@ -155,27 +143,21 @@ Command material_command() {
 }
 
 Command kind_command() {
-    struct Options {
-        std::optional<TableFormat> format;
-        bool rocks = false;
-    };
-    return make_command<Options>(
+    return make_command<bool>(
         "kind", "what specimens of a kind of rock have in common: strengths over the contacts' tensile strength as a surface",
         {"--format table", "--rocks --format table"},
         FileArguments{"table", "table of specimens; default: kinds/surface.tsv beside the materials", false},
-        [](OptionSet set, Options& options) {
-            add_flag(set, "--rocks", options.rocks,
-                     "how far it is off the calibrated rocks of the table, of which it is not made");
-            add_format(set, options.format);
+        [](OptionSet set, bool& rocks) {
+            add_flag(set, "--rocks", rocks, "how far it is off the calibrated rocks of the table, of which it is not made");
         },
-        [](const Options& options, const Call& call) {
+        [](const bool& of_rocks, const Call& call) {
             const std::vector<KindRow> rows = call.files.empty() ? kind_rows() : read_kind_rows(call.file());
             if (rows.empty()) throw InputError("kinds/surface.tsv: not found beside the materials; name a table");
             const KindSurface surface(rows, usual_kind);
-            const TableFormat format = format_for(options.format, call.out);
-            if (options.rocks) return write_kind_rocks(call.out, surface, rows, format);
-            write_kind_terms(call.out, surface, format);
-        });
+            if (of_rocks) return write_kind_rocks(call.out, surface, rows, call.format);
+            write_kind_terms(call.out, surface, call.format);
+        },
+        Prints::terminal_table);
 }
 
 }  // namespace graincrack

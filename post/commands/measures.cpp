@@ -21,13 +21,19 @@ namespace graincrack {
 
 namespace {
 
-struct StrengthOptions : ColumnOptions {
+struct StrengthOptions {
+    ColumnChoice columns = ColumnChoice::usual;
+    std::vector<std::string> options;
     StrengthKind kind = StrengthKind::first_peak;
     bool summary = false;
 };
 
 void add_strength_options(OptionSet set, StrengthOptions& options) {
-    add_columns(set, options);
+    add_columns(set, options.columns);
+    add_texts(
+        set, "--columns", options.options, "OPTION,...",
+        "options of graincrack-mesh and graincrack-solve, such as edge, whose values in the runs are further columns; may be "
+        "given again");
     add_choice<StrengthKind>(
         set, "--strength", options.kind,
         {{name_of(StrengthKind::first_peak), StrengthKind::first_peak}, {name_of(StrengthKind::largest), StrengthKind::largest}},
@@ -44,63 +50,59 @@ Command strength_command() {
         "strength", "strength, strain and cracks at the peak and quality checks, one row per run",
         {"uniaxial.h5 brazilian.h5", "uniaxial.h5 triaxial.h5 brazilian.h5 --summary"}, several_runs, add_strength_options,
         [](const StrengthOptions& options, const Call& call) {
-            const TableFormat format = format_for(options.format, call.out);
             if (options.summary) {
-                write_strength_summary(call.out, call.files, format, call.diagnostics(), options.kind);
+                write_strength_summary(call.out, call.files, call.format, call.diagnostics(), options.kind);
             } else {
-                write_strength_table(call.out, call.files, format, call.diagnostics(), options.kind, options.columns);
+                write_strength_table(call.out, call.files, call.format, call.diagnostics(), options.kind, options.columns,
+                                     options.options);
             }
-        });
+        },
+        Prints::terminal_table);
 }
 
 Command moduli_command() {
-    return make_command<ColumnOptions>(
+    return make_command<ColumnChoice>(
         "moduli",
         "Young's modulus and Poisson's ratio (chord up to half the peak), predicted values, Voigt and Reuss bounds, crack "
         "thresholds; one row per run",
         {"uniaxial.h5", "uniaxial.h5 triaxial.h5 --format jsonl"}, several_runs, add_columns,
-        [](const ColumnOptions& options, const Call& call) {
-            write_moduli_table(call.out, call.files, format_for(options.format, call.out), call.diagnostics(), options.columns);
-        });
+        [](const ColumnChoice& columns, const Call& call) {
+            write_moduli_table(call.out, call.files, call.format, call.diagnostics(), columns);
+        },
+        Prints::terminal_table);
 }
 
 Command toughness_command() {
-    return make_command<std::optional<TableFormat>>(
+    struct NoOptions {};
+    return make_command<NoOptions>(
         "toughness",
         "fracture toughness K_IC from direct tension of rectangles with a central notch, and from bending of notched beams and "
         "half-discs, with its size and K_IC at infinite size by the strip-yield law, whose zone bears the tensile strength of "
         "contacts; one row per run",
         {"notched-tension.h5", "notched-tension.h5 --format jsonl"}, several_runs,
-        [](OptionSet set, std::optional<TableFormat>& format) { add_format(set, format); },
-        [](const std::optional<TableFormat>& format, const Call& call) {
-            write_toughness_table(call.out, call.files, format_for(format, call.out), call.diagnostics());
-        });
+        [](OptionSet /*set*/, NoOptions& /*options*/) {},
+        [](const NoOptions& /*options*/, const Call& call) {
+            write_toughness_table(call.out, call.files, call.format, call.diagnostics());
+        },
+        Prints::terminal_table);
 }
 
 Command classes_command() {
-    struct Options {
-        std::optional<TableFormat> format;
-        CrackLabelChoice label;
-    };
-    return make_command<Options>(
+    return make_command<CrackLabelChoice>(
         "classes", "contacts and micro-cracks for each class (pair of minerals), one row per class",
-        {"uniaxial.h5", "uniaxial.h5 brazilian.h5 --crack-event broken --format jsonl"}, several_runs,
-        [](OptionSet set, Options& options) {
-            add_crack_label(set, options.label);
-            add_format(set, options.format);
-        },
-        [](const Options& options, const Call& call) {
+        {"uniaxial.h5", "uniaxial.h5 brazilian.h5 --crack-event broken --format jsonl"}, several_runs, add_crack_label,
+        [](const CrackLabelChoice& label, const Call& call) {
             std::vector<RunClasses> runs;
-            for (const std::string& file : call.files) runs.push_back(read_classes(RunReader(file), options.label));
-            write_class_counts(call.out, runs, format_for(options.format, call.out));
-        });
+            for (const std::string& file : call.files) runs.push_back(read_classes(RunReader(file), label));
+            write_class_counts(call.out, runs, call.format);
+        },
+        Prints::terminal_table);
 }
 
 Command properties_command() {
     struct Options {
         std::string material;
         EnvelopeOptions envelope;
-        TableFormat format = TableFormat::tsv;
     };
     return make_command<Options>(
         "properties",
@@ -111,7 +113,6 @@ Command properties_command() {
         [](OptionSet set, Options& options) {
             add_text(set, "--material", options.material, "material with the laboratory values to compare with").required();
             add_envelope_options(set, options.envelope);
-            add_format(set, options.format);
         },
         [](const Options& options, const Call& call) {
             const IncompleteMaterial material = read_incomplete_material_of(call, options.material);
@@ -128,27 +129,22 @@ Command properties_command() {
                 throw UsageError("runs: missing, and the kind of rock predicts nothing of " + material.material.file.string() +
                                  ": " + why);
             }
-            write_properties(call.out, properties, options.format);
+            write_properties(call.out, properties, call.format);
             print_left_out(call.diagnostics(), "properties", left_out);
-        });
+        },
+        Prints::terminal_table);
 }
 
 Command size_effect_command() {
-    struct Options {
-        TableFormat format = TableFormat::tsv;
-        EnvelopeOptions strength;
-    };
-    return make_command<Options>(
+    return make_command<EnvelopeOptions>(
         "size-effect", "power law of strength against mean edge, one fit for each test and confining pressure",
         {"brazilian-coarse.h5 brazilian.h5", "brazilian-coarse.h5 brazilian.h5 --strength largest --format jsonl"}, several_runs,
-        [](OptionSet set, Options& options) {
-            add_format(set, options.format);
-            add_envelope_options(set, options.strength);
+        add_envelope_options,
+        [](const EnvelopeOptions& strength, const Call& call) {
+            write_size_effect_table(call.out, read_once_each(call.files, call.command, call.diagnostics()), call.format, strength,
+                                    call.diagnostics());
         },
-        [](const Options& options, const Call& call) {
-            write_size_effect_table(call.out, read_once_each(call.files, call.command, call.diagnostics()), options.format,
-                                    options.strength, call.diagnostics());
-        });
+        Prints::table);
 }
 
 Command summarize_command() {
@@ -173,15 +169,11 @@ Command summarize_command() {
                      "the last two columns of the query are a name and a value: make a column for each name");
             add_text(set, "--label", options.label, "add this column to each table: the name of the row's file without its end")
                 .type_name("COLUMN");
-            add_choice<TableFormat>(
-                set, "--format", options.format,
-                {{"table", TableFormat::aligned},
-                 {"tsv", TableFormat::tsv},
-                 {"jsonl", TableFormat::jsonl},
-                 {"markdown", TableFormat::markdown}},
-                "form of the table: aligned columns, tab-separated values with one header line, JSON lines, or Markdown");
         },
-        [](const SummaryOptions& options, const Call& call) { summary::write_summary(call.out, call.files, options); });
+        [](const SummaryOptions& options, const Call& call) {
+            summary::write_summary(call.out, call.files, options, call.format);
+        },
+        Prints::table);
 }
 
 }  // namespace graincrack

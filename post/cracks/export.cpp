@@ -170,10 +170,8 @@ struct Series {
 
 /// Load and strain in the row of the history at, or next after, a time.
 FrameMoment moment_of(const RunData& data, double time) {
-    const std::vector<double>& times = data.history[HistoryColumn::time];
-    if (times.empty()) return {time, 0, 0};
-    const auto after = std::lower_bound(times.begin(), times.end(), time);
-    const auto row = static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
+    if (data.history.size() == 0) return {time, 0, 0};
+    const std::size_t row = row_at(data.history, time);
     return {time, data.history[HistoryColumn::axial_strain][row], data.history[HistoryColumn::axial_stress][row]};
 }
 

@@ -250,6 +250,7 @@ std::vector<MeasuredRun> measured(const std::vector<RunData>& runs) {
         each.curve = load_curve(run);
         each.strength = measure_strength(run, each.curve);
         each.moduli = measure_moduli(run);
+        if (is_compression(run.header)) each.thresholds = measure_all_thresholds(run, each.curve, {});
     }
     return all;
 }
@@ -316,22 +317,51 @@ std::vector<ComparisonRow> property_rows(const std::vector<RunData>& runs, Incom
     return rows;
 }
 
+namespace {
+
+Cell in_unit(const ComparisonRow& row, const OptionalValue& value) {
+    return Cell(value).times(1 / row.laboratory.target.property.si);
+}
+
+OptionalValue of_specimen(const ComparisonRow& row, double deviations) {
+    return row.kind ? OptionalValue(row.kind->specimen_at(deviations)) : std::nullopt;
+}
+
+/// A datasheet: the rows that laboratories know, each in its unit.
+void write_datasheet(std::ostream& out, const std::vector<ComparisonRow>& rows) {
+    TerminalTable table({"property", "unit", "ours", "95 % interval", "specimens", "did not fail", "laboratory", "published",
+                         "by rock type", "95 % of specimens"});
+    for (const ComparisonRow& row : rows) {
+        if (row.name.empty()) continue;
+        const Property& property = row.laboratory.target.property;
+        const ColumnUnit unit{property.unit, 1 / property.si};
+        const auto [value, low, high] = row.computed();
+        const auto least = of_specimen(row, -deviations_of_95_percent), most = of_specimen(row, deviations_of_95_percent);
+        const bool all_failed = row.without_peak.value_or(0) == 0;
+        table.row({row.name, unit.name.empty() ? " " : symbol_of(unit), in_unit(row, value), interval_cell(low, high, unit),
+                   row.is_tested() ? Cell(row.specimens) : Cell(), all_failed ? Cell() : Cell(row.without_peak),
+                   in_unit(row, row.laboratory.target.value), in_unit(row, row.published), in_unit(row, of_specimen(row, 0)),
+                   interval_cell(least, most, unit)});
+    }
+    table.write(out);
+}
+
+}  // namespace
+
 void write_properties(std::ostream& out, const std::vector<ComparisonRow>& rows, TableFormat format) {
     using unit::none;
     using Row = ComparisonRow;
-    const auto in_unit = [](const Row& row, const std::optional<double>& value) {
-        return Cell(value).times(1 / row.laboratory.target.property.si);
-    };
-    const auto of_kind = [in_unit](double deviations) {
-        return [=](const Row& row) { return row.kind ? in_unit(row, row.kind->specimen_at(deviations)) : Cell(); };
+    if (format == TableFormat::aligned) return write_datasheet(out, rows);
+    const auto of_kind = [](double deviations) {
+        return [=](const Row& row) { return in_unit(row, of_specimen(row, deviations)); };
     };
     const Columns<Row> columns{{"property", none, [](const Row& row) { return row.column; }},
-                               {"laboratory", none, [=](const Row& row) { return in_unit(row, row.laboratory.target.value); }},
-                               {"published", none, [=](const Row& row) { return in_unit(row, row.published); }},
-                               {"ours", none, [=](const Row& row) { return in_unit(row, row.ours.value); }},
-                               {"low", none, [=](const Row& row) { return in_unit(row, row.computed().low); }},
-                               {"high", none, [=](const Row& row) { return in_unit(row, row.computed().high); }},
-                               {"deviation", none, [=](const Row& row) { return in_unit(row, row.deviation); }},
+                               {"laboratory", none, [](const Row& row) { return in_unit(row, row.laboratory.target.value); }},
+                               {"published", none, [](const Row& row) { return in_unit(row, row.published); }},
+                               {"ours", none, [](const Row& row) { return in_unit(row, row.ours.value); }},
+                               {"low", none, [](const Row& row) { return in_unit(row, row.computed().low); }},
+                               {"high", none, [](const Row& row) { return in_unit(row, row.computed().high); }},
+                               {"deviation", none, [](const Row& row) { return in_unit(row, row.deviation); }},
                                {"specimens", none, [](const Row& row) { return row.specimens; }},
                                {"without_peak", none, [](const Row& row) { return row.without_peak; }},
                                {"off_laboratory_percent", none, [](const Row& row) { return row.off_laboratory_percent(); }},

@@ -129,7 +129,7 @@ std::vector<ComparisonRow> property_rows(const std::vector<RunData>& runs, Incom
 
 /// Table property, laboratory, published, ours, low, high, deviation, specimens, without_peak, off_laboratory_percent,
 /// half_interval_percent, specimens_for_3_percent, kind_median, kind_50_low, kind_50_high, kind_95_low, kind_95_high; each row in
-/// the unit of its name.
+/// the unit of its name. Aligned it is a datasheet, by the names that laboratories have.
 void write_properties(std::ostream& out, const std::vector<ComparisonRow>& rows, TableFormat format);
 
 }  // namespace graincrack

@@ -7,6 +7,7 @@
 #include <span>
 #include <thread>
 
+#include "post/table/column.hpp"
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 
@@ -17,9 +18,8 @@ namespace {
 std::vector<std::string> history_columns(const History& history) {
     std::vector<std::string> columns;
     for (const HistoryDataset& dataset : std::span(history_datasets).first(history.n_columns())) {
-        std::string name(dataset.name);
-        if (dataset.dimension != Dimension::one) name.append("_").append(si_unit(dataset.dimension));
-        columns.push_back(std::move(name));
+        const bool is_pure = dataset.dimension == Dimension::one;
+        columns.push_back(script_name(std::string(dataset.name), {is_pure ? "" : si_unit(dataset.dimension)}));
     }
     return columns;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -155,13 +156,14 @@ const Columns<ModuliRow>& moduli_terminal_columns() {
 
 void write_moduli_to_terminal(std::ostream& out, const std::vector<ModuliRow>& rows) {
     TerminalTable table(moduli_terminal_columns());
-    const auto title = [](const ModuliRow& r) {
-        return "plane " + r.plane +
-               (r.plane == "strain" ? ": E and ν are material values, converted from those in the plane" : "");
-    };
-    for (const auto& [name, members] : grouped<ModuliRow>(rows, title)) {
-        table.group(name);
-        for (const ModuliRow* r : members) table.row(cells_of(moduli_terminal_columns(), *r));
+    for (const std::string plane : {"strain", "stress"}) {
+        const auto is_own = [&](const ModuliRow& r) { return r.plane == plane; };
+        if (std::ranges::none_of(rows, is_own)) continue;
+        table.group("plane " + plane +
+                    (plane == "strain" ? ": E and ν are material values, converted from those in the plane" : ""));
+        for (const ModuliRow& r : rows) {
+            if (is_own(r)) table.row(cells_of(moduli_terminal_columns(), r));
+        }
     }
     table.write(out);
 }

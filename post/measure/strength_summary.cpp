@@ -97,7 +97,8 @@ const Columns<SummaryRow>& summary_terminal_columns() {
         {"s.d.", megapascal, [](const R& r) { return r.group.strength.deviation; }},
         {"95 % interval of the mean", megapascal,
          [](const R& r) { return interval_cell(r.group.strength.mean.low, r.group.strength.mean.high, megapascal); }},
-        {"over Brazilian", none, [](const R& r) { return r.group.ratio_to_brazilian; }}};
+        {"over Brazilian", none, [](const R& r) { return r.group.ratio_to_brazilian; }},
+        {"of", none, [](const R& r) { return r.group.distinction; }}};
     return all;
 }
 
@@ -114,12 +115,7 @@ void write_strength_summary(std::ostream& out, const std::vector<std::string>& p
         const double mean_edge = edges / static_cast<double>(group.runs.size());
         rows.push_back({std::move(group), mean_edge});
     }
-    Columns<SummaryRow> terminal = summary_terminal_columns();
-    const auto tells = [](const SummaryRow& row) { return !row.group.distinction.empty(); };
-    if (std::ranges::any_of(rows, tells)) {
-        terminal.push_back({"of", unit::none, [](const SummaryRow& row) { return row.group.distinction; }});
-    }
-    write_table(out, summary_columns(), terminal, rows, format);
+    write_table(out, summary_columns(), summary_terminal_columns(), rows, format);
     out.flush();
     if (!out) return;  // the command says so
     for (const std::string& line : doubts.lines()) warn(diagnostics, "strength", {line, "caveats"});

@@ -13,6 +13,7 @@
 #include "post/run/test_label.hpp"
 #include "post/statistics/statistics.hpp"
 #include "post/table/column.hpp"
+#include "share/base/error.hpp"
 #include "share/base/events.hpp"
 #include "share/base/text.hpp"
 
@@ -33,8 +34,8 @@ struct StrengthRow {
     /// A value that a checkpoint does not have yet.
     [[nodiscard]] Cell at_end(double value) const { return header().stop_reason == "checkpoint" ? Cell() : Cell(value); }
     [[nodiscard]] const CurveRow& shown() const { return strength.at(kind); }
-    /// True if the stress exceeds it later.
     [[nodiscard]] bool is_exceeded() const { return shown().row < strength.largest.row; }
+    [[nodiscard]] Cell bending_load() const { return header().loading() == Loading::bending ? Cell(shown().load) : Cell(); }
     [[nodiscard]] bool is_pulled() const {
         return header().loading() == Loading::splitting || header().loading() == Loading::tension;
     }
@@ -130,6 +131,36 @@ const Columns<StrengthRow>& strength_columns() {
     return all;
 }
 
+/// What a run was asked for by an option: of its own, of its specimen, or as a value of its material.
+std::optional<Setting> setting_of(const StrengthRow& row, const std::string& name) {
+    for (const Settings& settings : {row.header().request, row.run.specimen.settings, material_values(row.header())}) {
+        if (const Setting* const found = find_setting(settings, name)) return *found;
+    }
+    return std::nullopt;
+}
+
+/// A number, anything else as people read it.
+Cell cell_of(const std::optional<Setting>& setting) {
+    if (!setting || std::holds_alternative<std::monostate>(setting->value)) return {};
+    const auto* const number = std::get_if<double>(&setting->value);
+    return number != nullptr ? Cell(*number) : Cell(shown(*setting));
+}
+
+/// Adds the column of an option, or shows the one that is there.
+void append_option(Columns<StrengthRow>& columns, std::string name, const std::vector<StrengthRow>& rows) {
+    std::ranges::replace(name, '-', '_');
+    const auto there = std::ranges::find(columns, name, &Column<StrengthRow>::name);
+    if (there != columns.end()) {
+        there->is_further = false;
+        return;
+    }
+    const auto has_it = [&](const StrengthRow& row) { return setting_of(row, name).has_value(); };
+    const auto row = std::ranges::find_if(rows, has_it);
+    if (row == rows.end()) throw UsageError(fmt::format("--columns {}: none of the runs has such an option", name));
+    columns.push_back({name, unit_in_tables(setting_of(*row, name)->dimension),
+                       [name](const StrengthRow& each) { return cell_of(setting_of(each, name)); }});
+}
+
 std::string ending(const StrengthRow& r) {
     if (r.strength.has_peak(r.kind)) return "peak";
     return r.header().stop_reason == "strain limit" ? "strain limit" : "stopped";
@@ -144,39 +175,26 @@ const Columns<StrengthRow>& strength_terminal_columns() {
     using R = StrengthRow;
     using namespace unit;
     static constexpr ColumnUnit cracks{"cracks"};
-    static const Columns<R> all{{"run", none, [](const R& r) { return r.run.name; }},
-                                {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
-                                {"crystals", none, [](const R& r) { return r.run.specimen.crystals; }},
-                                {"diameter", millimetre, [](const R& r) { return r.run.specimen.grain_diameter; }},
-                                {"strength", megapascal, strength_cell},
-                                {"at strain", percent, [](const R& r) { return r.shown().strain; }},
-                                {"ended by", none, ending},
-                                {"tensile", cracks, [](const R& r) { return whole_contacts(r.shown().tensile_cracks); }},
-                                {"shear", cracks, [](const R& r) { return whole_contacts(r.shown().shear_cracks); }}};
+    static const Columns<R> all{
+        {"run", none, [](const R& r) { return r.run.name; }},
+        {"seed", none, [](const R& r) { return r.run.specimen.seed; }},
+        {"crystals", none, [](const R& r) { return r.run.specimen.crystals; }},
+        {"diameter", millimetre, [](const R& r) { return r.run.specimen.grain_diameter; }},
+        {"strength", megapascal, strength_cell},
+        {"at strain", percent, [](const R& r) { return r.shown().strain; }},
+        {"ended by", none, ending},
+        {"tensile", cracks, [](const R& r) { return whole_contacts(r.shown().tensile_cracks); }},
+        {"shear", cracks, [](const R& r) { return whole_contacts(r.shown().shear_cracks); }},
+        {"largest", megapascal, [](const R& r) { return r.is_exceeded() ? Cell(r.strength.largest.stress) : Cell(" "); }},
+        {"load", kilonewton_per_metre, &R::bending_load},
+        {"flexural strength", megapascal, &R::flexural_strength}};
     return all;
-}
-
-/// The same with what belongs to rings and to bending, where there are such runs.
-Columns<StrengthRow> strength_terminal_columns(const std::vector<StrengthRow>& rows) {
-    using R = StrengthRow;
-    using namespace unit;
-    Columns<R> columns = strength_terminal_columns();
-    const auto any = [&](const auto& holds) { return std::ranges::any_of(rows, holds); };
-    if (any([](const R& r) { return r.is_exceeded(); })) {
-        columns.push_back(
-            {"largest", megapascal, [](const R& r) { return r.is_exceeded() ? Cell(r.strength.largest.stress) : Cell(" "); }});
-    }
-    if (any([](const R& r) { return r.header().loading() == Loading::bending; })) {
-        columns.push_back({"load", kilonewton_per_metre, [](const R& r) { return r.shown().load; }});
-        columns.push_back({"flexural strength", megapascal, &R::flexural_strength});
-    }
-    return columns;
 }
 
 /// Comparable runs under a title that says in what they differ from others of their test, with their mean, in which each test of
 /// a specimen counts once. \param diagnostics gets a line for what counts with another
-void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRow>& rows, std::ostream& diagnostics) {
-    const Columns<StrengthRow> columns = strength_terminal_columns(rows);
+void write_strengths_to_terminal(std::ostream& out, const Columns<StrengthRow>& columns, const std::vector<StrengthRow>& rows,
+                                 std::ostream& diagnostics) {
     TerminalTable table(columns);
     RunList runs;
     for (const StrengthRow& row : rows) runs.push_back(&row.run);
@@ -206,7 +224,7 @@ void write_strengths_to_terminal(std::ostream& out, const std::vector<StrengthRo
 }  // namespace
 
 void write_strength_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
-                          StrengthKind kind, ColumnChoice columns) {
+                          StrengthKind kind, ColumnChoice choice, const std::vector<std::string>& options) {
     std::vector<StrengthRow> rows;
     CaveatCount count;
     std::vector<std::vector<Caveat>> doubts;
@@ -214,10 +232,14 @@ void write_strength_table(std::ostream& out, const std::vector<std::string>& run
         const StrengthRow& row = rows.emplace_back(read_strength_row(run, kind));
         count.add(row.run, doubts.emplace_back(caveats_of(row.run, row.split)));
     }
+    Columns<StrengthRow> columns = format == TableFormat::aligned ? strength_terminal_columns() : strength_columns();
+    for (const std::string& list : options) {
+        for (const std::string_view option : split(list, ',')) append_option(columns, std::string(option), rows);
+    }
     if (format == TableFormat::aligned) {
-        write_strengths_to_terminal(out, rows, diagnostics);
+        write_strengths_to_terminal(out, columns, rows, diagnostics);
     } else {
-        write_table(out, strength_columns(), rows, format, columns);
+        write_table(out, columns, rows, format, choice);
     }
     out.flush();
     if (!out) return;  // the command says so

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-#include <iostream>
-
 #include "share/base/error.hpp"
 #include "share/options/option_set.hpp"
 
@@ -17,29 +14,10 @@ const std::string& Call::file() const {
 
 std::ostream& Call::diagnostics() const { return graincrack::diagnostics(verbosity); }
 
-void add_format(OptionSet set, TableFormat& format) {
-    add_choice<TableFormat>(set, "--format", format,
-                            {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
-                            "form of the table: aligned columns, tab-separated values with one header line, or JSON lines");
-}
-
-void add_format(OptionSet set, std::optional<TableFormat>& format) {
-    add_choice<std::optional<TableFormat>>(
-        set, "--format", format, {{"table", TableFormat::aligned}, {"tsv", TableFormat::tsv}, {"jsonl", TableFormat::jsonl}},
-        "form of the table: terminal table (few columns, with units), tab-separated values with one header line, or JSON lines; "
-        "default: table on a terminal, tsv elsewhere");
-}
-
-void add_columns(OptionSet set, ColumnOptions& options) {
-    add_format(set, options.format);
+void add_columns(OptionSet set, ColumnChoice& columns) {
     add_flag(
-        set, "--all-columns", [&options] { options.columns = ColumnChoice::all; },
+        set, "--all-columns", [&columns] { columns = ColumnChoice::all; },
         "all columns of the table for scripts, not only those that most people want; see share/doc/tables.md");
-}
-
-TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out) {
-    const bool is_terminal = out.rdbuf() == std::cout.rdbuf() && ::isatty(STDOUT_FILENO) == 1;
-    return format.value_or(is_terminal ? TableFormat::aligned : TableFormat::tsv);
 }
 
 Option add_output(OptionSet set, std::string& output, const std::string& help, const std::vector<std::string>& endings) {

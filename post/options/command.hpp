@@ -22,6 +22,7 @@ struct Call {
     std::vector<std::string> files;  ///< "-" is stdin
     std::ostream& out;               ///< where data go
     Verbosity verbosity = Verbosity::normal;
+    TableFormat format = TableFormat::tsv;  ///< of the table that it prints
 
     /// The file of a command that takes exactly one. \throws UsageError if there are several
     [[nodiscard]] const std::string& file() const;
@@ -39,6 +40,10 @@ struct FileArguments {
 inline constexpr FileArguments one_run{"run", "run file"};
 inline constexpr FileArguments several_runs{"runs", "run files", true, true};
 
+/// Whether a command prints a table: it then has --format and -o. Unless these are given, a table goes to stdout as TSV, a
+/// terminal table to a terminal aligned.
+enum class Prints { no_table, table, terminal_table };
+
 /// The action of a command once the command line has been read. \throws UsageError, InputError, OutputError
 using Action = std::function<void(const Call&)>;
 
@@ -50,39 +55,37 @@ struct Command {
     /// Adds the options to those of the command, behind its files. They live as long as the action that is returned.
     std::function<Action(OptionSet)> add_options;
     std::vector<Command> subcommands;  ///< of a command that only holds others, and has neither examples, files nor options
+    Prints prints = Prints::no_table;
 };
 
 /// A command that keeps its options in an `Options` of its own: `add` declares them, `run` uses them.
 template <class Options>
 Command make_command(std::string name, std::string help, std::vector<std::string> examples, std::optional<FileArguments> files,
                      const std::function<void(OptionSet, Options&)>& add,
-                     const std::function<void(const Options&, const Call&)>& run) {
+                     const std::function<void(const Options&, const Call&)>& run, Prints prints = Prints::no_table) {
     const auto prepare = [add, run](OptionSet set) -> Action {
         const auto options = std::make_shared<Options>();
         add(set, *options);
         return [options, run](const Call& call) { run(*options, call); };
     };
-    return {std::move(name), std::move(help), std::move(examples), files, prepare, {}};
+    return {std::move(name), std::move(help), std::move(examples), files, prepare, {}, prints};
 }
 
 /// A command that only holds others.
 inline Command make_group(std::string name, std::string help, std::vector<Command> subcommands) {
-    return {std::move(name), std::move(help), {}, std::nullopt, nullptr, std::move(subcommands)};
+    return {std::move(name), std::move(help), {}, std::nullopt, nullptr, std::move(subcommands), {}};
 }
 
-/// --format table|tsv|jsonl
-void add_format(OptionSet set, TableFormat& format);
-/// The same, left empty unless it is given: aligned on a terminal, TSV elsewhere (`format_for`).
-void add_format(OptionSet set, std::optional<TableFormat>& format);
-
-/// The form of a table of which few columns are shown unless all are asked for.
-struct ColumnOptions {
-    std::optional<TableFormat> format;
-    ColumnChoice columns = ColumnChoice::usual;
-};
-/// --format and --all-columns
-void add_columns(OptionSet set, ColumnOptions& options);
-TableFormat format_for(const std::optional<TableFormat>& format, const std::ostream& out);
+/// --format table|tsv|jsonl|markdown. \param format a `TableFormat`, or an optional one, which is empty unless it is given
+template <class Format>
+void add_format(OptionSet set, Format& format) {
+    using enum TableFormat;
+    add_choice<Format>(set, "--format", format, {{"table", aligned}, {"tsv", tsv}, {"jsonl", jsonl}, {"markdown", markdown}},
+                       "form of the table: aligned columns, as terminal tables with units, tab-separated values with one header "
+                       "line, JSON lines, or Markdown; default: table on a terminal where such tables are known, else tsv");
+}
+/// --all-columns
+void add_columns(OptionSet set, ColumnChoice& columns);
 /// -o, --output, which is required. \param help what is written \param endings as of `add_output_file`
 Option add_output(OptionSet set, std::string& output, const std::string& help, const std::vector<std::string>& endings);
 /// The material of an option; notes on its values go to the diagnostics of the call. \throws InputError as `read_material`

@@ -289,7 +289,7 @@ Answer pivoted(const Answer& answer) {
 
 }  // namespace
 
-void write_summary(std::ostream& out, const std::vector<std::string>& files, const SummaryOptions& options) {
+void write_summary(std::ostream& out, const std::vector<std::string>& files, const SummaryOptions& options, TableFormat format) {
     const Database database(files, options.label);
     const bool is_file = options.sql.ends_with(".sql");
     const std::string sql = is_file               ? text_of_file(options.sql)
@@ -297,7 +297,7 @@ void write_summary(std::ostream& out, const std::vector<std::string>& files, con
                                                   : options.sql;
     Answer answer = database.query(sql, is_file ? options.sql : "--sql", settings_of(options));
     if (options.pivot) answer = pivoted(answer);
-    TableWriter table(out, answer.columns, options.format);
+    TableWriter table(out, answer.columns, format);
     for (const std::vector<Cell>& row : answer.rows) table.row(row);
 }
 

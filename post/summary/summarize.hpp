@@ -16,11 +16,11 @@ struct SummaryOptions {
     /// The last two columns of the query are a name and a value: rows alike in the columns before become one, with a column for
     /// each name, in the order in which they first come.
     bool pivot = false;
-    TableFormat format = TableFormat::tsv;
 };
 
 /// Writes the rows of a query of the tables. \param files NAME=FILE or FILE, as `Database` takes them
 /// \throws UsageError for a query or an option that cannot be understood, InputError for a table or an entry
-void write_summary(std::ostream& out, const std::vector<std::string>& files, const SummaryOptions& options);
+void write_summary(std::ostream& out, const std::vector<std::string>& files, const SummaryOptions& options,
+                   TableFormat format = TableFormat::tsv);
 
 }  // namespace graincrack::summary

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "post/table/table.hpp"
+#include "share/base/quantities.hpp"
 
 namespace graincrack {
 
@@ -26,6 +27,8 @@ inline constexpr ColumnUnit none{}, second{"s"}, metre{"m"}, radian{"rad"}, joul
     megapascal{"MPa", 1e-6}, per_megapascal{"per_MPa", 1e6}, gigapascal{"GPa", 1e-9}, degree{"deg", 180 / std::numbers::pi},
     percent{"percent", 1e2}, toughness{"MPa.m^0.5", 1e-6};
 }
+/// That of values of a dimension of which a table may have any: mm, MPa, deg, MPa.m^0.5, and SI for others; none of pure numbers.
+ColumnUnit unit_in_tables(Dimension dimension);
 /// Factors by which a stress or an angle is multiplied to be shown.
 inline constexpr double in_megapascals = unit::megapascal.factor, in_degrees = unit::degree.factor;
 
@@ -40,6 +43,9 @@ struct Column {
 template <class Row>
 using Columns = std::vector<Column<Row>>;
 inline constexpr bool further = true;
+
+/// A unit as people write it: "%", "°".
+std::string symbol_of(const ColumnUnit& unit);
 
 /// "LOW to HIGH" in a unit, for terminal tables; empty without them.
 Cell interval_cell(const std::optional<double>& low, const std::optional<double>& high, const ColumnUnit& unit);
@@ -70,27 +76,18 @@ void write_table(std::ostream& out, Columns<Row> columns, const std::vector<Row>
     for (const Row& row : rows) table.row(cells_of(columns, row));
 }
 
-/// Rows under one title each, in the order in which the titles first come. The rows must outlive them.
-template <class Row>
-std::vector<std::pair<std::string, std::vector<const Row*>>> grouped(const std::vector<Row>& rows,
-                                                                     const std::function<std::string(const Row&)>& title_of) {
-    std::vector<std::pair<std::string, std::vector<const Row*>>> groups;
-    for (const Row& row : rows) {
-        const std::string title = title_of(row);
-        auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& each) { return each.first == title; });
-        if (group == groups.end()) group = groups.insert(group, {title, {}});
-        group->second.push_back(&row);
-    }
-    return groups;
-}
-
-/// A table for reading: few columns, their units in a line below their names, rows in groups under a title, four digits.
+/// A table for reading: few columns, their units in a line below their names, rows in groups under a title, four digits; a
+/// column without a value in any row is left out.
 class TerminalTable {
 public:
     template <class Row>
     explicit TerminalTable(const Columns<Row>& columns) {
-        for (const Column<Row>& column : columns) head(column.name, column.unit);
+        for (const Column<Row>& column : columns) {
+            names_.push_back(column.name);
+            units_.push_back(symbol_of(column.unit));
+        }
     }
+    explicit TerminalTable(const std::vector<std::string>& names) : names_(names), units_(names.size()) {}
     /// A title above the rows that follow.
     void group(const std::string& title) { lines_.push_back({title}); }
     /// \pre one cell a column
@@ -98,7 +95,6 @@ public:
     void write(std::ostream& out) const;
 
 private:
-    void head(const std::string& name, const ColumnUnit& unit);
     std::vector<std::string> names_, units_;
     std::vector<std::vector<std::string>> lines_;
 };

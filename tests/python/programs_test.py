@@ -125,6 +125,13 @@ class DrivesThePrograms(unittest.TestCase):
         self.assertEqual(graincrack.strength(*self.runs, format="jsonl").count("\n"), 2)
         self.assertEqual(list(graincrack.summarize("strength.tsv", sql="SELECT test FROM strength WHERE seed = 1")["test"]),
                          ["brazilian", "uniaxial", "triaxial"])
+        written = graincrack.strength(self.runs, output="of-three.tsv")
+        self.assertEqual(list(written["seed"]), [1, 1, 1])
+        swept = graincrack.map(lambda friction: graincrack.uniaxial(self.pillar, **QUICK, platen_friction=(friction, "deg")), [5, 10])
+        told = graincrack.strength(swept, columns=["platen_friction", "seed"])
+        self.assertEqual(([*told["platen_friction_deg"]], told.unit("platen_friction")), ([5, 10], "deg"))
+        with self.assertRaisesRegex(graincrack.GraincrackError, "--columns friction: none of the runs has such an option"):
+            graincrack.strength(swept, columns="friction")
         self.assertEqual(graincrack.material.value("contact.friction_angle", ROCK), tool(f"post material value contact.friction_angle {ROCK}").strip())
 
     def test_pictures_and_pages(self):

@@ -90,8 +90,8 @@ class _Command:
         known = {option["name"] for option in own}
         others = [option for option in of_program if option["name"] not in known]
         self.options = {_python_name(each["name"]): each for each in own + others if each["name"] not in _NONE_OF_A_FUNCTION}
-        self.output = self.options.get("output")
-        self._makes_table = "format" in self.options and not self.output
+        self._makes_table = "format" in self.options and not self.options["output"].get("required")
+        self.output = None if self._makes_table else self.options.get("output")  # tables have a file only where it is named
 
     @property
     def name(self) -> str:
@@ -140,9 +140,9 @@ class _Command:
         finally:
             if is_new:
                 _remove_if_empty(output)
-        if output and os.fspath(output) in outcome["outputs"]:
-            return _MADE_BY[self.program](Path(output))
         is_table = self._makes_table and given.get("format") in (None, "tsv")
+        if output and os.fspath(output) in outcome["outputs"]:
+            return (Table if is_table else _MADE_BY[self.program])(Path(output))
         return Table(self.name, printed) if is_table else printed.rstrip("\n")
 
     def _words(self, given: dict) -> list[str]:

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -157,6 +158,27 @@ TEST_F(Properties, TheLineIsComparedWithTheLaboratorysLine) {
     // Each seed has a line of its own: C = (a ± 1 MPa)/(2√b)
     EXPECT_NEAR(in_table("cohesion_MPa", "deviation"), std::sqrt(2.0) / (2 * std::sqrt(b)), 1e-3);
     EXPECT_EQ(found.at("cohesion_MPa").specimens_for_3_percent(), std::nullopt);  // no mean of specimens
+}
+
+TEST_F(Properties, ATerminalGetsADatasheet) {
+    add("uniaxial", 1, 120e6);
+    add("brazilian", 1, 8e6);
+    add("brazilian", 2, 12e6);
+    const auto lines_of = [&](StrengthKind kind) {
+        std::ostringstream out;
+        write_properties(out, rows(read_runs(files_), kind), TableFormat::aligned);
+        std::map<std::string, std::string> lines;
+        std::istringstream text(out.str());
+        for (std::string line; std::getline(text, line);) lines[line.substr(0, line.find("  "))] = line;
+        return lines;
+    };
+    const auto lines = lines_of(StrengthKind::first_peak);
+    const auto words = [](const std::string& line) { return std::regex_replace(line, std::regex(" +"), " "); };
+    EXPECT_EQ(words(lines.at("property")), "property unit ours 95 % interval specimens laboratory published");
+    EXPECT_EQ(words(lines.at("Young's modulus E")), "Young's modulus E GPa 24.62 - 1 25.8 25.2");
+    EXPECT_EQ(words(lines.at("Poisson's ratio ν")).substr(0, 25), "Poisson's ratio ν 0.2308");
+    EXPECT_TRUE(words(lines.at("Brazilian tensile strength")).starts_with("Brazilian tensile strength MPa 10 0 to 35.41 2 8.8 "));
+    EXPECT_EQ(lines.count("slope_b"), 0U);
 }
 
 TEST_F(Properties, OfDiscsAlone) {

@@ -141,6 +141,29 @@ TEST_F(StrengthTable, ATestThatDidNotFailHasNoStrength) {
     }
 }
 
+TEST_F(StrengthTable, HasColumnsOfTheOptionsThatAStudyVaried) {
+    const std::vector<std::string> files{folder_.file("a.h5"), folder_.file("b.h5")};
+    Recipe recipe;
+    recipe.specimen.settings = {{"edge", 0.004, Dimension::length}, {"tessellation", std::string("delaunay")}};
+    test::write_run(files[0], recipe);
+    recipe.specimen.settings.clear();
+    test::write_run(files[1], recipe);
+    const auto table_with = [&](const std::vector<std::string>& options, TableFormat format) {
+        std::ostringstream out;
+        write_strength_table(out, files, format, notes_, {}, ColumnChoice::usual, options);
+        return out.str();
+    };
+    const std::string table = table_with({"contact-cohesion,edge", "tessellation", "seed"}, TableFormat::tsv);
+    EXPECT_EQ(field(table, "contact_cohesion_MPa", 1), "74.57");
+    EXPECT_EQ(field(table, "edge_mm"), "4");
+    EXPECT_EQ(field(table, "edge_mm", 1), "");
+    EXPECT_EQ(field(table, "tessellation"), "delaunay");
+    EXPECT_EQ(table.find("seed"), table.rfind("seed", table.find('\n')));  // once
+    EXPECT_NE(table_with({"edge"}, TableFormat::aligned).find("edge"), std::string::npos);
+    test::expect_one_line<UsageError>([&] { (void)table_with({"grain-size"}, TableFormat::tsv); },
+                                      {"--columns grain_size: none of the runs has such an option"});
+}
+
 TEST_F(StrengthTable, TensionHasNoFirstPeak) {
     Recipe recipe;
     recipe.test = "tension";

@@ -30,12 +30,13 @@ protected:
                                  "f\t10\tplate\t\tdrop\n";
         std::ofstream(second_) << "level\tslope\n9\t0.5\n10\t0.25\n";
     }
-    [[nodiscard]] std::string summary(const SummaryOptions& options) const {
-        return summary_of({first_, second_, "again=" + second_}, options);
+    [[nodiscard]] std::string summary(const SummaryOptions& options, TableFormat format = TableFormat::tsv) const {
+        return summary_of({first_, second_, "again=" + second_}, options, format);
     }
-    [[nodiscard]] static std::string summary_of(const std::vector<std::string>& files, const SummaryOptions& options) {
+    [[nodiscard]] static std::string summary_of(const std::vector<std::string>& files, const SummaryOptions& options,
+                                                TableFormat format = TableFormat::tsv) {
         std::ostringstream out;
-        write_summary(out, files, options);
+        write_summary(out, files, options, format);
         return out.str();
     }
     /// One entry, of the four discs at level 10.
@@ -170,7 +171,7 @@ TEST_F(Summarize, NamesBecomeColumns) {
 TEST_F(Summarize, AFileHasTheQuery) {
     const std::string file = folder_.file("levels.sql");
     std::ofstream(file) << "-- Tests of a level.\nSELECT level, count(*) AS \"|n|\"\nFROM first GROUP BY level;\n";
-    EXPECT_EQ(summary({.sql = file, .format = TableFormat::markdown}), "| level | \\|n\\| |\n|---|---|\n| 9 | 1 |\n| 10 | 5 |\n");
+    EXPECT_EQ(summary({.sql = file}, TableFormat::markdown), "| level | \\|n\\| |\n|---|---|\n| 9 | 1 |\n| 10 | 5 |\n");
     std::ofstream(file) << "SELECT run FORM first";
     expect_one_line<UsageError>([&] { std::ignore = summary({.sql = file}); }, {"levels.sql: near \"first\": syntax error"});
     expect_one_line<InputError>([&] { std::ignore = summary({.sql = folder_.file("no.sql")}); }, {"no.sql: cannot be read"});

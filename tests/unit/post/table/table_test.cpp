@@ -129,12 +129,11 @@ TEST(Column, TerminalTablesShowUnitsBelowNamesAndFourDigits) {
               "a                    1         3\n");
 }
 
-TEST(Column, GroupsKeepTheOrderInWhichTitlesCome) {
-    const auto groups = grouped<Trial>(tests, [](const Trial& t) { return t.name; });
-    ASSERT_EQ(groups.size(), 2U);
-    EXPECT_EQ(groups[0].first, "a");
-    EXPECT_EQ(groups[0].second, (std::vector<const Trial*>{&tests[0], &tests[2]}));
-    EXPECT_EQ(groups[1].second, (std::vector<const Trial*>{&tests[1]}));
+TEST(Column, TerminalTablesLeaveOutWhatIsEmptyInAllRows) {
+    std::ostringstream out;
+    const Columns<Trial> more{columns[0], {"nothing", unit::megapascal, [](const Trial&) { return Cell(); }}, columns[2]};
+    write_table(out, columns, more, {tests[1]}, TableFormat::aligned);
+    EXPECT_EQ(out.str(), "test      seed\nb     20000000\n");
 }
 
 TEST(Column, IntervalsNeedBothEnds) {
