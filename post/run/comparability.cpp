@@ -15,6 +15,7 @@
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"
 #include "share/base/text.hpp"
+#include "share/base/toml_file.hpp"
 
 namespace graincrack {
 namespace {
@@ -213,7 +214,7 @@ ComparedSettings compared_settings(const RunData& run) {
                {compared(SettingGroup::test, "test", h.test),
                 compared(SettingGroup::pressure, "confining pressure", h.confining_pressure, Dimension::stress)});
     all.push_back(compared(SettingGroup::heat, "heat", h.heat_label()));
-    all.push_back(compared(SettingGroup::loading, "program", run.program));
+    all.push_back(compared(SettingGroup::loading, "program", toml_content(parse_toml(run.program, run.name))));
     add_minerals(all, run.specimen);
     add_measures(all, run);
     add_settings(all, run.specimen.settings);

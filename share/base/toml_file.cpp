@@ -108,6 +108,17 @@ TomlFile parse_toml(const std::string& text, const std::string& name) {
 
 TomlFile read_toml(const std::string& file) { return parse_toml(text_of_toml(file), file); }
 
+std::string toml_content(const TomlFile& file) {
+    std::string out;
+    for (const TomlEntry& entry : file.entries) {
+        if (!out.empty()) out += "; ";
+        for (const std::string& table : entry.section) out += table + '.';
+        out += entry.key + " =";
+        for (const TomlValue& value : entry.values) out += ' ' + value.text;
+    }
+    return out;
+}
+
 std::string toml_string(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {

@@ -50,6 +50,9 @@ TomlFile read_toml(const std::string& file);
 /// The same from text; `name` stands for the file in messages.
 TomlFile parse_toml(const std::string& text, const std::string& name);
 
+/// What a file says, in one line: neither comments nor the form of tables count.
+std::string toml_content(const TomlFile& file);
+
 /// A text in quotes, "…", with what may not stand there as an escape.
 std::string toml_string(std::string_view text);
 /// A text as a value: bare where it is a number that reads back unchanged, else in quotes.

@@ -172,6 +172,15 @@ TEST(Comparability, OtherTestsAndWhatAnAutomaticRateGaveMayDiffer) {
                                        "material and fabric"});
 }
 
+TEST(Comparability, ProgramsAreComparedByWhatTheySay) {
+    std::vector<RunData> runs{run_of("a.h5", "program"), run_of("b.h5", "program")};
+    runs[0].program = "[stage.fail]\nspeed = 0.5  # slowly\n";
+    runs[1].program = "# the same\nstage.fail = { speed = 5e-1 }\n";
+    EXPECT_NO_THROW(require_comparable(runs, "a mean"));
+    runs[1].program = "[stage.fail]\nspeed = 0.6\n";
+    test::expect_one_line<InputError>([&] { require_comparable(runs, "a mean"); }, {"b.h5: differs from a.h5 in program"});
+}
+
 /// In what the second is of another material.
 std::string material_difference(const RunHeader& a, const RunHeader& b) {
     return differences(compared_material(a), compared_material(b), {SettingGroup::plane});
