@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <iostream>
 #include <iterator>
-#include <numbers>
 
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"
@@ -61,9 +60,6 @@ void print_program(const SolveOptions& options, const Specimen& specimen) {
         program_text(program));
 }
 
-/// A strength over the axial stress; a Brazilian test has the load over D t as that.
-double factor_of_strength(const RunHeader& h) { return h.loading() == Loading::splitting ? 2 / std::numbers::pi : 1; }
-
 /// The strength a test is made for (brazilian: from load over D t), or the largest stress of one that did not fail; of bending
 /// the largest load.
 std::string strength_of(const SimulationSummary& s, double width) {
@@ -71,13 +67,13 @@ std::string strength_of(const SimulationSummary& s, double width) {
     if (h.peak_axial_stress <= 0) return "";
     const std::string failed = s.strength ? "" : "did not fail: ";
     if (h.loading() == Loading::bending) {
-        return fmt::format("{}largest load {:.4g} kN/m at a span of {:.4g} mm (plane {}); ", failed,
-                           h.peak_axial_stress * width * 1e-3, h.span * 1e3, name_of(h.plane));
+        return fmt::format("{}largest load {} at a span of {:.4g} mm (plane {}); ", failed,
+                           load_text(h, h.peak_axial_stress, width), h.span * 1e3, name_of(h.plane));
     }
     const bool is_first_peak = s.strength && h.loading() == Loading::compression;
-    return fmt::format("{}{} {:.2f} MPa ({}plane {}); ", failed, s.strength ? "strength" : "largest stress",
-                       factor_of_strength(h) * s.strength.value_or(h.peak_axial_stress) * 1e-6,
-                       is_first_peak ? "first peak, " : "", name_of(h.plane));
+    return fmt::format("{}{} {} ({}plane {}); ", failed, s.strength ? "strength" : "largest stress",
+                       load_text(h, s.strength.value_or(h.peak_axial_stress), width), is_first_peak ? "first peak, " : "",
+                       name_of(h.plane));
 }
 
 /// Error of the energy balance over the largest stored energy up to which a run is beyond doubt.
@@ -89,8 +85,7 @@ void print_summary(std::ostream& out, const SimulationSummary& s, const Specimen
     add_to_outcome("stop_reason", h.stop_reason);
     if (s.strength && h.loading() != Loading::bending) add_to_outcome("strength", factor_of_strength(h) * *s.strength);
     if (h.heat != 0 && h.loading() != Loading::program) {
-        say(out, fmt::format("{}: {} before axial loading, with {} contacts past their peak", h.test, h.heat_label(),
-                             std::ceil(s.cracks_before)));
+        say(out, fmt::format("{}: {} before axial loading, with {} cracks", h.test, h.heat_label(), std::ceil(s.cracks_before)));
     }
     if (h.heat != 0 && h.mass_scaling_factor > 0) {
         say(out,

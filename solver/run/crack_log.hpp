@@ -20,9 +20,9 @@ public:
     void restore(const std::vector<Crack>& rows);
     /// The rows, with the energy each point has released so far. \param fracture_energy of all ranks, as in `State`
     [[nodiscard]] std::vector<Crack> rows(const Assemblage& assemblage, const std::vector<double>& fracture_energy) const;
-    /// The micro-cracks of all rows by an event, on the first rank.
-    [[nodiscard]] ModeCounts counts(CrackEvent event) const {
-        return count_modes(cracks_, {event}, std::numeric_limits<double>::infinity());
+    /// The micro-cracks by an event up to a time, on the first rank.
+    [[nodiscard]] ModeCounts counts(CrackEvent event, double time = std::numeric_limits<double>::infinity()) const {
+        return count_modes(cracks_, {event}, time);
     }
     [[nodiscard]] std::size_t tensile_points() const { return tensile_; }
     [[nodiscard]] std::size_t shear_points() const { return count_ - tensile_; }

@@ -1,7 +1,10 @@
 #include "solver/run/outcome.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -77,6 +80,13 @@ std::pair<double, double> achieved_confinement(const History& history, double be
 }
 
 }  // namespace
+
+double factor_of_strength(const RunSettings& header) { return header.loading() == Loading::splitting ? 2 / std::numbers::pi : 1; }
+
+std::string load_text(const RunSettings& header, double axial_stress, double width) {
+    if (header.loading() == Loading::bending) return fmt::format("{:.4g} kN/m", axial_stress * width * 1e-3);
+    return fmt::format("{:.2f} MPa", factor_of_strength(header) * axial_stress * 1e-6);
+}
 
 void complete_header(const History& history, double width, RunHeader& header) {
     header.peak_axial_stress =

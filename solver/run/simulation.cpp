@@ -211,11 +211,13 @@ private:
     }
 
     void show_progress() {
-        const std::size_t points = crack_log().tensile_points() + crack_log().shear_points();
+        const ModeCounts cracks = crack_log().counts(header_.crack_event);
         const std::string state = driver_.stages().is_without_platens()
                                       ? fmt::format("temperature {:+.0f} K", state_.loading.temperature)
-                                      : fmt::format("stress {:.1f} MPa", recorder_.axial_stress() * 1e-6);
-        progress_.update(driver_.stages().progress(), fmt::format("{}, {} contacts past their peak", state, (points + 1) / 2));
+                                      : (header_.loading() == Loading::bending ? "load " : "stress ") +
+                                            load_text(header_, recorder_.axial_stress(), specimen_.width);
+        progress_.update(driver_.stages().progress(), fmt::format("{}, cracks: {} tensile, {} shear", state,
+                                                                  std::ceil(cracks.tensile), std::ceil(cracks.shear)));
     }
 
     void finish_header() {
@@ -259,9 +261,8 @@ SimulationSummary simulate(const Specimen& specimen, const SimulationRequest& re
     const History& history = simulation.outcome().history;
     const auto strength = find_strength(summary.header, history, sign_of_strength(summary.header, history));
     if (strength) summary.strength = strength->stress;
-    const std::vector<double>& time = history[HistoryColumn::time];
-    const auto axial = std::lower_bound(time.begin(), time.end(), summary.header.isotropic_end_time * (1 - 1e-12));
-    summary.cracks_before = failed_contacts(history)[static_cast<std::size_t>(axial - time.begin())];
+    const ModeCounts before = simulation.crack_log().counts(summary.header.crack_event, summary.header.isotropic_end_time);
+    summary.cracks_before = before.tensile + before.shear;
     summary.equilibrium_warning = equilibrium_warning(summary.header, history);
     if (summary.header.loading() == Loading::program) summary.overshoots = simulation.overshoots();
     summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -26,7 +26,7 @@ struct RankSummary {
 struct SimulationSummary {
     RunHeader header;
     std::optional<double> strength;  ///< axial stress, Pa, positive; in compression the first peak; empty if it did not fail
-    double cracks_before = 0;        ///< contacts that failed before axial loading
+    double cracks_before = 0;        ///< micro-cracks before axial loading
     ModeCounts cracks;               ///< at the end, as tables count them; of the first rank
     double wall_time = 0;            ///< s
     double ns_per_grain_step = 0;

@@ -301,6 +301,8 @@ class DrivesThePrograms(unittest.TestCase):
                     told += piece.replace(b"\033[K", b"")
             self.assertEqual(process.wait(), 0)
             self.assertEqual((b"\runiaxial [" in told, b"\runiaxial: ended by" in told), (not quiet, not quiet), told)
+            if not quiet:  # as at the end
+                self.assertRegex(told, rb"stress [\d.]+ MPa, cracks: \d+ tensile, \d+ shear, at most")
 
     def test_a_test_ends_with_python(self):
         process, _ = self.on_a_terminal("graincrack.uniaxial('pillar.h5', rate='2mm/s', output='left.h5')")

@@ -47,6 +47,13 @@ TEST(Outcome, StrengthIsThatOfTheSenseOfTheTest) {
     EXPECT_EQ(peak_row(header_of("program"), h), 2U);
 }
 
+// While a test runs and at its end: 2F/(πtD) of a disc, the load of bending.
+TEST(Outcome, LoadIsToldAsTheQuantityOfTheTest) {
+    EXPECT_EQ(load_text(header_of("brazilian"), 12.61e6, width), "8.03 MPa");
+    EXPECT_EQ(load_text(header_of("uniaxial"), 12.61e6, width), "12.61 MPa");
+    EXPECT_EQ(load_text(header_of("bend"), 0.25e6, width), "10 kN/m");
+}
+
 // The stress falls by a fifth behind the third row, and exceeds it at the end. What is said of the test's quality is of the
 // strength too.
 TEST(Outcome, TheTimeAndTheQualityOfThePeakAreThoseOfTheStrength) {
