@@ -44,11 +44,6 @@ std::optional<double> mean(const std::vector<double>& values) {
     return values.empty() ? std::nullopt : std::optional(sample(values).mean.value);
 }
 
-void add_hoek_brown(RowBuilder& row, const std::string& name, const std::optional<HoekBrown>& fit) {
-    row.add_interval(name + "_sigma_ci", unit::megapascal, fit ? std::optional(fit->sigma_ci) : std::nullopt);
-    row.add_interval(name + "_mi", unit::none, fit ? std::optional(fit->mi) : std::nullopt);
-}
-
 void add_tension(RowBuilder& row, const Envelope& envelope, const EnvelopeTests& tests) {
     row.add("mohr_coulomb_tensile_strength", unit::megapascal,
             envelope.is_determined() ? Cell(envelope.tensile_strength()) : Cell());
@@ -57,24 +52,12 @@ void add_tension(RowBuilder& row, const Envelope& envelope, const EnvelopeTests&
             curve && determined(curve->mi) ? Cell(curve->tensile_strength()) : Cell());
     row.add("brazilian_tensile_strength", unit::megapascal, mean(tests.brazilian));
     row.add("direct_tensile_strength", unit::megapascal, mean(tests.direct_tension));
-    const bool any = !tests.tensile().empty();
-    add_hoek_brown(row, "hoek_brown_with_tension",
-                   any ? fit_hoek_brown(tests.confining(), tests.strength(), tests.tensile()) : std::nullopt);
-    row.add("tension_from", any ? Cell(std::string(tests.direct_tension.empty() ? "brazilian" : "tension")) : Cell());
 }
 
 void add_seeds(RowBuilder& row, const std::optional<SeedEnvelopes>& seeds) {
     row.add("whole_seeds", static_cast<std::int64_t>(seeds ? seeds->seeds : 0));
     row.add_sample("seed_cohesion", unit::megapascal, seeds ? std::optional(seeds->cohesion) : std::nullopt);
     row.add_sample("seed_friction_angle", unit::degree, seeds ? std::optional(seeds->friction_angle) : std::nullopt);
-}
-
-void add_first_yield(RowBuilder& row, const EnvelopeAt& at) {
-    row.add("runs_at_first_yield", static_cast<std::int64_t>(at.runs));
-    const auto& envelope = at.envelope;
-    row.add_interval("cohesion_at_first_yield", unit::megapascal, envelope ? std::optional(envelope->cohesion) : std::nullopt);
-    row.add_interval("friction_angle_at_first_yield", unit::degree,
-                     envelope ? std::optional(envelope->friction_angle) : std::nullopt);
 }
 
 /// The plane condition of the compression tests, which is one for all.
@@ -105,7 +88,8 @@ void write_to_terminal(std::ostream& out, const Envelope& envelope, const Envelo
     add("Hoek–Brown σci", unit::megapascal, "MPa", hoek_brown ? std::optional(hoek_brown->sigma_ci) : std::nullopt);
     add("Hoek–Brown mi", unit::none, " ", hoek_brown ? std::optional(hoek_brown->mi) : std::nullopt);
     const bool has_curve = hoek_brown && determined(hoek_brown->mi);
-    if (envelope.is_determined() || has_curve || !tests.tensile().empty()) table.group("tensile strength");
+    const bool is_pulled = !tests.brazilian.empty() || !tests.direct_tension.empty();
+    if (envelope.is_determined() || has_curve || is_pulled) table.group("tensile strength");
     if (envelope.is_determined()) add_value("where the line has σ1 = 0", envelope.tensile_strength());
     if (has_curve) add_value("where the Hoek–Brown curve has σ1 = 0", hoek_brown->tensile_strength());
     add_value("Brazilian tests", mean(tests.brazilian));
@@ -126,11 +110,11 @@ void write_envelope_table(std::ostream& out, const std::vector<std::string>& pat
     row.add_interval("cohesion", unit::megapascal, envelope.cohesion);
     row.add_interval("friction_angle", unit::degree, envelope.friction_angle);
     row.add("r_squared", envelope.line.r_squared);
-    add_hoek_brown(row, "hoek_brown", envelope.hoek_brown);
-    row.add_interval("curvature", unit::per_megapascal, envelope.curvature);
+    const auto& curve = envelope.hoek_brown;
+    row.add_interval("hoek_brown_sigma_ci", unit::megapascal, curve ? std::optional(curve->sigma_ci) : std::nullopt);
+    row.add_interval("hoek_brown_mi", unit::none, curve ? std::optional(curve->mi) : std::nullopt);
     add_tension(row, envelope, tests);
     add_seeds(row, fit_seed_envelopes(tests));
-    add_first_yield(row, fit_envelope_at_first_yield(tests));
     row.add("strength", name_of(tests.kind));
     row.add("compression_runs", static_cast<std::int64_t>(tests.compression_runs));
     row.add("plane", plane_of_compression(runs));

@@ -10,7 +10,6 @@
 
 #include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
-#include "post/statistics/linear_model.hpp"
 #include "post/statistics/nonlinear_fit.hpp"
 #include "share/base/error.hpp"
 #include "share/base/events.hpp"
@@ -25,8 +24,6 @@ struct Data {
     double scale = 1;
     std::vector<double> confining;
     std::vector<double> strength;
-    std::vector<double> tensile;
-    [[nodiscard]] std::size_t size() const { return strength.size() + tensile.size(); }
 };
 
 std::vector<double> scaled(std::span<const double> values, double factor) {
@@ -39,8 +36,6 @@ std::vector<double> scaled(std::span<const double> values, double factor) {
 double envelope(double sigma_ci, double mi, double confining) {
     return confining + std::sqrt(std::max(sigma_ci * (sigma_ci + mi * confining), 1e-12));
 }
-
-double tension(double sigma_ci, double mi) { return sigma_ci * (std::sqrt(mi * mi + 4) - mi) / 2; }
 
 /// (σ1 − σ3)² = σci² + mi σci σ3 is a straight line in σ3: exact for exact data.
 std::vector<double> first_guess(const Data& data) {
@@ -62,35 +57,12 @@ Estimate times(Estimate e, double scale) {
 
 std::optional<HoekBrown> fit(const Data& data) {
     const auto residuals = [&](std::span<const double> x, std::span<double> f) {
-        const bool is_relative = !data.tensile.empty();
-        const auto residual = [&](double model, double measured) { return (model - measured) / (is_relative ? measured : 1); };
-        const std::size_t n = data.strength.size();
-        for (std::size_t i = 0; i < n; ++i) f[i] = residual(envelope(x[0], x[1], data.confining[i]), data.strength[i]);
-        for (std::size_t i = 0; i < data.tensile.size(); ++i) f[n + i] = residual(tension(x[0], x[1]), data.tensile[i]);
+        for (std::size_t i = 0; i < f.size(); ++i) f[i] = envelope(x[0], x[1], data.confining[i]) - data.strength[i];
     };
-    const std::optional<NonlinearFit> found = fit_nonlinear(residuals, first_guess(data), data.size());
+    const std::optional<NonlinearFit> found = fit_nonlinear(residuals, first_guess(data), data.strength.size());
     if (!found || !(found->parameters[0] > 1e-5)) return std::nullopt;
     return HoekBrown{times(found->estimate(0), data.scale), found->estimate(1)};
 }
-
-}  // namespace
-
-double HoekBrown::strength(double confining) const {
-    const double square = sigma_ci.value * (sigma_ci.value + mi.value * confining);
-    return square >= 0 ? confining + std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
-}
-
-double HoekBrown::tensile_strength() const { return tension(sigma_ci.value, mi.value); }
-
-std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength,
-                                        std::span<const double> tensile) {
-    const bool two = std::ranges::any_of(confining, [&](double c) { return c != confining[0]; });
-    const double scale = two ? *std::ranges::max_element(strength) : 0;
-    if (!(scale > 0)) return std::nullopt;
-    return fit({scale, scaled(confining, 1 / scale), scaled(strength, 1 / scale), scaled(tensile, 1 / scale)});
-}
-
-namespace {
 
 /// Variance of C = a/(2√b), linearised.
 double cohesion_variance(const Line& line, double cohesion) {
@@ -98,16 +70,6 @@ double cohesion_variance(const Line& line, double cohesion) {
     const double by_slope = -cohesion / (2 * line.slope);         // dC/db
     return by_intercept * by_intercept * line.intercept_variance + 2 * by_intercept * by_slope * line.covariance +
            by_slope * by_slope * line.slope_variance;
-}
-
-std::optional<Estimate> curvature_of(std::span<const double> confining, std::span<const double> strength) {
-    const double scale = *std::ranges::max_element(confining);
-    std::vector<std::vector<double>> factors;
-    for (const double pressure : confining) factors.push_back({pressure / scale});
-    const auto fit = LinearModel::fit(quadratic_terms(1), std::move(factors), {strength.begin(), strength.end()});
-    if (!fit) return std::nullopt;
-    const double unit = 1 / (scale * scale);
-    return estimate(fit->coefficients(2) * unit, std::pow(fit->standard_error(2) * unit, 2), fit->freedom);
 }
 
 /// \throws InputError if two compression tests do not belong to one envelope
@@ -167,6 +129,20 @@ std::vector<EnvelopeTests> whole_seeds(const EnvelopeTests& tests) {
 
 }  // namespace
 
+double HoekBrown::strength(double confining) const {
+    const double square = sigma_ci.value * (sigma_ci.value + mi.value * confining);
+    return square >= 0 ? confining + std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double HoekBrown::tensile_strength() const { return sigma_ci.value * (std::sqrt(mi.value * mi.value + 4) - mi.value) / 2; }
+
+std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength) {
+    const bool two = std::ranges::any_of(confining, [&](double c) { return c != confining[0]; });
+    const double scale = two ? *std::ranges::max_element(strength) : 0;
+    if (!(scale > 0)) return std::nullopt;
+    return fit({scale, scaled(confining, 1 / scale), scaled(strength, 1 / scale)});
+}
+
 std::vector<double> EnvelopeTests::confining() const {
     std::vector<double> out;
     for (const Test& test : compression) out.push_back(test.confining);
@@ -192,7 +168,6 @@ Envelope fit_envelope(std::span<const double> confining, std::span<const double>
     envelope.cohesion.value = envelope.line.cohesion;
     envelope.friction_angle.value = envelope.line.friction_angle;
     envelope.hoek_brown = fit_hoek_brown(confining, strength);
-    envelope.curvature = curvature_of(confining, strength);
     const Line& line = envelope.line;
     if (line.freedom < 1 || !(line.slope > 0)) return envelope;
     const double half_slope = student_t_95(line.freedom) * std::sqrt(line.slope_variance);
@@ -228,7 +203,7 @@ EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const Env
         const auto stress = strength_for_fit(run, strength, options, "an envelope", tests.left_out, tests.at_strain_limit);
         if (!stress) continue;
         if (is_compression(run.header)) {
-            tests.compression.push_back({run.header.confining_pressure, *stress, run.specimen.seed, strength.first_yield});
+            tests.compression.push_back({run.header.confining_pressure, *stress, run.specimen.seed});
         } else {
             (run.header.loading() == Loading::splitting ? tests.brazilian : tests.direct_tension).push_back(*stress);
         }
@@ -257,16 +232,6 @@ void print_left_out(std::ostream& diagnostics, const std::string& command, const
     for (const std::string& reason : left_out) {
         say(diagnostics, fmt::format("graincrack-post: {}: left out: {}", command, reason));
     }
-}
-
-EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests) {
-    EnvelopeTests those;
-    for (const EnvelopeTests::Test& test : tests.compression) {
-        if (test.first_yield) those.compression.push_back({test.confining, *test.first_yield});
-    }
-    EnvelopeAt result{those.compression.size(), std::nullopt};
-    if (those.pressures().size() > 1) result.envelope = fit_envelope(those.confining(), those.strength());
-    return result;
 }
 
 std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests) {

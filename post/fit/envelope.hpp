@@ -26,23 +26,18 @@ struct HoekBrown {
     [[nodiscard]] double tensile_strength() const;
 };
 
-/// Non-linear least squares in σ1; intervals from the covariance at the optimum and Student's t. Tensile strengths are points of
-/// the envelope at σ1 = 0. With these, residuals are relative: that of a tensile strength counts as much as that of a strength
-/// many times as large.
+/// Non-linear least squares in σ1; intervals from the covariance at the optimum and Student's t.
 ///
-/// \param confining σ3, Pa \param strength peak σ1, Pa; equally long \param tensile strengths, Pa, positive
+/// \param confining σ3, Pa \param strength peak σ1, Pa; equally long
 /// \return empty if there are fewer than two confining pressures, or if no σci > 0 fits
-std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength,
-                                        std::span<const double> tensile = {});
+std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength);
 
 /// Mohr–Coulomb line and Hoek–Brown curve through compressive strengths.
 struct Envelope {
     MohrCoulomb line;         ///< σ1 = a + b σ3
     Estimate cohesion;        ///< C = a/(2√b), Pa
     Estimate friction_angle;  ///< sin φ = (b − 1)/(b + 1), rad
-    /// c of σ1 = a + b σ3 + c σ3², 1/Pa: below zero the envelope is concave, like Hoek–Brown's. Empty with two pressures.
-    std::optional<Estimate> curvature;
-    std::optional<HoekBrown> hoek_brown;  ///< through the compressive strengths alone
+    std::optional<HoekBrown> hoek_brown;
     /// Tensile strength that the line has at σ1 = 0: a/b = 2C cos φ/(1 + sin φ), Pa.
     [[nodiscard]] double tensile_strength() const { return line.intercept / line.slope; }
     /// C and φ have intervals.
@@ -73,7 +68,6 @@ struct EnvelopeTests {
         double confining = 0;
         double strength = 0;
         std::int64_t seed = 0;
-        std::optional<double> first_yield = std::nullopt;  ///< see `first_yield`
     };
     StrengthKind kind = StrengthKind::largest;
     std::vector<Test> compression;
@@ -85,8 +79,6 @@ struct EnvelopeTests {
     [[nodiscard]] std::vector<double> confining() const;
     [[nodiscard]] std::set<double> pressures() const;  ///< each once
     [[nodiscard]] std::vector<double> strength() const;
-    /// Tensile strengths that anchor an envelope: direct tension if there is any, else brazilian.
-    [[nodiscard]] const std::vector<double>& tensile() const { return direct_tension.empty() ? brazilian : direct_tension; }
 };
 
 /// Sorts runs by test. Runs without a strength are left out, unless the largest stress of compression tests is the strength.
@@ -104,13 +96,6 @@ std::optional<double> strength_for_fit(const RunData& run, const Strength& stren
 
 /// A line for each run that was left out. \param command whose fit it is
 void print_left_out(std::ostream& diagnostics, const std::string& command, const std::vector<std::string>& left_out);
-
-/// An envelope through the stresses of first yield, of the tests that reached it.
-struct EnvelopeAt {
-    std::size_t runs = 0;              ///< tests that reached it
-    std::optional<Envelope> envelope;  ///< empty unless they have two or more confining pressures
-};
-EnvelopeAt fit_envelope_at_first_yield(const EnvelopeTests& tests);
 
 /// Each seed with tests at all pressures of the set gives C and φ of its own; samples over these seeds. Empty with fewer than two
 /// such seeds.

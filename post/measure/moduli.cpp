@@ -93,7 +93,6 @@ void append_thresholds(Columns<ModuliRow>& columns, const std::string& strain, T
                            further});
     };
     add("crack_initiation_crack_strain_", &Thresholds::initiation_by_crack_strain);
-    add("crack_initiation_lateral_response_", &Thresholds::initiation_by_lateral_response);
     add("crack_damage_", &Thresholds::damage);
 }
 
@@ -124,13 +123,8 @@ Columns<ModuliRow> all_columns() {
     columns.push_back({"crack_initiation_count", megapascal,
                        [](const R& r) { return r.threshold(&AllThresholds::initiation_by_count); }, further});
     columns.push_back({"warning", none, [](const R& r) { return r.caveat(); }, further});
-    constexpr std::array damages{"10", "50", "90"};
-    for (std::size_t i = 0; i < damages.size(); ++i) {
-        columns.push_back(
-            {std::string("crack_initiation_count_damage_") + damages[i], megapascal,
-             [i](const R& r) { return r.threshold([&](const AllThresholds& t) { return t.initiation_by_damage[i]; }); },
-             further});
-    }
+    columns.push_back({"crack_initiation_count_damage_10", megapascal,
+                       [](const R& r) { return r.threshold(&AllThresholds::initiation_by_damage); }, further});
     columns.push_back({"plane", none, [](const R& r) { return r.plane; }, further});
     return columns;
 }
@@ -201,12 +195,25 @@ ElasticPair elastic_pair(const Slopes& slopes, const RunSettings& header) {
 }
 
 std::optional<double> post_peak_slope(const RunData& run, const LoadCurve& curve) {
-    const double level = (1 - decisive_drop(run.header)) * curve.peak_stress();
+    const double level = (1 - decisive_drop(run.header)) * curve.stress[curve.peak];
     for (std::size_t row = curve.peak + 1; row < curve.stress.size(); ++row) {
         if (curve.stress[row] > level) continue;
-        return (curve.peak_stress() - curve.stress[row]) / (curve.axial_strain[row] - curve.axial_strain[curve.peak]);
+        return (curve.stress[curve.peak] - curve.stress[row]) / (curve.axial_strain[row] - curve.axial_strain[curve.peak]);
     }
     return std::nullopt;
+}
+
+/// Stiffness of all contacts in series: their length over the sum of their lengths over their stiffnesses.
+double mean_stiffness(const RunSettings& header, const Specimen& specimen, const std::vector<std::uint8_t>& classes,
+                      ContactValue stiffness) {
+    double whole = 0;
+    double compliance = 0;
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+        const double length = contact_length(specimen, c);
+        whole += length;
+        compliance += length / (header.fabric.contacts.at(classes[c]).*stiffness);
+    }
+    return whole / compliance;
 }
 
 }  // namespace
@@ -251,23 +258,6 @@ GrainModuli grain_moduli(const RunSettings& header, const Specimen& specimen) {
     grains.reuss = 1 / compliance;
     return grains;
 }
-
-namespace {
-
-/// Stiffness of all contacts in series: their length over the sum of their lengths over their stiffnesses.
-double mean_stiffness(const RunSettings& header, const Specimen& specimen, const std::vector<std::uint8_t>& classes,
-                      ContactValue stiffness) {
-    double whole = 0;
-    double compliance = 0;
-    for (std::size_t c = 0; c < classes.size(); ++c) {
-        const double length = contact_length(specimen, c);
-        whole += length;
-        compliance += length / (header.fabric.contacts.at(classes[c]).*stiffness);
-    }
-    return whole / compliance;
-}
-
-}  // namespace
 
 fpz::AssemblageModuli predict_moduli(const RunSettings& header, const Specimen& specimen) {
     Rock rock = header.rock;

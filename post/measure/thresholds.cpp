@@ -23,25 +23,9 @@ std::optional<double> by_crack_strain(const LoadCurve& curve, const std::vector<
     const std::vector<double> cracks = crack_strain(curve, volume);
     if (cracks.empty()) return std::nullopt;
     for (std::size_t i = rows_between(curve, elastic_share[0], elastic_share[1]).end; i <= curve.peak; ++i) {
-        if (cracks[i] <= -crack_strain_offset) return curve.stress[i];
+        if (cracks[i] <= -crack_strain_offset) return curve.shown_stress(i);
     }
     return std::nullopt;
-}
-
-std::optional<double> by_lateral_response(const LoadCurve& curve, std::size_t damage) {
-    const std::vector<double>& lateral = curve.gauge_lateral_strain;
-    const double rise = curve.stress[damage] - curve.start_stress();
-    if (!(rise > 0)) return std::nullopt;
-    const double slope = (lateral[damage] - lateral[curve.start]) / rise;
-    double largest = 0;
-    std::optional<double> stress;
-    for (std::size_t i = curve.start; i < damage; ++i) {
-        const double below = lateral[curve.start] + slope * (curve.stress[i] - curve.start_stress()) - lateral[i];
-        if (below <= largest) continue;
-        largest = below;
-        stress = curve.stress[i];
-    }
-    return stress;
 }
 
 /// Stress at which a count, which never falls, first reaches a share of what it has grown by from the start to the peak.
@@ -50,7 +34,7 @@ std::optional<double> where_counts_begin(const LoadCurve& curve, const std::vect
     const double at_peak = count(curve.peak);
     if (!(at_peak > 0)) return std::nullopt;
     for (std::size_t row = curve.start; row <= curve.peak; ++row) {
-        if (count(row) > 0 && count(row) >= share * at_peak) return curve.stress[row];
+        if (count(row) > 0 && count(row) >= share * at_peak) return curve.shown_stress(row);
     }
     return std::nullopt;
 }
@@ -76,13 +60,9 @@ std::vector<double> crack_strain(const LoadCurve& curve, const std::vector<doubl
 
 Thresholds measure_thresholds(const LoadCurve& curve, VolumeKind kind) {
     const std::vector<double> volume = volumetric_strain(curve, kind);
-    const std::optional<std::size_t> damage = reversal(volume, curve);
     Thresholds thresholds;
     thresholds.initiation_by_crack_strain = by_crack_strain(curve, volume);
-    if (damage) {
-        thresholds.damage = curve.stress[*damage];
-        thresholds.initiation_by_lateral_response = by_lateral_response(curve, *damage);
-    }
+    if (const auto damage = reversal(volume, curve)) thresholds.damage = curve.shown_stress(*damage);
     return thresholds;
 }
 
@@ -93,22 +73,17 @@ std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& c
     return where_counts_begin(curve, counts, share);
 }
 
-InitiationByDamage initiation_by_damage(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks,
-                                        double share) {
-    constexpr std::array damages{&Crack::damaged_10, &Crack::damaged_50, &Crack::broken};
+std::optional<double> initiation_by_damage(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks,
+                                           double share) {
     const auto& row_times = run.history[HistoryColumn::time];
-    InitiationByDamage initiation;
-    for (std::size_t level = 0; level < initiation.size(); ++level) {
-        std::vector<double> counts(row_times.size());
-        for (const Crack& crack : cracks) {
-            const double time = (crack.*damages[level]).time;
-            const auto row = std::lower_bound(row_times.begin(), row_times.end(), time);
-            if (row != row_times.end() && time <= *row) counts[static_cast<std::size_t>(row - row_times.begin())] += 1;
-        }
-        std::partial_sum(counts.begin(), counts.end(), counts.begin());
-        initiation[level] = where_counts_begin(curve, counts, share);
+    std::vector<double> counts(row_times.size());
+    for (const Crack& crack : cracks) {
+        const double time = crack.damaged_10.time;
+        const auto row = std::lower_bound(row_times.begin(), row_times.end(), time);
+        if (row != row_times.end() && time <= *row) counts[static_cast<std::size_t>(row - row_times.begin())] += 1;
     }
-    return initiation;
+    std::partial_sum(counts.begin(), counts.end(), counts.begin());
+    return where_counts_begin(curve, counts, share);
 }
 
 AllThresholds measure_all_thresholds(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks) {

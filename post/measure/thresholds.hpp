@@ -1,7 +1,6 @@
 // Crack initiation and crack damage: stresses at which a compression test leaves elasticity, by named methods.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +21,6 @@ struct Thresholds {
     /// Stress at which the crack strain (volumetric strain less the elastic line, Martin & Chandler 1994) has fallen by
     /// `crack_strain_offset`. The elastic line is fitted between `elastic_share` of the way to the peak.
     std::optional<double> initiation_by_crack_strain;
-    /// Largest distance of the lateral strain below the line from the start to crack damage (Nicksiar & Martin 2012).
-    std::optional<double> initiation_by_lateral_response;
     /// Largest contraction (Bieniawski 1967): from there on the specimen dilates.
     std::optional<double> damage;
 };
@@ -41,21 +38,19 @@ std::vector<double> crack_strain(const LoadCurve& curve, const std::vector<doubl
 /// Stress at which there are as many cracks in the history as `share` of those at the peak, Pa; empty without any.
 std::optional<double> initiation_by_count(const RunData& run, const LoadCurve& curve, double share = 0.01);
 
-/// The same by the contact points that were damaged by 10, 50 and 90 %, Pa: where as many were as `share` of those that were so
-/// at the peak; empty without any.
-using InitiationByDamage = std::array<std::optional<double>, 3>;
-InitiationByDamage initiation_by_damage(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks,
-                                        double share = 0.01);
+/// The same by the contact points that were damaged by 10 %.
+std::optional<double> initiation_by_damage(const RunData& run, const LoadCurve& curve, const std::vector<Crack>& cracks,
+                                           double share = 0.01);
 
 /// The thresholds of a compression test by all definitions, Pa. The default ones are those that the strain gauges of a
-/// laboratory tell. Its specimen is a cylinder, whose volume is ε1 + 2 ε3. The crack strain is the most used and, unlike the
-/// lateral response, does not need that crack damage is reached. A count of cracks is a stand-in for acoustic emission, and
+/// laboratory tell. Its specimen is a cylinder, whose volume is ε1 + 2 ε3. The crack strain is the most used and
+/// does not need that crack damage is reached. A count of cracks is a stand-in for acoustic emission, and
 /// depends on which event of the contact law is counted.
 struct AllThresholds {
     Thresholds plane;
     Thresholds pseudo_3d;
     std::optional<double> initiation_by_count;
-    InitiationByDamage initiation_by_damage;
+    std::optional<double> initiation_by_damage;
 
     /// The default crack initiation, CI: onset of the pseudo-3D crack strain.
     [[nodiscard]] std::optional<double> initiation() const { return pseudo_3d.initiation_by_crack_strain; }

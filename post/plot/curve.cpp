@@ -157,9 +157,8 @@ void mark_cut_branches(Chart& chart, const std::vector<Run>& runs, const Extent&
 }
 
 std::string legend_label(const Run& run, const std::string& name) {
-    const auto& strength = run.curve.strength;
-    const std::string peak = strength ? run.peak_name() : std::string(did_not_fail) + ", largest stress";
-    return fmt::format("{}: {} {:.4g} MPa", name, peak, 1e-6 * (strength ? strength->stress : run.curve.peak_stress()));
+    const std::string peak = run.curve.strength ? run.peak_name() : std::string(did_not_fail) + ", largest stress";
+    return fmt::format("{}: {} {:.4g} MPa", name, peak, 1e-6 * run.curve.peak_stress());
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ Strains strains_of(const LoadCurve& curve) {
     const double last = 1.05 * curve.gauge_axial_strain[curve.peak];
     for (std::size_t i = curve.start; i < curve.stress.size(); ++i) {
         if (i > curve.peak && curve.gauge_axial_strain[i] > last) break;
-        s.stress.push_back(1e-6 * curve.stress[i]);
+        s.stress.push_back(1e-6 * curve.shown_stress(i));
         s.axial.push_back(100 * (curve.gauge_axial_strain[i] - curve.gauge_axial_strain[curve.start]));
         s.lateral.push_back(-100 * (curve.gauge_lateral_strain[i] - curve.gauge_lateral_strain[curve.start]));
         s.volume.push_back(100 * (volume[i] - volume[curve.start]));
@@ -145,7 +145,7 @@ Drawing stress_chart(const RunData& run, const Strains& s, const AllThresholds& 
     const double high = range_to_peak(s, s.axial).second;
     const double left = std::min(range_to_peak(s, s.lateral).first, range_to_peak(s, s.volume).first);
     const double low = std::clamp(left, -0.6 * high, 0.0);
-    const Axis x{"strain, % (lateral left, axial right)", low - 0.08 * (high - low), high + 0.08 * (high - low)};
+    const Axis x{"strain by gauges, % (lateral left, axial right)", low - 0.08 * (high - low), high + 0.08 * (high - low)};
     ChartText text{
         test_title(run.header),
         {"plane " + std::string(name_of(run.header.plane)) + "; contraction positive; the third strain is taken as ε3"}};
@@ -175,7 +175,7 @@ Drawing volume_chart(const Strains& s, const AllThresholds& all, const PictureSt
     const double smallest_volume = std::min(range_to_peak(s, s.volume).first, range_to_peak(s, s.cracks).first);
     const double low = std::clamp(1.1 * smallest_volume, -largest_volume, -0.1 * largest_volume);
     const double high = 1.15 * largest_volume;
-    const Axis x{"axial strain, %", 0, 1.08 * axial};
+    const Axis x{"axial strain by gauges, %", 0, 1.08 * axial};
     Chart chart(style, {}, x, Axis{"volumetric strain, %", low, high},
                 {.height = 14 * std::sqrt(style.page_width), .min_left = left_edge});
     const auto defaults = default_thresholds(all);

@@ -86,9 +86,8 @@ Json marks_of(const RunData& run, const LoadCurve& curve) {
         mark("CI", "crack initiation CI", thresholds.initiation());
         mark("CD", "crack damage CD", thresholds.damage());
     }
-    const double strength = curve.strength ? curve.strength->stress : curve.peak_stress();
     marks.push_back({{"symbol", curve.peak_name()},
-                     {"text", fmt::format("{} {:.1f} MPa", curve.peak_name(), 1e-6 * strength)},
+                     {"text", fmt::format("{} {:.1f} MPa", curve.peak_name(), 1e-6 * curve.peak_stress())},
                      {"x", 100 * curve.axial_strain[curve.peak]},
                      {"y", 1e-6 * curve.peak_stress()}});
     return marks;

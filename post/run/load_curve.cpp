@@ -182,7 +182,9 @@ std::vector<double> column_of(const ProbeHistory& probe, const std::string& name
 
 LoadCourse load_course(const RunReader& run, const RunData& data) {
     if (const auto curve = load_curve_if_any(data)) {
-        return {"axial strain", "%", stress_name(data), "MPa", scaled(curve->axial_strain, 100), scaled(curve->stress, 1e-6)};
+        LoadCourse course{"axial strain", "%", stress_name(data), "MPa", scaled(curve->axial_strain, 100), curve->stress};
+        for (std::size_t row = 0; row < course.y.size(); ++row) course.y[row] = 1e-6 * curve->shown_stress(row);
+        return course;
     }
     const History& history = data.history;
     LoadCourse course{"time",
@@ -219,7 +221,7 @@ double CurvePoint::of(const std::vector<double>& column) const {
 }
 
 CurvePoint share_of_peak(const LoadCurve& curve, double share) {
-    const double wanted = curve.start_stress() + (curve.peak_stress() - curve.start_stress()) * share;
+    const double wanted = curve.start_stress() + (curve.stress[curve.peak] - curve.start_stress()) * share;
     std::size_t row = curve.start;
     while (row + 1 < curve.peak && curve.stress[row + 1] < wanted) ++row;
     return {row, (wanted - curve.stress[row]) / (curve.stress[row + 1] - curve.stress[row])};

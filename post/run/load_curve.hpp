@@ -6,6 +6,7 @@
 // others it is the axial stress of the history.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -72,7 +73,12 @@ struct LoadCurve {
     /// Row of the strength, or of the largest stress of a test that did not fail. What stands beside a strength is of this row.
     std::size_t peak = 0;
     [[nodiscard]] double start_stress() const { return stress[start]; }
-    [[nodiscard]] double peak_stress() const { return stress[peak]; }
+    /// The strength, which is of the smoothed curve, or the largest stress of a test that did not fail.
+    [[nodiscard]] double peak_stress() const { return strength ? strength->stress : stress[peak]; }
+    /// Stress of a row; up to the peak no more than the strength, so that pictures, thresholds and tables have one peak.
+    [[nodiscard]] double shown_stress(std::size_t row) const {
+        return row > peak ? stress[row] : std::min(stress[row], peak_stress());
+    }
     /// True if the stress exceeds the strength later.
     [[nodiscard]] bool exceeds_strength() const { return peak < largest; }
     /// "peak", or of a test that did not fail "largest stress".

@@ -24,8 +24,8 @@ struct ColumnUnit {
 namespace unit {
 inline constexpr ColumnUnit none{}, second{"s"}, metre{"m"}, radian{"rad"}, joule{"J"}, newton_metre{"N_m"},
     joule_per_area{"J/m2"}, kilonewton_per_metre{"kN/m", 1e-3}, millimetre{"mm", 1e3}, square_millimetre{"mm2", 1e6},
-    megapascal{"MPa", 1e-6}, per_megapascal{"per_MPa", 1e6}, gigapascal{"GPa", 1e-9}, degree{"deg", 180 / std::numbers::pi},
-    percent{"percent", 1e2}, toughness{"MPa.m^0.5", 1e-6};
+    megapascal{"MPa", 1e-6}, gigapascal{"GPa", 1e-9}, degree{"deg", 180 / std::numbers::pi}, percent{"percent", 1e2},
+    toughness{"MPa.m^0.5", 1e-6};
 }
 /// That of values of a dimension of which a table may have any: mm, MPa, deg, MPa.m^0.5, and SI for others; none of pure numbers.
 ColumnUnit unit_in_tables(Dimension dimension);

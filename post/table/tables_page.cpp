@@ -19,7 +19,7 @@ std::string unit_of(const std::string& name) {
     std::string longest;
     using namespace graincrack::unit;
     for (const ColumnUnit& each : {second, metre, radian, joule, newton_metre, joule_per_area, kilonewton_per_metre, millimetre,
-                                   square_millimetre, megapascal, per_megapascal, gigapascal, degree, percent, toughness}) {
+                                   square_millimetre, megapascal, gigapascal, degree, percent, toughness}) {
         if (each.name.size() > longest.size() && name.ends_with("_" + std::string(each.name))) longest = each.name;
     }
     const std::string before = name.substr(0, name.size() - longest.size());

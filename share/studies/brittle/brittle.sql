@@ -19,7 +19,6 @@ WITH fractures AS (
     UNION ALL SELECT 2, 'young_modulus_GPa', young_modulus_GPa, place, variant FROM uniaxial
     UNION ALL SELECT 3, 'poisson_ratio', poisson_ratio, place, variant FROM uniaxial
     UNION ALL SELECT 4, 'CI_over_UCS', crack_initiation_MPa / ucs, place, variant FROM uniaxial
-    UNION ALL SELECT 5, 'CI_by_lateral_response_over_UCS', crack_initiation_lateral_response_pseudo_3d_MPa / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 6, 'CI_by_count_over_UCS', crack_initiation_count_MPa / ucs, place, variant FROM uniaxial
     UNION ALL SELECT 6.5, 'CI_by_10_percent_lost_over_UCS', crack_initiation_count_damage_10_MPa / ucs, place, variant FROM uniaxial
     -- Without a reversal before the peak the volume begins to grow at the peak.

@@ -1,6 +1,6 @@
 -- For --pivot: other definitions of the thresholds, and the cracks at the uniaxial peak, of the variants of :PART.
 WITH shown(nth, quantities, heading) AS (VALUES
-    (1, 'CI_by_lateral_response_over_UCS', 'CI by lateral response'), (2, 'CD_2d_over_UCS', 'CD by 2D volume'),
+    (2, 'CD_2d_over_UCS', 'CD by 2D volume'),
     (3, 'tensile_share_by_traction', 'tensile by traction'), (4, 'tensile_share_by_sign', 'tensile by sign'),
     (5, 'share_of_cracks_between_crystals', 'between crystals'))
 SELECT variant, heading, coalesce(text('{:.2f} ± {:.2f}', mean, half_interval), text('{:.2f}', mean))
