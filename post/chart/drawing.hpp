@@ -33,6 +33,7 @@ inline constexpr Colour tensile{232, 62, 28};
 inline constexpr Colour shear{0, 0, 0};
 inline constexpr Colour platen{120, 130, 145};
 inline constexpr Colour pre_existing{0, 114, 178};
+inline constexpr Colour intact_flaw{86, 180, 233};
 /// Colour of the i-th curve of a plot (Okabe & Ito 2008), repeating.
 Colour series(std::size_t i);
 /// Pale fills of mineral phases by their names, the same in every picture; names that are no known mineral's have those that

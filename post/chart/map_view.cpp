@@ -235,11 +235,14 @@ void MapView::draw_grains(const std::vector<double>& values) {
     for (const auto& nodes : specimen_.boundary_edges) draw_outline(nodes[0], nodes[1], 1.6 * thin, palette::rim);
 }
 
-bool MapView::draw_pre_existing_cracks(double width) {
+bool MapView::draw_flaws(double width, bool are_broken) {
     bool any = false;
     for (std::size_t c = 0; c < specimen_.n_contacts(); ++c) {
-        if (!starts_broken(specimen_.contact_kind[c])) continue;
-        draw_outline(specimen_.contact_nodes[c][0], specimen_.contact_nodes[c][1], width, palette::pre_existing);
+        const bool is_broken = starts_broken(specimen_.contact_kind[c]);
+        const bool is_flaw = is_broken || (!specimen_.contact_flaw.empty() && specimen_.contact_flaw[c] > 0);
+        if (!is_flaw || is_broken != are_broken || is_within_crystal(specimen_, c)) continue;
+        draw_outline(specimen_.contact_nodes[c][0], specimen_.contact_nodes[c][1], width,
+                     are_broken ? palette::pre_existing : palette::intact_flaw);
         any = true;
     }
     return any;
@@ -331,7 +334,7 @@ bool has_pre_existing_cracks(const Specimen& specimen) {
 void draw_cracks(MapView& map, const Specimen& specimen, const std::vector<Crack>& present) {
     const double edge = specimen.statistics.mean_edge * map.pixels_per_metre();
     const double width = edge > 0 ? std::clamp(0.1 * edge, 1.2, 6.0) : 4.0;
-    map.draw_pre_existing_cracks(width);
+    map.draw_flaws(width, true);
     for (const CrackMode mode : {CrackMode::shear, CrackMode::tensile}) {
         for (const Crack& crack : present) {
             if (crack.mode != mode) continue;

@@ -77,8 +77,8 @@ public:
     /// Fills the grains and draws their outlines, unless they are too small for that, those within crystals thinner, and the rim.
     /// \param values of the elements, where the page has colours of numbers
     void draw_grains(const std::vector<double>& values = {});
-    /// Contacts that start broken. \return whether there are any
-    bool draw_pre_existing_cracks(double width);
+    /// Contacts that start broken, or, lighter, those of flaws that do not. \return whether there are any
+    bool draw_flaws(double width, bool are_broken);
     /// A stroke between two places; left out if its middle lies off the map.
     void stroke(std::array<double, 2> from, std::array<double, 2> to, double width, Colour colour);
     /// Rigid platens, rollers or punches: a bar outside each face, all moved by `approach`; m.

@@ -49,8 +49,8 @@ struct Standing {
 Standing standing(const RunData& run, const LoadCurve& curve, double time) {
     const std::size_t row = row_at(run.history, time);
     return {curve.axial_strain[row],
-            curve.stress[row],
-            curve.stress[row] / curve.peak_stress(),
+            curve.shown_stress(row),
+            curve.shown_stress(row) / curve.peak_stress(),
             row < curve.peak,
             run.history[HistoryColumn::axial_strain][row],
             curve.peak_name()};
@@ -289,7 +289,8 @@ Drawing draw_specimen(const Specimen& specimen, const PictureStyle& style) {
     MapView map(specimen, specimen.node_position, specimen_heading(specimen), {style});
     map.draw_grains();
     std::vector<LegendEntry> legend = phase_legend(specimen);
-    if (map.draw_pre_existing_cracks(4)) legend.push_back({Stroke{palette::pre_existing, 4}, "pre-existing crack"});
+    if (map.draw_flaws(2.5, false)) legend.push_back({Stroke{palette::intact_flaw, 2.5}, "intact joint"});
+    if (map.draw_flaws(4, true)) legend.push_back({Stroke{palette::pre_existing, 4}, "pre-existing crack"});
     map.draw_legend(legend);
     return std::move(map).drawing();
 }

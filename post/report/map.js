@@ -215,20 +215,24 @@ function niceBelow(length) {
   return decade * [5, 2, 1].find(each => each * decade <= 1.000001 * length);
 }
 
-// What the colours mean.
-function legendOf({groups, phases, broken, run, seen: {fill, cracks: by, directions}}) {
-  const items = [];
+// What the colours of maps mean: numbers and scales of each run.
+function legendOf(...panes) {
+  const items = [], {fill, cracks: by, directions} = panes[0].seen, of = ({run: {file}}) => panes.length > 1 ? `${file}: ` : "";
+  const phases = new Map(panes.flatMap(pane => pane.phases.map(({name, colour}) => [name, colour])));
   const add = (colour, text, kind = "") => {
     items.push(made("li"));
     items.at(-1).append(made("i", "", {class: kind, style: `background: ${colour}`}), text);
   };
   if (by == "mode") for (const mode of ["tensile", "shear"]) add(colours[mode], `${mode} cracks`, "stroke");
-  for (const group in by == "class" ? groups : {}) add(groups[group].colour, `${group}: ${Math.ceil(groups[group].points / 2)}`, "stroke");
-  if (broken.includes(1)) add(colours.open, "broken from the start", "stroke");
-  if (fill == "phase" && phases.length > 1) for (const {name, colour} of phases) add(colour, name);
-  if (fill != "phase") {
-    const limit = run.limits[fill == "most" ? 0 : 1].toPrecision(3), steps = [-4, -3, -2, -1, 0, 1, 2, 3, 4];
-    add(`linear-gradient(to right, ${steps.map(i => `rgb(${stressColour(i / 4)})`)})`, `−${limit} to ${limit} MPa, tension positive`, "scale");
+  for (const pane of by == "class" ? panes : []) {
+    for (const [group, {colour, points}] of Object.entries(pane.groups)) add(colour, `${of(pane)}${group}: ${Math.ceil(points / 2)}`, "stroke");
+  }
+  if (panes.some(({broken}) => broken.includes(1))) add(colours.open, "broken from the start", "stroke");
+  if (fill == "phase" && phases.size > 1) for (const [name, colour] of phases) add(colour, name);
+  for (const pane of fill == "phase" ? [] : panes) {
+    const limit = pane.run.limits[fill == "most" ? 0 : 1].toPrecision(3), steps = [-4, -3, -2, -1, 0, 1, 2, 3, 4];
+    const scale = `linear-gradient(to right, ${steps.map(i => `rgb(${stressColour(i / 4)})`)})`;
+    add(scale, `${of(pane)}−${limit} to ${limit} MPa, tension positive`, "scale");
   }
   if (directions) ["compression", "tension"].forEach((name, i) => add(colours.directions[i], name, "stroke"));
   return items;

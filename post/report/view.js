@@ -75,7 +75,7 @@ function drawCurve() {
 function redraw() {
   if (panes.some(pane => !pane.frame)) return;
   for (const pane of panes) pane.draw(pane.frame);
-  element("legend").replaceChildren(...legendOf(panes[0]));
+  element("legend").replaceChildren(...legendOf(...panes));
   drawCurve();
   const {picked} = seen, contact = element("contact"), text = picked ? story(picked.pane, picked.contact) : contact.dataset.hint;
   if (contact.textContent != text) contact.textContent = text;  // what stays is not read aloud again
@@ -96,7 +96,8 @@ async function show(at) {
 function layout() {
   const width = element("page").clientWidth, room = innerWidth <= 760 ? width : width - 28 - Math.max(320, 0.33 * width);
   const own = panes.length > 1 && room >= 376 ? room / 2 - 8 : room;
-  for (const pane of panes) pane.fit(own - 2, Math.max(280, Math.min(860, 0.76 * innerHeight)));
+  const caption = Math.max(100, ...panes.map(pane => pane.caption.offsetHeight)), below = innerHeight - element("maps").offsetTop - caption - 8;
+  for (const pane of panes) pane.fit(own - 2, Math.max(280, Math.min(860, below)));
   redraw();
 }
 

@@ -36,6 +36,8 @@ ready.then(async () => {
     found.states.push(shown());
   }
   found.files = panes.map(pane => pane.figure.querySelector("b").textContent);
+  found.bottom = Math.max(...panes.map(pane => pane.canvas.getBoundingClientRect().bottom + scrollY));
+  found.height = innerHeight;
   await press("ArrowLeft");
   found.back = shown();
   const {scale} = panes[0];
@@ -54,6 +56,7 @@ ready.then(async () => {
   element("pair").value = 0;
   element("pair").oninput();
   found.pair = shown();
+  found.legend = element("legend").textContent;
   const {canvas, run: {cracks}, px, py} = panes[0], nodes = panes[0].contact(cracks.contact[0]), box = canvas.getBoundingClientRect();
   const at = (p, from) => from + (p[nodes[0]] + p[nodes[1]]) / 2 / ratio;
   for (const type of ["pointerdown", "pointerup"]) {
@@ -143,6 +146,8 @@ class Page(unittest.TestCase):
                 self.assertEqual(console, [], page)
                 self.assertEqual(found["window"], width)
                 self.assertLessEqual(found["width"], width, page)
+                if width > 760:
+                    self.assertLessEqual(found["bottom"], found["height"], page)
                 self.assertEqual(found["tags"], 0)
                 if page != self.pages[1]:
                     self.assertIn(NAME.replace("\\", ""), found["title"])
@@ -154,6 +159,9 @@ class Page(unittest.TestCase):
             own = self.browser.measured(alone, 1100, MEASURE)[0]["states"]
             self.assertEqual([states[side] for states in found["states"]][-1], own[-1][0])
             self.assertEqual(len({states[side]["frame"] for states in found["states"]}), len(own))
+        for file in (FILE, "brazilian.h5"):  # each counts its own cracks, and has a scale of its own
+            self.assertRegex(found["legend"], re.escape(file) + r": [\w -]+: \d+")
+            self.assertRegex(found["legend"], re.escape(file) + r": −[\d.]+ to [\d.]+ MPa")
 
 
 if __name__ == "__main__":

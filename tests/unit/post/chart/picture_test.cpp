@@ -114,20 +114,27 @@ TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
     expect(draw_rosette(crack_rosette(all, recipe_.specimen), "title", "run.h5", "what a crack is"),
            {"tensile:", "shear:", "own facets", "what a crack is"});
     expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
-    expect(draw_thresholds(data), {"the third strain is taken as ε3", "crack initiation CI: not reached before the peak",
-                                   "crack damage CD: not reached before the peak"});
+    expect(draw_thresholds(data),
+           {"the third strain is taken as ε3", "axial strain by gauges, %", "crack initiation CI: not reached before the peak",
+            "crack damage CD: not reached before the peak"});
     LawPlotOptions laws;
     laws.all = true;
     expect(draw_laws(data.header.contact, "granite", laws), {"literal", "consistent", "under 20 MPa"});
     EXPECT_LT(draw_laws(data.header.contact, "granite", laws).height(), 1900);
     expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
     expect(draw_specimen(recipe_.specimen), {"256 grains"});
+    Specimen jointed = recipe_.specimen;
+    jointed.flaw_names = {"joint"};
+    jointed.contact_flaw.assign(jointed.n_contacts(), 0);
+    jointed.contact_flaw[3] = 1;
+    expect(draw_specimen(jointed), {"intact joint"});
     expect(draw_curves({data}, "what a crack is"), {"peak 124.4 MPa", "what a crack is", "plane strain"});
     expect(cracks("last"), {"tensile cracks:", "plane strain"});
     // One of the two points of a contact has failed: one micro-crack, not a half.
     test::write_run(path("odd.h5"), recipe_, {all.front()});
     expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1\n"});
     expect(cracks("first,peak,last"), {"(b) peak", "plane strain"});
+    expect(cracks("peak"), {"124.4 MPa (peak)"});  // that of the curve and of tables
     EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}}), UsageError);
     test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
 }
