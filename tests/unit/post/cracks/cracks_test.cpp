@@ -98,6 +98,17 @@ TEST(Emission, MomentIsModulusTimesLengthTimesJump) {
     EXPECT_DOUBLE_EQ(events[0].length, 0.004);
 }
 
+// The jump is that at the event of the label, not at failure.
+TEST(Emission, MomentIsOfTheEventOfTheLabel) {
+    Crack crack = crack_at(0, 0, 1e-6, 0);
+    crack.damaged_50 = {1e-4, 3e-6, 4e-6};
+    const auto moment = [&](CrackEvent event) {
+        return find_events(labelled({crack}, {event, CrackModeRule::traction}), rock, {0.01, 1e-5}).at(0).moment;
+    };
+    EXPECT_NEAR(moment(CrackEvent::failed), shear_modulus * 0.002 * 1e-6, 1e-7);
+    EXPECT_NEAR(moment(CrackEvent::half_damaged), shear_modulus * 0.002 * 5e-6, 1e-7);
+}
+
 TEST(Emission, DefaultWindowIsTwoEdgesAtHalfTheShearSpeed) {
     const EmissionWindow window = default_window(rock, 0.004);
     EXPECT_DOUBLE_EQ(window.distance, 0.008);
