@@ -111,6 +111,7 @@ std::optional<LocalSurface> KindPrior::surface(const Target& target) const {
     if (found == nullptr) return std::nullopt;
     LinearModel of_rock = *found;
     of_rock.inverse(0, 0) += found->rock_variance / found->variance;  // of the constant
+    of_rock.freedom = found->freedom_of_mean(kind_->factors(first_, target.confining_pressure));
     return LocalSurface(
         [kind = kind_, changed = changed_, target](const DesignPoint& point) {
             const KindCoordinates at = changed->at(point);

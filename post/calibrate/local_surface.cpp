@@ -48,7 +48,13 @@ Eigen::MatrixXd LocalSurface::slopes(const DesignPoint& point) const {
 
 void LocalSurface::learn(const DesignPoint& point, double value, double specimens) {
     const Located at = locate_(point);
+    const double before = model_.leverage(at.factors);
     model_.update(at.factors, value - at.log_unit, specimens);
+    if (!is_of_kind_) return;
+    // A variance depends on that among other rocks by its square: the less is left of it, the less it matters how few these are.
+    const double of_fit = static_cast<double>(model_.design.rows()) - model_.leverages.sum();
+    const double known = model_.freedom * std::pow(before / model_.leverage(at.factors), 2);
+    model_.freedom = static_cast<int>(std::max<double>(model_.freedom, std::min(known, of_fit)));
 }
 
 double LocalSurface::value(const DesignPoint& point) const {

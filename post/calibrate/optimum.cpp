@@ -116,6 +116,20 @@ DesignPoint minimise_everywhere(const LeastSquares& problem, const Box& box, con
     return best;
 }
 
+/// Root of the correlations between surfaces by specimens that they have in common.
+Eigen::MatrixXd root_between(const std::vector<const LocalSurface*>& surfaces) {
+    const auto n = static_cast<Eigen::Index>(surfaces.size());
+    Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(n, n);
+    for (Eigen::Index r = 0; r < n; ++r) {
+        for (Eigen::Index s = 0; s < r; ++s) {
+            const auto [one, other] = std::pair(surfaces[static_cast<std::size_t>(r)], surfaces[static_cast<std::size_t>(s)]);
+            if (one == nullptr || other == nullptr) continue;
+            correlation(r, s) = correlation(s, r) = one->model().residual_correlation(other->model());
+        }
+    }
+    return square_root(correlation);
+}
+
 }  // namespace
 
 double Optimum::half_interval(Eigen::Index coordinate) const {
@@ -167,12 +181,25 @@ Draws draw(const Box& box, const Optimum& optimum, const std::vector<Residual>& 
            const std::vector<const LocalSurface*>& surfaces, std::size_t n) {
     const std::unique_ptr<gsl_rng, decltype(&gsl_rng_free)> generator(gsl_rng_alloc(gsl_rng_mt19937), &gsl_rng_free);
     const auto normal = [&] { return gsl_ran_ugaussian(generator.get()); };
+    const Eigen::MatrixXd together = root_between(surfaces);
+    std::map<const LocalSurface*, Eigen::MatrixXd> roots;  // of the covariances of coefficients
+    Eigen::Index most = 0;
+    for (const LocalSurface* const surface : surfaces) {
+        if (surface == nullptr) continue;
+        roots[surface] = square_root(surface->model().variance * surface->model().inverse);
+        most = std::max(most, roots[surface].cols());
+    }
     Draws draws;
     for (std::size_t i = 0; i < n; ++i) {
-        std::map<const LocalSurface*, Eigen::VectorXd> off;  // coefficients
-        for (const LocalSurface* const surface : surfaces) {
+        Eigen::MatrixXd numbers = Eigen::MatrixXd::NullaryExpr(most, together.cols(), normal);
+        numbers *= together;
+        std::map<const LocalSurface*, Eigen::VectorXd> off;  // coefficients, by Student's distribution
+        for (Eigen::Index r = 0; r < numbers.cols(); ++r) {
+            const LocalSurface* const surface = surfaces[static_cast<std::size_t>(r)];
             if (surface == nullptr) continue;
-            off[surface] = surface->model().sample(Eigen::VectorXd::NullaryExpr(surface->model().coefficients.size(), normal));
+            const int freedom = std::max(surface->model().freedom, 1);
+            const double scale = std::sqrt(freedom / gsl_ran_chisq(generator.get(), freedom));
+            off[surface] = scale * (roots[surface] * numbers.col(r).head(roots[surface].cols()));
         }
         Eigen::VectorXd values(optimum.gain.cols());
         for (double& of_prior : values) of_prior = optimum.prior * normal();
@@ -186,7 +213,7 @@ Draws draw(const Box& box, const Optimum& optimum, const std::vector<Residual>& 
         for (const LocalSurface* const surface : surfaces) {
             logs.push_back(surface == nullptr
                                ? NAN
-                               : surface->value(draws.points.back()) + surface->terms(draws.points.back()).dot(off[surface]));
+                               : surface->value(draws.points.back()) + surface->terms(draws.points.back()).dot(off.at(surface)));
         }
     }
     return draws;

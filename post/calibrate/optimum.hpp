@@ -36,10 +36,8 @@ struct Optimum {
 
     /// Half of the 95 % interval of a coordinate.
     [[nodiscard]] double half_interval(Eigen::Index coordinate) const;
-    /// True if the data leave more than a quarter of the variance that a coordinate had beforehand.
-    [[nodiscard]] bool is_undetermined(Eigen::Index coordinate) const {
-        return covariance(coordinate, coordinate) > 0.25 * prior * prior;
-    }
+    /// True if the data leave more than a quarter of the variance of the usual first guess, 1, whatever this one had.
+    [[nodiscard]] bool is_undetermined(Eigen::Index coordinate) const { return covariance(coordinate, coordinate) > 0.25; }
 };
 
 /// \param first guess, inside the box or not \pre there is a residual

@@ -172,10 +172,10 @@ std::string values_text(const Problem& problem, const Decision& decision) {
     text +=
         "\nIntervals include the scatter about the response surfaces, the uncertainty of the measured values (the deviations of "
         "the "
-        "targets), and what is known beforehand: half the width of the first box, one standard deviation about the first guess. "
-        "A value is not determined by the data where they leave more than a quarter of that variance: it is then nearly that of "
-        "the "
-        "first guess, of the kind of rock.\n";
+        "targets), and what is known beforehand: the first guess, with a standard deviation of " +
+        (optimum.prior == 1 ? "" : fmt::format("{:g} times ", optimum.prior)) +
+        "half the width of the first box. A value is not determined by the data where they leave more than half of that half "
+        "width: it is then nearly that of the first guess, of the kind of rock.\n";
     text += std::isfinite(optimum.condition)
                 ? fmt::format("\nCondition number of the sensitivities: {:.3g}.", optimum.condition)
                 : "\nThere are fewer fitted targets beside E and ν, which scale the grains, than parameters.";

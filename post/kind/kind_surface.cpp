@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
+#include <tuple>
 
 #include "share/base/error.hpp"
 #include "share/base/shared_file.hpp"
@@ -88,11 +90,13 @@ std::vector<SurfaceTerm> terms_of(const std::vector<std::vector<double>>& factor
 /// Products and squares are drawn to 0. A choice of some of them would have intervals that do not know that it was one: forward
 /// by PRESS, those of 95 % hold 87 % of new specimens. \throws InputError if the values do not determine the linear terms
 KindModel fit_model(const std::string& property, const std::vector<std::vector<double>>& factors,
-                    const std::vector<double>& logarithms) {
+                    const std::vector<double>& logarithms, const std::vector<std::string>& specimens) {
     std::vector<SurfaceTerm> terms = terms_of(factors);
     const auto n_linear =
         static_cast<std::size_t>(std::ranges::count_if(terms, [](const SurfaceTerm& term) { return term.degree() < 2; }));
-    if (auto fitted = LinearModel::fit_restricted(std::move(terms), n_linear, factors, logarithms)) return {*std::move(fitted)};
+    if (auto fitted = LinearModel::fit_restricted(std::move(terms), n_linear, factors, logarithms, specimens)) {
+        return {*std::move(fitted)};
+    }
     throw InputError(
         fmt::format("surface of a kind: {} has {} values, which do not determine its {} linear terms; {} or more "
                     "at different ratios are needed",
@@ -262,27 +266,47 @@ KindSurface::KindSurface(std::vector<KindRow> rows, std::string kind) : kind_(st
     for (const Property& property : all_properties()) {
         std::vector<std::vector<double>> factors;
         std::vector<double> logarithms;
+        std::vector<std::string> specimens;  // of a point: several discs, or one under several pressures; the same of all kinds
+        std::map<std::tuple<std::string, std::string, double>, int> tested;
         bool has_kind = false;
         for (auto row = rows.begin(); row != rocks; ++row) {
             if (row->property != property.name) continue;
+            const int nth = tested[{row->kind, row->point, row->confining_pressure}]++;
+            specimens.push_back(fmt::format("{} {}", row->point, nth));
             factors.push_back(factors_in(*row));
             logarithms.push_back(std::log(row->value) - log_unit(property, row->at));
             has_kind |= row->kind == kind_;
         }
         if (!has_kind) continue;
-        KindModel model = fit_model(property.name, factors, logarithms);
+        KindModel model = fit_model(property.name, factors, logarithms, specimens);
         double sum = 0;
         int n = 0;
+        std::set<std::string> names;
         for (auto row = rocks; row != rows.end(); ++row) {
             if (row->property != property.name || !holds(row->at, row->confining_pressure)) continue;
             const std::vector<double> at = factors_in(*row);
             sum += std::pow(std::log(row->value) - log_unit(property, row->at) - model.value(at), 2) -
                    model.variance * (1 / row->specimens + model.leverage(at));
             ++n;
+            names.insert(row->point);
         }
+        model.rocks = static_cast<int>(names.size());
         model.rock_variance = std::max(floor_of_rocks * floor_of_rocks, n > 0 ? sum / n : 0);
         models_.emplace_back(property.name, std::move(model));
     }
+}
+
+int KindModel::freedom_of_mean(const std::vector<double>& at) const {
+    const double of_fit = variance * leverage(at);
+    const double of_rocks = rocks > 0 ? rock_variance * rock_variance / rocks : 0;  // without rocks it is what was set
+    return static_cast<int>(std::pow(of_fit + rock_variance, 2) / (of_fit * of_fit / freedom + of_rocks));
+}
+
+std::string KindSurface::specimen_of(const Property& property) {
+    const bool is_rectangle = property.loading == Loading::compression || property.loading == Loading::tension;
+    const bool is_pulled = property.loading == Loading::bending || property.loading == Loading::tension;
+    return std::string(is_rectangle ? "300 crystals" : "") + (is_rectangle && is_pulled ? ", " : "") +
+           (is_pulled ? "plane stress" : "");
 }
 
 std::string KindSurface::name_of(const SurfaceTerm& term) const {

@@ -34,7 +34,7 @@ KindCoordinates kind_coordinates(const Material& material);
 /// One row of the table: a value of a test, or the mean of several of a calibrated rock.
 struct KindRow {
     std::string kind;   ///< "granite"
-    std::string point;  ///< of the design, "d12"; or the name of a calibrated rock
+    std::string point;  ///< of the design, "d12", whose specimens are one for all kinds; or the name of a calibrated rock
     bool is_rock = false;
     KindCoordinates at;             ///< tensile_strength and grain_size 1
     double confining_pressure = 0;  ///< over tc
@@ -53,6 +53,9 @@ struct KindModel : LinearModel {
     /// in the fit, less what scatter and fit have of it. It is .03² at least, a floor that was set beforehand: four rocks cannot
     /// show less.
     double rock_variance = 0;
+    int rocks = 0;  ///< that it is of
+    /// Degrees of freedom of the mean of a rock: those of the fit, and of the rocks that there are (Welch & Satterthwaite).
+    [[nodiscard]] int freedom_of_mean(const std::vector<double>& at) const;
 };
 
 /// Half of specimens, and 95 %, lie within so many standard deviations.
@@ -90,6 +93,8 @@ public:
     /// ln of the unit in SI of a property: tc, of K_IC tc √d; of crack initiation, which an absolute crack strain of 1e-5
     /// defines, tc (tc/(kt d))^−.24 over that of the design.
     [[nodiscard]] static double log_unit(const Property& property, const KindCoordinates& at);
+    /// What the specimens of a property are, where tests are often of others: "300 crystals, plane stress".
+    [[nodiscard]] static std::string specimen_of(const Property& property);
     /// True if all coordinates, and the pressure over tc, lie within those of the design.
     [[nodiscard]] bool holds(const KindCoordinates& at, double confining_pressure = 0) const {
         return beyond(at, confining_pressure).empty();

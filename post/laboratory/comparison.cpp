@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "post/calibrate/predicted.hpp"
-#include "post/fit/paper_rock.hpp"
 #include "post/run/comparability.hpp"
 #include "post/run/test_label.hpp"
 #include "post/table/column.hpp"
@@ -29,12 +27,6 @@ std::string column_of(const Target& target) {
     return property.quantity.dimension == Dimension::toughness ? property.column : property.row();
 }
 
-/// A value of the paper's model for its rock, by the keys of [laboratory]. \param si unit of the paper
-OptionalValue published_of(const std::optional<Material>& material, const std::string& key, double si) {
-    const auto value = material && is_rock_of_paper(material->name) ? PaperModel{}.value(key) : std::nullopt;
-    return value ? OptionalValue(*value * si) : std::nullopt;
-}
-
 OptionalValue slope_of(const OptionalValue& angle) { return angle ? OptionalValue(mohr_coulomb_slope(*angle)) : std::nullopt; }
 
 /// Nothing of a laboratory or a kind is beside what was heated. \param heat how, "at +300 K"
@@ -44,8 +36,8 @@ void leave_alone(ComparisonRow& row, const std::string& heat) {
     row.laboratory.target.value = NAN;
     row.laboratory.origin = PropertyOrigin::unknown;
     row.laboratory.scatter.reset();
-    row.published.reset();
     row.kind.reset();
+    row.kind_specimen.clear();
 }
 
 std::size_t n_without_peak(const SeedGroup& group, StrengthKind kind) {
@@ -74,24 +66,13 @@ public:
         const EnvelopeTests& tests = fit.tests;
         const auto laboratory = [&](const char* key) { return material_ ? material_->laboratory_value(key) : std::nullopt; };
         const auto seeds = fit_seed_envelopes(tests);
-        const auto published_angle = published_of(material_, "friction_angle", 1 / in_degrees);
         const Estimate& angle = fit.envelope.friction_angle;
         const Estimate slope{mohr_coulomb_slope(angle.value), slope_of(angle.low), slope_of(angle.high)};  // b rises with φ
-        fitted(fit, "cohesion C", "cohesion", unit::megapascal, fit.envelope.cohesion, laboratory("cohesion"),
-               published_of(material_, "cohesion", 1 / in_megapascals));
+        fitted(fit, "cohesion C", "cohesion", unit::megapascal, fit.envelope.cohesion, laboratory("cohesion"));
         if (seeds) rows_.back().deviation = seeds->cohesion.deviation;
-        fitted(fit, "friction angle φ", "friction_angle", unit::degree, angle, laboratory("friction_angle"), published_angle);
+        fitted(fit, "friction angle φ", "friction_angle", unit::degree, angle, laboratory("friction_angle"));
         if (seeds) rows_.back().deviation = seeds->friction_angle.deviation;
-        fitted(fit, "", "slope_b", unit::none, slope, slope_of(laboratory("friction_angle")), slope_of(published_angle));
-        const EnvelopeAt yield = fit_envelope_at_first_yield(tests);
-        if (!yield.envelope || !yield.envelope->is_determined()) return;
-        for (const auto& [key, unit, value] :
-             {std::tuple{"cohesion_at_first_yield", unit::megapascal, yield.envelope->cohesion},
-              std::tuple{"friction_angle_at_first_yield", unit::degree, yield.envelope->friction_angle}}) {
-            fitted(fit, "", key, unit, value, std::nullopt, std::nullopt);
-            rows_.back().specimens = yield.runs;
-            rows_.back().without_peak.reset();
-        }
+        fitted(fit, "", "slope_b", unit::none, slope, slope_of(laboratory("friction_angle")));
     }
     [[nodiscard]] std::vector<ComparisonRow> take() { return std::move(rows_); }
 
@@ -102,6 +83,7 @@ private:
         row.column = column_of(property.target);
         row.ours.value = NAN;
         row.kind = prediction_.of(property.target);
+        row.kind_specimen = row.kind ? prediction_.specimen_of(property.target) : "";
         return row;
     }
     void add(const LaboratoryProperty& property, const SeedGroup& group) {
@@ -119,14 +101,13 @@ private:
             row.deviation = sample->deviation;
             row.specimens = sample->n;
         }
-        if (target.confining_pressure == 0) row.published = published_of(material_, target.property.key, target.property.si);
         if (first.data.header.heat != 0) leave_alone(row, first.data.header.heat_label());
         if (!row.laboratory.is_measured() || !sample) return;
         row.caveat = target.caveat(first.bend);
         if (row.caveat.empty()) row.agreement = agreement_of(target, row.computed());
     }
     void fitted(const FabricEnvelope& fit, const std::string& name, const std::string& key, const ColumnUnit& unit,
-                const Estimate& ours, const OptionalValue& laboratory, const OptionalValue& published) {
+                const Estimate& ours, const OptionalValue& laboratory) {
         ComparisonRow& row = rows_.emplace_back();
         Property& property = row.laboratory.target.property;
         property.key = key;
@@ -143,7 +124,6 @@ private:
         row.ours = determined(ours).value_or(Estimate{NAN, {}, {}});
         row.specimens = fit.tests.compression.size();
         row.without_peak = fit.tests.at_strain_limit;
-        row.published = published;
         if (fit.is_heated) leave_alone(row, fit.fabric);
     }
 
@@ -152,6 +132,51 @@ private:
     StrengthKind kind_;
     std::vector<ComparisonRow> rows_;
 };
+
+std::vector<MeasuredRun> measured(const std::vector<RunData>& runs) {
+    std::vector<MeasuredRun> all;
+    for (const RunData& run : runs) {
+        MeasuredRun& each = all.emplace_back();
+        each.data = run;
+        each.curve = load_curve(run);
+        each.strength = measure_strength(run, each.curve);
+        each.moduli = measure_moduli(run);
+        if (is_compression(run.header)) each.thresholds = measure_all_thresholds(run, each.curve, {});
+    }
+    return all;
+}
+
+/// The line through the compression tests, if these are at several pressures.
+std::vector<FabricEnvelope> envelopes_of(const std::vector<RunData>& runs, const std::vector<MeasuredRun>& tests,
+                                         const EnvelopeOptions& options) {
+    std::set<double> pressures;
+    const std::string heat = runs.empty() ? "" : runs.front().header.heat_label();  // comparable runs have the same
+    for (const MeasuredRun& test : tests) {
+        if (!is_compression(test.data.header) || !test.strength.reported(options.strength)) continue;
+        pressures.insert(test.data.header.confining_pressure);
+    }
+    if (pressures.size() < 2) return {};
+    FabricEnvelope fit{heat, !heat.empty(), collect_envelope_tests(runs, options), {}};
+    fit.envelope = fit_envelope(fit.tests.confining(), fit.tests.strength());
+    return {std::move(fit)};
+}
+
+/// Those of the runs, and those at which the kind is asked for σ1.
+std::set<double> pressures_of(const std::vector<RunData>& runs, const Material& material, const MaterialPrediction& prediction) {
+    std::set<double> pressures;
+    for (const RunData& run : runs) pressures.insert(run.header.confining_pressure);
+    for (const auto& [name, predicted] : prediction.of_calibration) {
+        pressures.insert(calibrate::target_of(name, "predicted").confining_pressure);
+    }
+    if (prediction.surface) {
+        for (const LaboratoryProperty& each : laboratory_properties(material, {})) {
+            pressures.insert(each.target.confining_pressure);
+        }
+        pressures.insert(material.laboratory_value("confining_pressure").value_or(0));
+    }
+    pressures.erase(0);
+    return pressures.empty() ? std::set<double>{8e6, 20e6} : pressures;
+}
 
 }  // namespace
 
@@ -189,6 +214,12 @@ MaterialPrediction prediction_of(const Material& material) {
         prediction.of_calibration = calibrate::predictions_in(material);
     }
     return prediction;
+}
+
+std::string MaterialPrediction::specimen_of(const Target& target) const {
+    const std::string specimen = KindSurface::specimen_of(target.property);
+    if (of_calibration.empty() || of_calibration.contains(target.name())) return specimen;
+    return specimen + (specimen.empty() ? "" : ", ") + "by the kind alone";
 }
 
 Estimate ComparisonRow::computed() const {
@@ -240,52 +271,6 @@ std::vector<ComparisonRow> compare(const std::vector<SeedGroup>& groups, const s
     return rows.take();
 }
 
-namespace {
-
-std::vector<MeasuredRun> measured(const std::vector<RunData>& runs) {
-    std::vector<MeasuredRun> all;
-    for (const RunData& run : runs) {
-        MeasuredRun& each = all.emplace_back();
-        each.data = run;
-        each.curve = load_curve(run);
-        each.strength = measure_strength(run, each.curve);
-        each.moduli = measure_moduli(run);
-        if (is_compression(run.header)) each.thresholds = measure_all_thresholds(run, each.curve, {});
-    }
-    return all;
-}
-
-/// The line through the compression tests, if these are at several pressures.
-std::vector<FabricEnvelope> envelopes_of(const std::vector<RunData>& runs, const std::vector<MeasuredRun>& tests,
-                                         const EnvelopeOptions& options) {
-    std::set<double> pressures;
-    const std::string heat = runs.empty() ? "" : runs.front().header.heat_label();  // comparable runs have the same
-    for (const MeasuredRun& test : tests) {
-        if (!is_compression(test.data.header) || !test.strength.reported(options.strength)) continue;
-        pressures.insert(test.data.header.confining_pressure);
-    }
-    if (pressures.size() < 2) return {};
-    FabricEnvelope fit{heat, !heat.empty(), collect_envelope_tests(runs, options), {}};
-    fit.envelope = fit_envelope(fit.tests.confining(), fit.tests.strength());
-    return {std::move(fit)};
-}
-
-/// Those of the runs, and those at which the kind is asked for σ1.
-std::set<double> pressures_of(const std::vector<RunData>& runs, const Material& material, bool has_kind) {
-    std::set<double> pressures;
-    for (const RunData& run : runs) pressures.insert(run.header.confining_pressure);
-    if (has_kind) {
-        for (const LaboratoryProperty& each : laboratory_properties(material, {})) {
-            pressures.insert(each.target.confining_pressure);
-        }
-        pressures.insert(material.laboratory_value("confining_pressure").value_or(0));
-    }
-    pressures.erase(0);
-    return pressures.empty() ? std::set<double>{8e6, 20e6} : pressures;
-}
-
-}  // namespace
-
 void require_material(const std::vector<RunData>& runs, IncompleteMaterial read) {
     take_laboratory(read);
     for (const RunData& run : runs) {
@@ -309,7 +294,7 @@ std::vector<ComparisonRow> property_rows(const std::vector<RunData>& runs, Incom
     }
     why = prediction.why;
     const std::vector<MeasuredRun> tests = measured(runs);
-    const auto pressures = pressures_of(runs, material, prediction.surface.has_value());
+    const auto pressures = pressures_of(runs, material, prediction);
     auto rows = compare(seed_groups(tests), envelopes_of(runs, tests, options),
                         laboratory_properties(material, {pressures.begin(), pressures.end()}, LaboratorySource::line), material,
                         prediction, options.strength);
@@ -329,8 +314,8 @@ OptionalValue of_specimen(const ComparisonRow& row, double deviations) {
 
 /// A datasheet: the rows that laboratories know, each in its unit.
 void write_datasheet(std::ostream& out, const std::vector<ComparisonRow>& rows) {
-    TerminalTable table({"property", "unit", "ours", "95 % interval", "specimens", "did not fail", "laboratory", "published",
-                         "by rock type", "95 % of specimens"});
+    TerminalTable table({"property", "unit", "ours", "95 % interval", "specimens", "did not fail", "laboratory", "by rock type",
+                         "95 % of specimens", "which are"});
     for (const ComparisonRow& row : rows) {
         if (row.name.empty()) continue;
         const Property& property = row.laboratory.target.property;
@@ -340,8 +325,8 @@ void write_datasheet(std::ostream& out, const std::vector<ComparisonRow>& rows) 
         const bool all_failed = row.without_peak.value_or(0) == 0;
         table.row({row.name, unit.name.empty() ? " " : symbol_of(unit), in_unit(row, value), interval_cell(low, high, unit),
                    row.is_tested() ? Cell(row.specimens) : Cell(), all_failed ? Cell() : Cell(row.without_peak),
-                   in_unit(row, row.laboratory.target.value), in_unit(row, row.published), in_unit(row, of_specimen(row, 0)),
-                   interval_cell(least, most, unit)});
+                   in_unit(row, row.laboratory.target.value), in_unit(row, of_specimen(row, 0)), interval_cell(least, most, unit),
+                   row.kind_specimen});
     }
     table.write(out);
 }
@@ -357,7 +342,6 @@ void write_properties(std::ostream& out, const std::vector<ComparisonRow>& rows,
     };
     const Columns<Row> columns{{"property", none, [](const Row& row) { return row.column; }},
                                {"laboratory", none, [](const Row& row) { return in_unit(row, row.laboratory.target.value); }},
-                               {"published", none, [](const Row& row) { return in_unit(row, row.published); }},
                                {"ours", none, [](const Row& row) { return in_unit(row, row.ours.value); }},
                                {"low", none, [](const Row& row) { return in_unit(row, row.computed().low); }},
                                {"high", none, [](const Row& row) { return in_unit(row, row.computed().high); }},
@@ -375,7 +359,8 @@ void write_properties(std::ostream& out, const std::vector<ComparisonRow>& rows,
                                {"kind_50_low", none, of_kind(-deviations_of_50_percent)},
                                {"kind_50_high", none, of_kind(deviations_of_50_percent)},
                                {"kind_95_low", none, of_kind(-deviations_of_95_percent)},
-                               {"kind_95_high", none, of_kind(deviations_of_95_percent)}};
+                               {"kind_95_high", none, of_kind(deviations_of_95_percent)},
+                               {"kind_specimen", none, [](const Row& row) { return row.kind_specimen; }}};
     write_table(out, columns, rows, format);
 }
 

@@ -68,6 +68,8 @@ struct MaterialPrediction {
         if (own != of_calibration.end()) return own->second;
         return surface ? surface->predict(at, target.property, target.confining_pressure) : std::nullopt;
     }
+    /// What that specimen is, and whether the runs of a calibration do not tell of it: "300 crystals, by the kind alone".
+    [[nodiscard]] std::string specimen_of(const calibrate::Target& target) const;
 };
 MaterialPrediction prediction_of(const Material& material);
 
@@ -83,8 +85,8 @@ struct ComparisonRow {
     std::optional<std::size_t> without_peak = std::nullopt;
     bool is_heated = false;                             ///< compared with neither laboratory nor kind
     bool is_mean = false;                               ///< of a sample of specimens; else from a fit through all of them
-    std::optional<double> published = std::nullopt;     ///< of the paper's model, for the paper's rock
     std::optional<KindPrediction> kind = std::nullopt;  ///< of a new specimen, by the surface of the kind of rock
+    std::string kind_specimen = {};                     ///< what that is
     std::string caveat = {};                            ///< why its agreement is unknown, as `Target::caveat`
     calibrate::Agreement agreement = calibrate::Agreement::unknown;
 
@@ -107,7 +109,7 @@ std::optional<double> value_of(const MeasuredRun& test, const calibrate::Target&
                                StrengthKind kind = StrengthKind::first_peak);
 
 /// For each property a row for each group that measures it; behind the strengths C, φ and b of each envelope, which [targets]
-/// do not have, also by the stress at first yield; last the properties that no group measures. Heated specimens stand beside
+/// do not have; last the properties that no group measures. Heated specimens stand beside
 /// neither the laboratory's values nor the kind's.
 /// \param properties as `laboratory_properties` \param kind of strengths
 std::vector<ComparisonRow> compare(const std::vector<SeedGroup>& groups, const std::vector<FabricEnvelope>& envelopes,
@@ -120,16 +122,16 @@ void require_material(const std::vector<RunData>& runs, IncompleteMaterial mater
 /// The table `properties` of a rock: its specimens beside its laboratory (the paper's Table 8), and what its kind predicts.
 ///
 /// E and ν (chord to half the peak) of the uniaxial tests, tensile strengths, σ1 at each pressure, and C, φ and b of the line
-/// through them, also by the stress at first yield; then, without runs, what the surface of the kind predicts of new specimens:
+/// through them; then, without runs, what the surface of the kind predicts of new specimens:
 /// σ1 at the pressures of the runs, of [targets] and of the laboratory, else at 8 and 20 MPa. Neither the runs nor the kind need
 /// to give all. \param why the kind predicts nothing; "" if it does \throws InputError as require_comparable and
 /// collect_envelope_tests, and for a broken table or [targets]
 std::vector<ComparisonRow> property_rows(const std::vector<RunData>& runs, IncompleteMaterial material,
                                          const EnvelopeOptions& options, std::string& why);
 
-/// Table property, laboratory, published, ours, low, high, deviation, specimens, without_peak, off_laboratory_percent,
-/// half_interval_percent, specimens_for_3_percent, kind_median, kind_50_low, kind_50_high, kind_95_low, kind_95_high; each row in
-/// the unit of its name. Aligned it is a datasheet, by the names that laboratories have.
+/// Table property, laboratory, ours, low, high, deviation, specimens, without_peak, off_laboratory_percent,
+/// half_interval_percent, specimens_for_3_percent, kind_median, kind_50_low, kind_50_high, kind_95_low, kind_95_high,
+/// kind_specimen; each row in the unit of its name. Aligned it is a datasheet, by the names that laboratories have.
 void write_properties(std::ostream& out, const std::vector<ComparisonRow>& rows, TableFormat format);
 
 }  // namespace graincrack

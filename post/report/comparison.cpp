@@ -70,11 +70,12 @@ std::string verdict_cell(const ComparisonRow& row) {
     return row.specimens == 1 ? "not decided by one run" : fmt::format("not decided ({} runs)", row.specimens);
 }
 
-/// Median and 95 % of a new specimen by the kind; "" if it predicts nothing.
+/// Median and 95 % of a new specimen by the kind, and what that is; "" if it predicts nothing.
 std::string kind_cell(const ComparisonRow& row) {
     if (!row.kind) return "";
     const auto at = [&](double deviations) { return in_unit(row, row.kind->specimen_at(deviations)); };
-    return at(0) + unit_of(row) + "\n" + at(-deviations_of_95_percent) + " to " + at(deviations_of_95_percent);
+    return at(0) + unit_of(row) + "\n" + at(-deviations_of_95_percent) + " to " + at(deviations_of_95_percent) +
+           (row.kind_specimen.empty() ? "" : "\n") + row.kind_specimen;
 }
 
 /// The rows that a page shows: tested ones, and values of the laboratory that no run is compared with.

@@ -4,12 +4,15 @@
 #include <gsl/gsl_cdf.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
+#include <utility>
 
 namespace graincrack {
 
@@ -125,21 +128,50 @@ std::optional<LinearModel> LinearModel::fit(std::vector<SurfaceTerm> terms, std:
     return model;
 }
 
+double LinearModel::make_independent(const std::vector<std::string>& specimens, double correlation) {
+    std::map<std::string, std::vector<Eigen::Index>> members;
+    for (std::size_t i = 0; i < specimens.size(); ++i) members[specimens[i]].push_back(static_cast<Eigen::Index>(i));
+    Eigen::MatrixXd both(design.rows(), design.cols() + 1);
+    both << design, Eigen::Map<const Eigen::VectorXd>(response.data(), design.rows());
+    double log_determinant = 0;
+    for (const auto& [specimen, own] : members) {
+        const auto others = static_cast<double>(own.size()) - 1;
+        const double left = std::sqrt((1 - correlation) / (1 + others * correlation));  // of their mean
+        const Eigen::RowVectorXd mean = both(own, Eigen::all).colwise().mean();
+        for (const Eigen::Index i : own) both.row(i) = (both.row(i) - (1 - left) * mean) / std::sqrt(1 - correlation);
+        log_determinant += std::log(left) - (others + 1) / 2 * std::log(1 - correlation);
+    }
+    design = both.leftCols(design.cols());
+    Eigen::Map<Eigen::VectorXd>(response.data(), design.rows()) = both.rightCols<1>();
+    return log_determinant;
+}
+
 std::optional<LinearModel> LinearModel::fit_restricted(std::vector<SurfaceTerm> terms, std::size_t n_free,
-                                                       std::vector<std::vector<double>> factors, std::vector<double> response) {
+                                                       std::vector<std::vector<double>> factors, std::vector<double> response,
+                                                       const std::vector<std::string>& specimens) {
     const auto free = fit({terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(n_free)}, factors, response);
     if (!free || free->freedom < 2) return std::nullopt;
-    LinearModel model(std::move(terms), std::move(factors), std::move(response));
-    Eigen::VectorXd drawn = Eigen::VectorXd::Ones(model.design.cols());
+    const LinearModel dependent(std::move(terms), std::move(factors), std::move(response));
+    Eigen::VectorXd drawn = Eigen::VectorXd::Ones(dependent.design.cols());
     drawn.head(static_cast<Eigen::Index>(n_free)).setZero();
-    double best = 0;
+    std::optional<LinearModel> best;
     double most = -std::numeric_limits<double>::infinity();
-    for (double weight = 1; weight < 1e4; weight *= 1.5) {
-        const double likelihood = model.solve(weight * drawn);
-        if (likelihood > most) std::tie(most, best) = std::pair(likelihood, weight);
+    const bool share = std::set<std::string>(specimens.begin(), specimens.end()).size() < specimens.size();
+    double weight = 1;
+    double correlation = share ? 0.5 : 0;
+    const auto attempt = [&](double own_weight, double own_correlation) {
+        LinearModel model = dependent;
+        const double log_determinant = model.make_independent(specimens, own_correlation);
+        const double likelihood = log_determinant + model.solve(own_weight * drawn);
+        if (!(likelihood > most)) return;
+        std::tie(most, weight, correlation) = std::tuple(likelihood, own_weight, own_correlation);
+        best = std::move(model);
+    };
+    for (int round = 0; round < (share ? 2 : 1); ++round) {
+        for (double each = 1; each < 1e4; each *= 1.5) attempt(each, correlation);
+        for (double own = 1; share && own > 0.01; own *= 0.75) attempt(weight, 1 - own);  // the rest of the variance
     }
-    model.solve(best * drawn);
-    return model;
+    return best;
 }
 
 void LinearModel::update(const std::vector<double>& at, double value, double scatter) {
@@ -151,10 +183,9 @@ void LinearModel::update(const std::vector<double>& at, double value, double sca
     ++n_values;
 }
 
-Eigen::VectorXd LinearModel::sample(const Eigen::VectorXd& normal) const {
-    const Eigen::LDLT<Eigen::MatrixXd> factor(variance * inverse);
-    const Eigen::VectorXd scaled = factor.vectorD().cwiseMax(0).cwiseSqrt().cwiseProduct(normal);
-    return factor.transpositionsP().transpose() * (factor.matrixL() * scaled);
+double LinearModel::residual_correlation(const LinearModel& other) const {
+    if (terms != other.terms || factors != other.factors) return 0;
+    return residuals.dot(other.residuals) / (residuals.norm() * other.residuals.norm());
 }
 
 double LinearModel::total_sum() const { return sum_of_squares(response); }
@@ -239,6 +270,12 @@ std::optional<LackOfFit> LinearModel::lack_of_fit() const {
     test.f = test.sum / test.freedom / (test.pure_error_sum / test.pure_error_freedom);
     test.p = f_tail(test.f, test.freedom, test.pure_error_freedom);
     return test;
+}
+
+Eigen::MatrixXd square_root(const Eigen::MatrixXd& matrix) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+    const Eigen::VectorXd roots = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+    return solver.eigenvectors() * roots.asDiagonal() * solver.eigenvectors().transpose();
 }
 
 LinearModel eliminate_backward(LinearModel model, double alpha) {

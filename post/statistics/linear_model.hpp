@@ -61,14 +61,17 @@ struct LinearModel {
                                           std::vector<double> response);
     /// Least squares in which the coefficients behind the first `n_free` are drawn to 0, as normal numbers about it, with that
     /// weight by which the observations are most likely (empirical Bayes, restricted likelihood); each is at most about the
-    /// scatter of an observation, as few of these would bend without end. Empty unless there are two observations more than free
-    /// terms, which they determine.
+    /// scatter of an observation, as few of these would bend without end. Those on one specimen scatter together, by a
+    /// correlation that is found likewise; `design`, `response` and what follows from them are then of independent combinations
+    /// with the same variance. Empty unless there are two observations more than free terms, which they determine.
+    /// \param specimens of each observation
     static std::optional<LinearModel> fit_restricted(std::vector<SurfaceTerm> terms, std::size_t n_free,
-                                                     std::vector<std::vector<double>> factors, std::vector<double> response);
+                                                     std::vector<std::vector<double>> factors, std::vector<double> response,
+                                                     const std::vector<std::string>& specimens);
     /// Bayesian update by one more observation. \param scatter its variance over `variance`
     void update(const std::vector<double>& at, double value, double scatter);
-    /// How far coefficients are off that have these standard normal numbers, one a coefficient.
-    [[nodiscard]] Eigen::VectorXd sample(const Eigen::VectorXd& normal) const;
+    /// Correlation of what observations at equal factors are off two models of the same terms; 0 if they have others.
+    [[nodiscard]] double residual_correlation(const LinearModel& other) const;
 
     [[nodiscard]] double residual_sum() const { return residuals.squaredNorm(); }  ///< Σ (y − ŷ)²
     [[nodiscard]] double total_sum() const;                                        ///< Σ (y − ȳ)²
@@ -107,6 +110,9 @@ private:
     LinearModel(std::vector<SurfaceTerm> of, std::vector<std::vector<double>> at, std::vector<double> values);
     /// Fits with a weight that draws each coefficient to 0, or none. \return the restricted likelihood, its logarithm
     double solve(const Eigen::VectorXd& weights);
+    /// Combines the observations of each specimen, which have a correlation, to independent ones (Fuller & Battese 1973).
+    /// \return ln of the determinant of the combination
+    double make_independent(const std::vector<std::string>& specimens, double correlation);
     [[nodiscard]] Estimate with_interval(const std::vector<double>& at, double own_variance) const;
 };
 
@@ -117,6 +123,9 @@ LinearModel eliminate_backward(LinearModel model, double alpha);
 /// Adds, one by one, the candidate that reduces PRESS most, until none reduces it or the degrees of freedom are as few as half of
 /// the observations.
 LinearModel extend_forward(LinearModel model, const std::vector<SurfaceTerm>& candidates);
+
+/// The symmetric matrix whose square is this one. \pre symmetric, no eigenvalue is negative but for rounding
+Eigen::MatrixXd square_root(const Eigen::MatrixXd& matrix);
 
 /// P(F > f) of Fisher's distribution.
 double f_tail(double f, int numerator_freedom, int denominator_freedom);

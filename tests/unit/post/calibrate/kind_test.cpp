@@ -1,4 +1,5 @@
 // Calibrations that begin with the surface of a kind, on rocks whose contact values are known.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,8 +56,10 @@ std::shared_ptr<const KindSurface> kind() {
         }
     };
     const Box box{DesignPoint{{0, 0.77}}, DesignPoint{{1.3, 0.4}}};
-    for (const DesignPoint& at : sobol_points(box, 0, 40)) add("d", coordinates(5 * std::exp(at(0)), at(1)), false);
-    for (int i = 0; i < 3; ++i) add("rock", coordinates(5, 0.77), true);
+    for (const DesignPoint& at : sobol_points(box, 0, 40)) {
+        add(fmt::format("d{}", rows.size()), coordinates(5 * std::exp(at(0)), at(1)), false);
+    }
+    for (int i = 0; i < 3; ++i) add(fmt::format("rock {}", i), coordinates(5, 0.77), true);
     return std::make_shared<const KindSurface>(rows, "granite");
 }
 

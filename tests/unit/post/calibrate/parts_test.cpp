@@ -135,6 +135,11 @@ TEST(Optimum, WhatNothingTellsStaysAtTheFirstGuess) {
     EXPECT_NEAR(optimum.point(1), -0.4 + 0.35 * 2 / 2.01, 1e-6);
     EXPECT_NEAR(optimum.covariance(0, 0), 0.5 + 0.25 * 0.02 / 2.01, 1e-6);
     EXPECT_TRUE(optimum.is_undetermined(0));
+    // A wider first guess determines nothing more.
+    const Optimum wide = find_optimum(unit, point(0.2, -0.4), {{&planes.first, 0.5, 0.1}}, {}, 2);
+    EXPECT_NEAR(wide.covariance(0, 0), 2, 0.01);
+    EXPECT_TRUE(find_optimum(unit, point(0, 0), {{&planes.first, 0.5, 0.9}, {&planes.second, 0.1, 0.9}}, {}, 2)
+                    .is_undetermined(0));  // about 0.4 of 4
 }
 
 // Draws of two planes, one of which is a target, scatter as the covariance says; so does x − y, which nothing tells but the first
@@ -158,6 +163,46 @@ TEST(Optimum, DrawsHaveItsCovariance) {
     EXPECT_NEAR(*sample(x).deviation, std::sqrt(optimum.covariance(0, 0)), 0.034 * 0.15);
     EXPECT_NEAR(*sample(sum).deviation, std::sqrt(0.08 * 0.01 / 0.09), 0.034 * 0.095);
     EXPECT_NEAR(*sample(difference).deviation, 0.2 * std::sqrt(2), 0.034 * 0.29);
+}
+
+// Two quantities of the same specimens, which scatter together, are drawn together, and by Student's distribution.
+TEST(Optimum, DrawsOfOneSpecimenGoTogether) {
+    test::Normal normal(5);
+    std::vector<std::vector<double>> factors;
+    std::vector<double> first;
+    std::vector<double> second;
+    for (const DesignPoint& at : sobol_points(unit, 0, 12)) {
+        factors.push_back({at(0), at(1)});
+        const double of_specimen = normal();
+        first.push_back(at(0) + 0.1 * (of_specimen + 0.5 * normal()));
+        second.push_back(at(1) + 0.1 * (of_specimen + 0.5 * normal()));
+    }
+    const std::vector<SurfaceTerm> terms{{{0, 0}}, {{1, 0}}, {{0, 1}}};
+    const auto surface = [&](const std::vector<double>& response) {
+        return LocalSurface(
+            [](const DesignPoint& at) {
+                return calibrate::Located{{at(0), at(1)}};
+            },
+            *LinearModel::fit(terms, factors, response), true);
+    };
+    const LocalSurface a = surface(first);
+    const LocalSurface b = surface(second);
+    const double together = a.model().residual_correlation(b.model());
+    EXPECT_GT(together, 0.5);
+    const std::vector<Residual> residuals{{&a, 0, 0.1}};
+    const Optimum optimum = find_optimum(unit, point(0, 0), residuals, {}, 1e-6);
+    std::vector<double> of_a;
+    std::vector<double> of_b;
+    for (const auto& logs : draw(unit, optimum, residuals, {&a, &b}, 8000).logs) {
+        of_a.push_back(logs[0]);
+        of_b.push_back(logs[1]);
+    }
+    const double r = std::sqrt(fit_line(of_a, of_b)->r_squared);
+    EXPECT_GT(r, 0.8 * together);  // each by a scale of its own
+    EXPECT_LT(r, together + 0.03);
+    const int freedom = a.model().freedom;  // 9: 9/7 times the variance
+    EXPECT_NEAR(*sample(of_a).deviation, std::sqrt(a.variance(optimum.point) * freedom / (freedom - 2)),
+                0.04 * *sample(of_a).deviation);
 }
 
 // A share that falls with x: logit 2 − 8 x, one half at x = 0.25.

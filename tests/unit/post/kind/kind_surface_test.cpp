@@ -79,6 +79,76 @@ TEST(KindSurface, IntervalsHoldNewSpecimens) {
     EXPECT_NEAR(std::sqrt(deviations / n), 1, 0.15);
 }
 
+// Of four kinds on the six specimens of granite, four fifths of the variance are of the specimen.
+TEST(KindSurface, OtherKindsOnTheSpecimensOfGraniteAreNoOtherSpecimens) {
+    const SyntheticKind exact{.scatter = 0};
+    double off = 0;  // over the deviation, squared
+    double together = 0;
+    double apart = 0;
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+        test::Normal normal(seed);
+        std::vector<KindRow> rows;
+        std::vector<KindRow> with_own_names;
+        std::vector<KindCoordinates> six;
+        for (const KindRow& row : exact.rows(60, seed)) {
+            if (row.property != "uniaxial") continue;
+            const double of_specimen = std::sqrt(0.8) * normal();
+            const bool is_of_all = six.size() < 6;
+            if (is_of_all) six.push_back(row.at);
+            for (const char* kind : {"granite", "gabbro", "marble", "quartzite"}) {
+                rows.push_back(row);
+                rows.back().kind = kind;
+                rows.back().value *= std::exp(0.06 * (of_specimen + std::sqrt(0.2) * normal()));
+                with_own_names.push_back(rows.back());
+                with_own_names.back().point += kind;
+                if (!is_of_all) break;
+            }
+        }
+        const KindSurface surface(rows, "granite");
+        const KindSurface other(with_own_names, "granite");
+        for (const KindCoordinates& at : six) {
+            const auto found = surface.predict(at, uniaxial, 0);
+            const double variance = std::pow(found->mean_deviation, 2) - 0.03 * 0.03;
+            off += std::pow(std::log(found->value) - exact.log_of("uniaxial", at, 0), 2) / variance;
+            together += variance;
+            apart += std::pow(other.predict(at, uniaxial, 0)->mean_deviation, 2) - 0.03 * 0.03;
+        }
+    }
+    EXPECT_NEAR(std::sqrt(off / 360), 1, 0.1);
+    EXPECT_GT(std::sqrt(together / apart), 1.09);
+}
+
+// 95 % intervals of the mean of another rock, where four rocks tell how far rocks differ.
+TEST(KindSurface, MeansOfRocksAreKnownByAsManyAsThereAre) {
+    const SyntheticKind planted;
+    const KindCoordinates at{1, 1, 5, 0.77, 0.45, 0.7, 80, 0, 0};
+    const double mean = planted.log_of("uniaxial", at, 0);
+    int within = 0;
+    int within_normal = 0;
+    for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+        test::Normal normal(seed);
+        std::vector<KindRow> rows = planted.rows(20, seed);
+        std::erase_if(rows, [](const KindRow& row) { return row.property != "uniaxial"; });
+        for (const char* rock : {"a", "b", "c", "d"}) {
+            rows.push_back({"granite", rock, true, at, 0, "uniaxial", std::exp(mean + 0.15 * normal()), 1e6});
+        }
+        const KindSurface surface(rows, "granite");
+        const auto found = surface.predict(at, uniaxial, 0);
+        const double off = std::abs(mean + 0.15 * normal() - std::log(found->value)) / found->mean_deviation;
+        within += off < student_t_95(surface.model(uniaxial, 0)->freedom_of_mean(surface.factors(at, 0))) ? 1 : 0;
+        within_normal += off < deviations_of_95_percent ? 1 : 0;
+    }
+    EXPECT_NEAR(within / 400.0, 0.95, 0.025);
+    EXPECT_LT(within_normal / 400.0, 0.91);
+}
+
+TEST(KindSurface, SaysWhatItsSpecimensAre) {
+    EXPECT_EQ(KindSurface::specimen_of(uniaxial), "300 crystals");
+    EXPECT_EQ(KindSurface::specimen_of(property_named("direct_tension")), "300 crystals, plane stress");
+    EXPECT_EQ(KindSurface::specimen_of(toughness), "plane stress");
+    EXPECT_EQ(KindSurface::specimen_of(property_named("brazilian")), "");
+}
+
 TEST(KindSurface, RocksOffItWidenWhatItSays) {
     const SyntheticKind planted;
     std::vector<KindRow> rows = planted.rows(70);

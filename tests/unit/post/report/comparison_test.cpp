@@ -93,7 +93,9 @@ TEST_F(Comparison, TheKindOfRockSaysWhatASpecimenHas) {
     const auto cell = [&](const char* name) {
         const auto found = KindSurface::of(rock)->predict(rock, property_named(name), 0);
         const auto at = [&](double deviations) { return html::number(found->specimen_at(deviations) * 1e-6); };
-        return "<td>" + at(0) + "\u00a0MPa\n" + at(-1.959964) + " to " + at(1.959964) + "</td></tr>";
+        const std::string specimen = KindSurface::specimen_of(property_named(name));
+        return "<td>" + at(0) + "\u00a0MPa\n" + at(-1.959964) + " to " + at(1.959964) + (specimen.empty() ? "" : "\n") +
+               specimen + "</td></tr>";
     };
     const std::string untested = "not tested</td><td>–</td><td>–</td><td>–</td>";
     expect_texts(table(rock),

@@ -27,7 +27,10 @@ TEST(LoadCurve, CompressionIsPositiveAndPeaksWherePlanted) {
     const LoadCurve curve = load_curve(data_of({}));
     EXPECT_EQ(curve.start, 0U);
     EXPECT_EQ(curve.peak, 100U);
-    EXPECT_NEAR(curve.peak_stress(), 125e6, 1);
+    EXPECT_NEAR(curve.stress[curve.peak], 125e6, 1);
+    EXPECT_EQ(curve.peak_stress(), curve.strength->stress);  // of the smoothed curve
+    EXPECT_EQ(curve.shown_stress(curve.peak), curve.peak_stress());
+    EXPECT_EQ(curve.shown_stress(curve.peak - 20), curve.stress[curve.peak - 20]);
     EXPECT_GT(curve.axial_strain[curve.peak], 0);
     EXPECT_GT(curve.lateral_strain[curve.peak], 0);  // widens
 }

@@ -71,13 +71,31 @@ TEST(LinearModel, AnUpdateIsAFitWithOneObservationMore) {
 // What bends nothing is drawn to 0; a square that is there stays.
 TEST(LinearModel, RestrictedLikelihoodDrawsToZeroWhatIsNotThere) {
     Observations data(60);
-    const auto fit = [&] { return LinearModel::fit_restricted(quadratic_terms(2), 3, data.factors, data.response).value(); };
+    const auto fit = [&] { return LinearModel::fit_restricted(quadratic_terms(2), 3, data.factors, data.response, {}).value(); };
     const LinearModel flat = fit();
     EXPECT_LT(flat.coefficients.tail(3).norm(), 0.02);
     EXPECT_NEAR(flat.scatter(), 0.1, 0.03);
     for (std::size_t i = 0; i < 60; ++i) data.response[i] += std::pow(data.factors[i][0], 2);
     EXPECT_NEAR(fit().coefficients(4), 1, 0.1);
-    EXPECT_FALSE(LinearModel::fit_restricted(quadratic_terms(2), 3, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {1, 2, 3, 4}));
+    EXPECT_FALSE(LinearModel::fit_restricted(quadratic_terms(2), 3, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {1, 2, 3, 4}, {}));
+}
+
+// Each specimen observed twice, with nearly the same result, tells hardly more than observed once.
+TEST(LinearModel, ObservationsOnOneSpecimenScatterTogether) {
+    const Observations once(40);
+    Observations twice = once;
+    std::vector<std::string> specimens;
+    for (int i = 0; i < 80; ++i) specimens.push_back(std::to_string(i % 40));
+    twice.factors.insert(twice.factors.end(), once.factors.begin(), once.factors.end());
+    for (int i = 0; i < 40; ++i) twice.response.push_back(once.response[i] + (i % 2 == 0 ? 0.02 : -0.02));
+    const auto fit = [](const Observations& data, const std::vector<std::string>& of) {
+        return LinearModel::fit_restricted(plane, 3, data.factors, data.response, of).value();
+    };
+    const LinearModel one = fit(once, {});
+    const LinearModel together = fit(twice, specimens);
+    EXPECT_NEAR(together.standard_error(1), one.standard_error(1), 0.08 * one.standard_error(1));
+    EXPECT_LT(fit(twice, {}).standard_error(1), 0.8 * one.standard_error(1));
+    EXPECT_NEAR(together.scatter(), one.scatter(), 0.1 * one.scatter());
 }
 
 }  // namespace
