@@ -160,7 +160,7 @@ class Files(unittest.TestCase):
     def test_units_of_columns(self):
         columns = {column["name"]: column["unit"] for table in description("graincrack-post")["tables"] for column in table["columns"]}
         for name, unit in {"strain_at_peak": "", "specimens_for_3_percent": "", "drop_percent": "percent", "moment_N_m": "N_m", "x_m": "m",
-                           "tensile_share_within_30_deg": "", "curvature_low_per_MPa": "per_MPa", "platen_speed_m/s": "m/s",
+                           "tensile_share_within_30_deg": "", "seed_cohesion_low_MPa": "MPa", "platen_speed_m/s": "m/s",
                            "time_damaged_10_s": "s", "seed_cohesion_deviation_MPa": "MPa"}.items():
             self.assertEqual(columns[name], unit, name)
 
