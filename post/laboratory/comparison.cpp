@@ -217,7 +217,7 @@ MaterialPrediction prediction_of(const Material& material) {
 }
 
 std::string MaterialPrediction::specimen_of(const Target& target) const {
-    const std::string specimen = KindSurface::specimen_of(target.property);
+    std::string specimen = KindSurface::specimen_of(target.property);
     if (of_calibration.empty() || of_calibration.contains(target.name())) return specimen;
     return specimen + (specimen.empty() ? "" : ", ") + "by the kind alone";
 }
