@@ -33,7 +33,7 @@ double of_rock(const Values& /*before*/, const Rock& rock, PlaneCondition plane)
 std::span<const ContactParameter> all_contact_parameters() {
     using enum Dimension;
     // clang-format off
-    static const std::array<ContactParameter, 13> rows{{
+    static const std::array<ContactParameter, 14> rows{{
         // quantity: name, dimension, bounds, meaning, open below; members
         //     example, usual, every law, follows the plane, files may lack it, derivation
         {{"contact_tensile_strength", stress, 0, 1e12, "tensile strength t_c of a contact", true}, &Values::tensile_strength, &Given::tensile_strength,
@@ -62,6 +62,8 @@ std::span<const ContactParameter> all_contact_parameters() {
             "5 MPa", "0, no bridges", false, false, true, nothing},
         {{"contact_bridging_energy", fracture_energy, 0, 1e9, "energy to pull the bridges of a unit of contact area apart"}, &Values::bridging_energy, &Given::bridging_energy,
             "80 J/m2", "0, no bridges", false, false, true, nothing},
+        {{"contact_wear_slip", length, 0, 1, "slip over which the friction of a contact without cohesion falls to that of worn faces"}, &Values::wear_slip, &Given::wear_slip,
+            "0.2 mm", "0, worn at once", false, false, true, nothing},
     }};
     // clang-format on
     return rows;

@@ -26,6 +26,7 @@ struct Lanes {
     alignas(64) double normal_stiffness[max_contacts], shear_stiffness[max_contacts];
     alignas(64) double cohesion[max_contacts], tan_friction[max_contacts];
     alignas(64) double friction[max_contacts];
+    alignas(64) double tan_fresh[max_contacts], inv_wear_slip[max_contacts], worn[max_contacts];  // set where faces wear
 };
 
 void gather(const Assemblage& a, const State& s, double time_step, Range contacts, Lanes& b) {
@@ -59,6 +60,10 @@ void gather(const Assemblage& a, const State& s, double time_step, Range contact
         b.shear_stiffness[i] = law.shear_stiffness;
         b.cohesion[i] = law.cohesion;
         b.tan_friction[i] = law.tan_friction;
+        if (s.worn.empty()) continue;
+        b.tan_fresh[i] = law.tan_fresh;
+        b.inv_wear_slip[i] = law.inv_wear_slip;
+        b.worn[i] = s.worn[node];
     }
 }
 
@@ -75,15 +80,22 @@ GRAINCRACK_INLINE void find_geometry(std::int32_t count, Lanes& b) {
 
 /// A contact ends when its node is outside and there is no overlap left. Its last force is the correction of its energy
 /// (`NodeEdgeContact::release_correction`).
+template <bool wears>
 GRAINCRACK_INLINE void move(std::int32_t count, Lanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         const Vector2 t{b.tangent_x[i], b.tangent_y[i]};
         const PairGeometry g{t, {t.y, -t.x}, b.inv_length[i], b.place[i], b.depth[i]};
         const double sliding =
             sliding_along(g, {b.node_x[i], b.node_y[i]}, {b.first_x[i], b.first_y[i]}, {b.second_x[i], b.second_y[i]});
-        const FrictionLaw law{b.normal_stiffness[i], b.shear_stiffness[i], b.cohesion[i], b.tan_friction[i]};
-        const NodeEdgeResponse r = move_node_edge_contact(
-            law, {true, true, b.area[i], b.initial_overlap[i], b.overlap[i], b.elastic_slip[i], 0}, g, sliding);
+        FrictionLaw law{b.normal_stiffness[i], b.shear_stiffness[i], b.cohesion[i], b.tan_friction[i]};
+        if constexpr (wears) {
+            law.tan_fresh = b.tan_fresh[i];
+            law.inv_wear_slip = b.inv_wear_slip[i];
+        }
+        const NodeEdgeResponse r =
+            move_node_edge_contact<wears>(law, {true, true, b.area[i], b.initial_overlap[i], b.overlap[i], b.elastic_slip[i], 0},
+                                          g, sliding, wears ? b.worn[i] : 0.0);
+        if constexpr (wears) b.worn[i] = b.live[i] * std::abs(r.slip);
         const double live = b.live[i];
         b.live[i] = g.depth <= std::min(b.initial_overlap[i], 0.0) ? 0.0 : live;
         b.initial_overlap[i] = r.contact.initial_overlap;
@@ -121,9 +133,12 @@ void move_active_contacts(const Assemblage& a, const StepParameters& parameters,
         gather(a, s, parameters.time_step, contacts, b);
         run_on(a.vector_target, [&]() GRAINCRACK_KERNEL {
             find_geometry(contacts.size(), b);
-            move(contacts.size(), b);
+            s.worn.empty() ? move<false>(contacts.size(), b) : move<true>(contacts.size(), b);
         });
         scatter(contacts, b, s.contact_pairs);
+        for (std::int32_t i = 0; !s.worn.empty() && i < contacts.size(); ++i) {
+            s.worn[s.contact_pairs.active.nodes[at + i].front()] += b.worn[i];
+        }
         s.contact_pairs.friction[s.contact_pairs.node_chunks[chunk]] += sum_values_by_lanes(contacts.size(), b.friction);
     }
 }

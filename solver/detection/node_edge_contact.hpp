@@ -50,16 +50,32 @@ struct NodeEdgeResponse {
     NodeEdgeContact contact;
     NodeEdgeForces forces;
     double friction = 0;  ///< dissipated since the last update, J
+    double slip = 0;      ///< since then, m
 };
 
 /// The law of a node–edge contact is the residual one of the class of its two grains.
-inline FrictionLaw friction_law(const ContactLaw& law) { return {law.kt, law.ks, law.residual_cc, law.residual_tan_phi}; }
+inline FrictionLaw friction_law(const ContactLaw& law) {
+    const double per_slip = law.wear_slip > 0 ? 1 / law.wear_slip : 0;
+    return {law.kt, law.ks, law.residual_cc, law.worn_tan_phi, per_slip > 0 ? law.tan_phi - law.worn_tan_phi : 0, per_slip};
+}
 inline FrictionLaw friction_law(const Assemblage& a, const ContactLaws& laws, const CandidatePair& pair) {
     return friction_law(laws[class_between(a, pair.node, pair.edge)]);
 }
-/// Largest frictional traction under a pressure (Pa), Pa.
+/// Largest frictional traction of worn faces under a pressure (Pa), Pa.
 GRAINCRACK_INLINE double friction_limit(const FrictionLaw& law, double pressure) {
     return law.cohesion + pressure * law.tan_friction;
+}
+/// That of faces that have slid by `worn` (m) since they lost their cohesion: (tan φc − tan φ_r) (1 − worn/w) is left beside φ_r.
+GRAINCRACK_INLINE double friction_limit(const FrictionLaw& law, double pressure, double worn) {
+    return friction_limit(law, pressure) + pressure * law.tan_fresh * std::max(0.0, 1 - worn * law.inv_wear_slip);
+}
+/// The same behind a step in which they slide from `worn` on to where the spring bears no more than the limit there: both are
+/// linear in the slip. \param trial magnitude of the traction without slip, Pa
+GRAINCRACK_INLINE double worn_limit(const FrictionLaw& law, double pressure, double worn, double trial) {
+    const double before = friction_limit(law, pressure, worn);
+    const double fall = pressure * law.tan_fresh * law.inv_wear_slip / law.shear_stiffness;  // over that of the spring
+    const double along = fall < 1 ? (before - fall * trial) / (1 - fall) : 0.0;
+    return trial > before ? std::max(std::min(before, along), friction_limit(law, pressure)) : before;
 }
 
 /// Stored in the springs of a node–edge contact, J.
@@ -80,8 +96,10 @@ GRAINCRACK_INLINE NodeEdgeForces node_edge_forces(const FrictionLaw& law, const 
 /// Moves an active contact to a new position.
 ///
 /// \param sliding of the node along the edge since the last update, in the edge's own frame, m
+/// \tparam wears whether faces wear \param worn by how much those of the node have slid, m
+template <bool wears = false>
 GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const FrictionLaw& law, const NodeEdgeContact& old,
-                                                          const PairGeometry& g, double sliding) {
+                                                          const PairGeometry& g, double sliding, double worn = 0) {
     NodeEdgeResponse r{old, {}, 0};
     NodeEdgeContact& contact = r.contact;
     contact.near_first = g.place < 0.5;
@@ -91,11 +109,13 @@ GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const FrictionLaw& law
     const bool ends = (past > 0) & (old.overlap > 0);  // no branch: contacts are moved side by side
     contact.release_correction = ends ? 0.5 * old.overlap * past / (ends ? old.overlap + past : 1.0) : 0.0;
     const double pressure = law.normal_stiffness * contact.overlap;
-    const double limit = (contact.overlap > 0 ? friction_limit(law, pressure) : 0.0) / law.shear_stiffness;
     const double trial = old.elastic_slip + sliding;
+    const double bears =
+        wears ? worn_limit(law, pressure, worn, std::abs(trial) * law.shear_stiffness) : friction_limit(law, pressure);
+    const double limit = (contact.overlap > 0 ? bears : 0.0) / law.shear_stiffness;
     contact.elastic_slip = std::clamp(trial, -limit, limit);
-    r.friction =
-        0.5 * contact.area * law.shear_stiffness * (old.elastic_slip + contact.elastic_slip) * (trial - contact.elastic_slip);
+    r.slip = trial - contact.elastic_slip;
+    r.friction = 0.5 * contact.area * law.shear_stiffness * (old.elastic_slip + contact.elastic_slip) * r.slip;
     r.forces = node_edge_forces(law, contact, g);
     return r;
 }

@@ -25,7 +25,8 @@ struct CohesiveFrictional {
         .friction_beside_cohesion = true,
         .parameters = {&ContactParameters::fracture_energy, &ContactParameters::mode_ii_fracture_energy,
                        &ContactParameters::open_shear_strength, &ContactParameters::residual_friction_angle,
-                       &ContactParameters::bridging_strength, &ContactParameters::bridging_energy}};
+                       &ContactParameters::bridging_strength, &ContactParameters::bridging_energy,
+                       &ContactParameters::wear_slip}};
     static constexpr bool damages_intact = true;
     static constexpr bool remembers_largest = false;
     static FractureEnergies min_energies(const ContactLaw& law) { return {min_opening_energy(law), 0}; }

@@ -42,7 +42,7 @@ struct Combined {
         .potential = true,
         .friction_beside_cohesion = true,
         .parameters = {&ContactParameters::fracture_energy, &ContactParameters::mode_ii_fracture_energy,
-                       &ContactParameters::residual_friction_angle}};
+                       &ContactParameters::residual_friction_angle, &ContactParameters::wear_slip}};
     static constexpr bool damages_intact = false;
     static constexpr bool remembers_largest = true;
     /// The areas to the peaks.

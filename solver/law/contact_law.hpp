@@ -46,8 +46,10 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
     const LawDescription& description = description_of(variant);
     law.residual_tc = description.reads(&ContactParameters::residual_tensile_strength) ? p.residual_tensile_strength : 0;
     law.residual_cc = description.reads(&ContactParameters::residual_cohesion) ? p.residual_cohesion : 0;
-    law.residual_tan_phi =
+    law.worn_tan_phi =
         description.reads(&ContactParameters::residual_friction_angle) ? std::tan(p.residual_friction_angle) : law.tan_phi;
+    law.wear_slip = description.reads(&ContactParameters::wear_slip) ? p.wear_slip : 0;
+    law.residual_tan_phi = law.wear_slip > 0 ? law.tan_phi : law.worn_tan_phi;  // faces that have yet to slide are fresh
     law.dct = p.critical_opening;
     law.dcs = p.critical_sliding;
     law.dut = p.ultimate_opening;
@@ -69,6 +71,10 @@ struct ContactLaws {
     ContactLaws(const ContactLaw& law) : of_class{law} {}  // NOLINT(google-explicit-constructor)
     [[nodiscard]] const ContactLaw& operator[](std::int32_t contact_class) const { return of_class[contact_class]; }
     [[nodiscard]] LawVariant variant() const { return of_class.front().variant; }
+    /// Whether the faces of a class wear.
+    [[nodiscard]] bool wear() const {
+        return std::any_of(of_class.begin(), of_class.end(), [](const ContactLaw& law) { return law.wear_slip > 0; });
+    }
 };
 /// \param contacts parameters by class
 inline ContactLaws make_contact_laws(const std::vector<ContactParameters>& contacts, LawVariant variant) {

@@ -23,7 +23,7 @@ struct CoulombSlip {
         .meaning = "UDEC's Coulomb slip with residual strength",
         .potential = true,
         .parameters = {&ContactParameters::residual_tensile_strength, &ContactParameters::residual_cohesion,
-                       &ContactParameters::residual_friction_angle}};
+                       &ContactParameters::residual_friction_angle, &ContactParameters::wear_slip}};
     static constexpr bool damages_intact = false;
     static FractureEnergies min_energies(const ContactLaw& /*law*/) { return {}; }
     static void complete(ContactLaw& law) { law.stiffest_shear = law.ks; }

@@ -33,7 +33,7 @@ struct LawDescription {
     bool potential = false;    ///< its tractions derive from an energy everywhere: no non-conservative work on any path
     bool friction_beside_cohesion = false;     ///< friction adds to the cohesion that is left: under pressure a point that
                                                ///< passes the peak of its cohesion has not lost its strength
-    std::array<ContactValue, 6> parameters{};  ///< contact parameters it reads beside those that every law reads
+    std::array<ContactValue, 7> parameters{};  ///< contact parameters it reads beside those that every law reads
 
     /// By which micro-cracks are counted.
     [[nodiscard]] constexpr CrackEvent crack_event() const {
@@ -52,13 +52,14 @@ struct ContactLaw {
     double tan_phi;  ///< of the friction angle φc
     double gf, g2;   ///< Gf or G_I, and G_II, J/m²
     double residual_tc, residual_cc, residual_tan_phi;
-    double dct, dcs, dut;        ///< δct, δcs, δut (Eqs 8, 11, 14), m
-    double inv_dct, inv_dcs;     ///< 1/m
-    double stiffest_shear;       ///< largest shear stiffness a point can reach, for the stable time step, Pa/m
-    double open_shear_strength;  ///< to (consistent, cohesive-frictional), Pa
-    double inv_dso;              ///< 1/δso, δso = e to/ks (likewise)
-    double op, sp;               ///< o_p, s_p: displacements at the peaks (combined), m
-    double inv_op, inv_sp;       ///< 1/m
+    double worn_tan_phi, wear_slip;  ///< of node–edge contacts: tan φr, and w, m; without wear tan φr is `residual_tan_phi` too
+    double dct, dcs, dut;            ///< δct, δcs, δut (Eqs 8, 11, 14), m
+    double inv_dct, inv_dcs;         ///< 1/m
+    double stiffest_shear;           ///< largest shear stiffness a point can reach, for the stable time step, Pa/m
+    double open_shear_strength;      ///< to (consistent, cohesive-frictional), Pa
+    double inv_dso;                  ///< 1/δso, δso = e to/ks (likewise)
+    double op, sp;                   ///< o_p, s_p: displacements at the peaks (combined), m
+    double inv_op, inv_sp;           ///< 1/m
     double o_range, s_range;  ///< (o_r − o_p)/o_p, (s_r − s_p)/s_p (combined); s = λu − 1 while closed (cohesive-frictional)
     bool softens_in_shear;    ///< a closed point loses its cohesion over a distance, beside friction
     double bridge;            ///< ρ = σb/tc, 0 without bridges (consistent, cohesive-frictional)

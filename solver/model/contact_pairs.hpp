@@ -22,6 +22,8 @@ struct FrictionLaw {
     double normal_stiffness, shear_stiffness;  ///< Pa/m
     double cohesion;                           ///< c_r, Pa
     double tan_friction;                       ///< of φ_r
+    double tan_fresh = 0;                      ///< tan φc − tan φ_r, which faces that wear have beside it at first
+    double inv_wear_slip = 0;                  ///< 1/w, 1/m
 };
 
 /// The state of a node–edge contact.

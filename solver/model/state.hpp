@@ -124,6 +124,7 @@ struct State {
     PointHistories points;                ///< [2 c] the rest of their histories; see `point_history`
     std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
     ContactPairList contact_pairs;
+    std::vector<double> worn;  ///< [n] slip of the node–edge contacts of a node since the start, m; empty where no face wears
     std::vector<PlatenPoint> platen_points;
     std::vector<NodeSums> node_sums;                ///< by chunk of nodes
     std::vector<ContactSums> contact_sums;          ///< by chunk of contacts
@@ -197,6 +198,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("cluster_near_platen", nodes_once_found, s.clusters.near_platen);
     visit("cluster_energies", node_chunks_once_found, s.clusters.sums);
     visit("history", points, s.points);
+    if (!s.worn.empty()) visit("worn", nodes, s.worn);
     if (s.thermal.empty()) return;
     visit("thermal", element_chunks, s.thermal);
     visit("strain_origin", everywhere, s.strain_origin);

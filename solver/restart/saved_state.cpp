@@ -336,6 +336,7 @@ SavedState read_saved_state(const std::string& path, const Specimen& specimen, c
     std::vector<PlatenPoint> platen_points = std::move(s.platen_points);
     s.platen_points.clear();
     if (run.file().has(std::string(group) + "/thermal")) take_temperature(setup.assemblage, s);
+    if (run.file().has(std::string(group) + "/worn")) s.worn.resize(setup.assemblage.n_nodes());
     StateReader reader(run.file());
     visit_content(reader, s, saved.loading, saved.energy_balance_error);
     if (is_checkpoint(run)) visit_frames(reader, saved.frames);

@@ -99,7 +99,8 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
         const NodeEdgeContact& contact = list.contacts[i];
         if (contact.active && contact.overlap > 0 && a.part.owns(list.pairs[i].node)) {
             const FrictionLaw law = friction_law(a, laws, list.pairs[i]);
-            const double limit = friction_limit(law, law.normal_stiffness * contact.overlap);
+            const double worn = s.worn.empty() ? 0 : s.worn[list.pairs[i].node];
+            const double limit = friction_limit(law, law.normal_stiffness * contact.overlap, worn);
             if (is_near_sliding(law.shear_stiffness * contact.elastic_slip, limit)) {
                 const auto& [first, second] = a.surface.edges[list.pairs[i].edge].nodes;
                 joined.insert(joined.end(), {{list.pairs[i].node, first}, {list.pairs[i].node, second}});

@@ -67,6 +67,7 @@ public:
         if (!request.restart.empty()) restart();
         if (program_.has_temperature()) take_temperature(setup_.assemblage, state_);
         if (state_.thermal.empty()) header_.fabric.phases = without_expansion(header_.fabric.phases);
+        if (setup_.parameters.laws.wear()) state_.worn.resize(setup_.assemblage.n_nodes());
     }
 
     /// Writes the run to an output as it goes; to be called before `run`.

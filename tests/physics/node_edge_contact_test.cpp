@@ -298,7 +298,7 @@ ContactLaw residual_law() {
 void expect_release_without_a_jump(const ContactLaw& law, double strength = 1) {
     ContactLaws laws(test::augig_law());
     laws.of_class = {make_contact_law(test::scaled_contact(test::augig_contact(), 3), law.variant), law, law};
-    laws.of_class[2].residual_tan_phi = laws.of_class[0].residual_tan_phi = 5;
+    laws.of_class[2].worn_tan_phi = laws.of_class[0].worn_tan_phi = 5;
     laws.of_class[2].kt = laws.of_class[0].kt = 0.1 * law.kt;
     SmallRun run =
         sliding_blocks(120.0, laws, strength);  // so fast that the blocks are still pressed together when they have slid far
@@ -380,6 +380,84 @@ TEST(NodeEdgeContact, ResidualCohesionAndFrictionHold) {
     EXPECT_EQ(parted.contact.elastic_slip, 0);
     const double stored = 0.5 * area * shear * shear / law.ks;
     expect_close(parted.friction, stored, 1e-12, stored);
+}
+
+/// A node that slides to and fro under a constant pressure, by the law of faces that wear.
+struct WearingNode {
+    static constexpr double area = 1e-3;
+    static constexpr double pressure = 20 * test::MPa;
+    ContactLaw law = [] {
+        ContactParameters c = test::augig_contact();
+        c.friction_angle = 50 * test::degree;
+        c.residual_friction_angle = 20 * test::degree;
+        c.wear_slip = 0.2e-3;
+        return make_contact_law(c, LawVariant::cohesive_frictional);
+    }();
+    PairGeometry geometry = pair_geometry(Vector2{2e-3, 0}, Vector2{1e-3, pressure / law.kt});
+    NodeEdgeContact contact{true, true, area, 0, pressure / law.kt, 0, 0};
+    double worn = 0, work = 0, friction = 0;  // m; of the shear traction, and dissipated, J
+
+    void slide(double distance, int steps) {
+        for (int i = 0; i < steps; ++i) {
+            const double before = shear();
+            const NodeEdgeResponse r = move_node_edge_contact<true>(friction_law(law), contact, geometry, distance / steps, worn);
+            contact = r.contact;
+            worn += std::abs(r.slip);
+            friction += r.friction;
+            work += 0.5 * area * (before + shear()) * distance / steps;
+        }
+    }
+    [[nodiscard]] double shear() const { return law.ks * contact.elastic_slip; }
+    /// p (tan φr + (tan φc − tan φr) (1 − w/w_s)), by what is worn
+    [[nodiscard]] double limit() const {
+        const double fresh = std::tan(50 * test::degree) - std::tan(20 * test::degree);
+        return pressure * (std::tan(20 * test::degree) + fresh * std::max(0.0, 1 - worn / law.wear_slip));
+    }
+};
+
+// Requirement: linear slip weakening (Ida 1972, J Geophys Res 77, 3796): the traction is on the line of what has been slid, in
+// steps of any size and in either direction, and the work done is what friction dissipated and the spring stores. The tolerance
+// is that of rounding.
+TEST(Wear, FollowsTheLineOfItsSlipAndBooksItsWork) {
+    WearingNode fine;
+    WearingNode coarse;
+    for (const double distance : {0.05e-3, -0.06e-3, 0.04e-3}) {
+        fine.slide(distance, 100);
+        coarse.slide(distance, 1);
+        for (const WearingNode& node : {fine, coarse}) {
+            expect_close(std::abs(node.shear()), node.limit(), 1e-12, node.limit());
+            EXPECT_GT(node.shear() * distance, 0);
+            const double stored = 0.5 * WearingNode::area * node.shear() * node.shear() / node.law.ks;
+            expect_close(node.work, node.friction + stored, 1e-12, node.work);
+        }
+        expect_close(coarse.worn, fine.worn, 1e-12, fine.worn);
+    }
+    EXPECT_LT(fine.worn, fine.law.wear_slip);
+    fine.slide(0.2e-3, 100);
+    const double residual = WearingNode::pressure * std::tan(20 * test::degree);
+    expect_close(fine.shear(), residual, 1e-12, residual);
+}
+
+// From fresh to worn, in steps one of which ends where the fall does, friction dissipates p (tan φr D + ½ (tan φc − tan φr) w).
+TEST(Wear, TakesHalfTheFallOfFrictionOverItsSlip) {
+    WearingNode node;
+    const double slope = node.limit() / node.law.ks;
+    const double residual = WearingNode::pressure * std::tan(20 * test::degree);
+    node.slide(slope, 10);                                                // to the limit of fresh faces
+    node.slide(node.law.wear_slip - slope + residual / node.law.ks, 50);  // to where they are worn
+    expect_close(node.worn, node.law.wear_slip, 1e-12, node.law.wear_slip);
+    node.slide(0.3e-3, 50);
+    const double fresh = WearingNode::pressure * std::tan(50 * test::degree) - residual;
+    const double expected = WearingNode::area * (residual * 0.5e-3 + 0.5 * fresh * node.law.wear_slip);
+    expect_close(node.friction, expected, 1e-12, expected);
+}
+
+TEST(Wear, WithoutItFrictionIsThatOfTheResidualAngle) {
+    WearingNode node;
+    node.law.wear_slip = 0;
+    node.slide(0.1e-3, 10);
+    const double residual = WearingNode::pressure * std::tan(20 * test::degree);
+    expect_close(node.shear(), residual, 1e-12, residual);
 }
 
 TEST(NodeEdgeContact, BondedNeighboursAreNotSearched) {

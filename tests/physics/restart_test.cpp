@@ -64,6 +64,10 @@ SimulationRequest restart_request(const RestartCase& c) {
         r.contact.bridging_strength = 0.5 * r.contact.tensile_strength;
         r.contact.bridging_energy = 0.5 * r.contact.fracture_energy;
     }
+    if (c.law == LawVariant::cohesive_frictional) {
+        r.contact.residual_friction_angle = 0.5 * r.contact.friction_angle;
+        r.contact.wear_slip = 20e-6;
+    }
     r.loading.test = c.test;
     r.loading.rate = c.rate;
     r.loading.platen_speed = c.speed;

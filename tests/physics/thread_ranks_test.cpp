@@ -100,6 +100,8 @@ std::vector<RunOnRanks> runs_on_ranks() {
     SimulationRequest confined = request_for_ranks(TestKind::triaxial, LawVariant::cohesive_frictional, true);
     confined.material = test::granite_of_phases();
     confined.loading.confining_pressure = 4e6;
+    confined.contact.residual_friction_angle = 0.5 * confined.contact.friction_angle;
+    confined.contact.wear_slip = 5e-6;
     add("confined phases", phases_for_ranks, confined, {2, 4}, 100, 20);
 
     SimulationRequest flawed = request_for_ranks(TestKind::uniaxial, LawVariant::coulomb_slip, false);
