@@ -151,8 +151,8 @@ std::optional<LinearModel> LinearModel::fit_restricted(std::vector<SurfaceTerm> 
                                                        const std::vector<std::string>& specimens) {
     const auto free = fit({terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(n_free)}, factors, response);
     if (!free || free->freedom < 2) return std::nullopt;
-    const LinearModel dependent(std::move(terms), std::move(factors), std::move(response));
-    Eigen::VectorXd drawn = Eigen::VectorXd::Ones(dependent.design.cols());
+    const LinearModel given(std::move(terms), std::move(factors), std::move(response));
+    Eigen::VectorXd drawn = Eigen::VectorXd::Ones(given.design.cols());
     drawn.head(static_cast<Eigen::Index>(n_free)).setZero();
     std::optional<LinearModel> best;
     double most = -std::numeric_limits<double>::infinity();
@@ -160,7 +160,7 @@ std::optional<LinearModel> LinearModel::fit_restricted(std::vector<SurfaceTerm> 
     double weight = 1;
     double correlation = share ? 0.5 : 0;
     const auto attempt = [&](double own_weight, double own_correlation) {
-        LinearModel model = dependent;
+        LinearModel model = given;
         const double log_determinant = model.make_independent(specimens, own_correlation);
         const double likelihood = log_determinant + model.solve(own_weight * drawn);
         if (!(likelihood > most)) return;
