@@ -127,6 +127,13 @@ void apply_contact_options(const ContactOptions& o, SimulationRequest& request) 
     } else {
         request.contact.bridging_strength = request.contact.bridging_energy = 0;  // the run has none, and its file says so
     }
+    const bool wears = request.contact.wear_slip > 0 && description_of(request.law).reads(&ContactParameters::wear_slip);
+    if (wears && request.contact.residual_friction_angle >= request.contact.friction_angle) {
+        throw InputError(
+            request.material.file.string() +
+            ": [contact], with the options given: wear_slip needs a residual_friction_angle below the friction_angle, "
+            "to which faces wear");
+    }
     request.fracture_energy = o.fracture_energy;
     request.fracture_energy_choice = description_of(request.law).reads(&ContactParameters::fracture_energy)
                                          ? name_of(effective_fracture_energy(request.material, o.fracture_energy).kind)
