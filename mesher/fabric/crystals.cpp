@@ -9,12 +9,12 @@
 
 namespace graincrack::mesher {
 
-std::vector<std::array<int, 2>> crystals_of_contacts(const Specimen& specimen, std::span<const int> crystal_of_grain) {
+std::vector<std::pair<int, int>> crystals_of_contacts(const Specimen& specimen, std::span<const int> crystal_of_grain) {
     const std::vector<std::int32_t> grain = grain_of_nodes(specimen);
     const auto crystal = [&](std::int32_t node) { return crystal_of_grain[index(grain[index(node)])]; };
-    std::vector<std::array<int, 2>> crystals;
+    std::vector<std::pair<int, int>> crystals;
     crystals.reserve(specimen.n_contacts());
-    for (const auto& nodes : specimen.contact_nodes) crystals.push_back({crystal(nodes[0]), crystal(nodes[2])});
+    for (const auto& nodes : specimen.contact_nodes) crystals.push_back(std::minmax({crystal(nodes[0]), crystal(nodes[2])}));
     return crystals;
 }
 
@@ -29,14 +29,13 @@ void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain) {
         number.push_back(static_cast<std::uint8_t>(known - names.begin() + 1));
     }
     const auto grain = grain_of_nodes(specimen);
+    const auto crystals = crystals_of_contacts(specimen, crystal_of_grain);
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
-        const auto a = index(grain[index(specimen.contact_nodes[c][0])]);
-        const auto b = index(grain[index(specimen.contact_nodes[c][2])]);
         const bool is_flaw =
             specimen.contact_flaw[c] != 0 || specimen.contact_kind[c] != static_cast<std::uint8_t>(ContactKind::grain_boundary);
-        if (is_flaw || crystal_of_grain[a] != crystal_of_grain[b]) continue;
+        if (is_flaw || crystals[c].first != crystals[c].second) continue;
         specimen.contact_kind[c] = static_cast<std::uint8_t>(ContactKind::within_crystal);
-        specimen.contact_flaw[c] = number[specimen.grain_phase[a]];
+        specimen.contact_flaw[c] = number[specimen.grain_phase[index(grain[index(specimen.contact_nodes[c][0])])]];
     }
 }
 

@@ -1,16 +1,16 @@
 // Crystals of several grains: what breaks within them, and what between.
 #pragma once
 
-#include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "share/file/specimen.hpp"
 
 namespace graincrack::mesher {
 
-/// The crystals on both sides of each contact, those of its first and its second grain.
-std::vector<std::array<int, 2>> crystals_of_contacts(const Specimen& specimen, std::span<const int> crystal_of_grain);
+/// The crystals on both sides of each contact, the lower number first.
+std::vector<std::pair<int, int>> crystals_of_contacts(const Specimen& specimen, std::span<const int> crystal_of_grain);
 
 /// Says of which crystal every grain is. Contacts between grains of one crystal become contacts within it, of the class of
 /// their phase: "within_quartz", named behind the classes of flaws. Contacts on flaws, also on those inside of a crystal, keep

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "mesher/fabric/crystals.hpp"
@@ -29,21 +29,15 @@ constexpr std::size_t longest_phase_name = 256;  ///< bytes, as specimens and ma
 
 /// The areas of all crystals, m².
 std::vector<double> crystal_areas(const Specimen& specimen, std::span<const int> crystal_of_grain) {
-    std::vector<double> area;
-    for (std::size_t g = 0; g < specimen.n_grains(); ++g) {
-        const auto crystal = index(crystal_of_grain[g]);
-        if (crystal >= area.size()) area.resize(crystal + 1);
-        area[crystal] += specimen.grain_area[g];
-    }
+    std::vector<double> area(index(std::ranges::max(crystal_of_grain)) + 1);
+    for (std::size_t g = 0; g < specimen.n_grains(); ++g) area[index(crystal_of_grain[g])] += specimen.grain_area[g];
     return area;
 }
 
-/// Pairs of crystals that have a contact, in both orders, ascending.
-std::vector<std::array<int, 2>> neighbouring_crystals(const Specimen& specimen, std::span<const int> crystal_of_grain) {
-    std::vector<std::array<int, 2>> pairs;
-    for (const auto& [a, b] : crystals_of_contacts(specimen, crystal_of_grain)) pairs.insert(pairs.end(), {{a, b}, {b, a}});
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+/// Pairs of crystals that have a contact, in both orders.
+std::set<std::pair<int, int>> neighbouring_crystals(const Specimen& specimen, std::span<const int> crystal_of_grain) {
+    std::set<std::pair<int, int>> pairs;
+    for (const auto& [a, b] : crystals_of_contacts(specimen, crystal_of_grain)) pairs.insert({{a, b}, {b, a}});
     return pairs;
 }
 
@@ -56,19 +50,18 @@ std::vector<int> random_order(std::size_t n, RandomNumbers& random) {
 
 /// The cluster of every crystal, grown from the first crystals of `order`.
 std::vector<std::size_t> grown_clusters(const std::vector<int>& order, std::size_t n_clusters,
-                                        const std::vector<std::array<int, 2>>& neighbours) {
+                                        const std::set<std::pair<int, int>>& neighbours) {
     std::vector<std::size_t> cluster(order.size(), n_clusters);  // what nothing reaches is one cluster more
     std::vector<int> reached(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n_clusters));
     for (std::size_t i = 0; i < n_clusters; ++i) cluster[index(reached[i])] = i;
     std::sort(reached.begin(), reached.end());  // who is first at a crystal in reach of several must not depend on the order
     for (std::size_t i = 0; i < reached.size(); ++i) {
         const int from = reached[i];
-        for (auto pair = std::lower_bound(neighbours.begin(), neighbours.end(), std::array{from, 0});
-             pair != neighbours.end() && (*pair)[0] == from; ++pair) {
-            std::size_t& next = cluster[static_cast<std::size_t>((*pair)[1])];
+        for (auto pair = neighbours.lower_bound({from, 0}); pair != neighbours.end() && pair->first == from; ++pair) {
+            std::size_t& next = cluster[index(pair->second)];
             if (next != n_clusters) continue;
             next = cluster[index(from)];
-            reached.push_back((*pair)[1]);
+            reached.push_back(pair->second);
         }
     }
     return cluster;
@@ -91,11 +84,9 @@ std::vector<PhaseFraction> parse_phases(std::string_view text) {
 
 void check(const PhaseRequest& request) {
     const auto& phases = request.fractions;
-    if (phases.empty()) {
-        if (request.seed) refuse("--phase-seed", "there are no phases", "--phases quartz=0.4,feldspar=0.6");
-        if (request.cluster != 1) refuse("--phase-cluster", "there are no phases", "--phases quartz=0.4,feldspar=0.6");
-        return;
-    }
+    if (phases.empty() && !request.seed && request.cluster == 1) return;
+    const char* const option = request.seed ? "--phase-seed" : "--phase-cluster";
+    if (phases.empty()) refuse(option, "there are no phases", "--phases quartz=0.4,feldspar=0.6");
     if (phases.size() > max_phases) refuse("--phases", fmt::format("{} are too many", phases.size()), "at most 22 phases");
     double sum = 0;
     for (auto phase = phases.begin(); phase != phases.end(); ++phase) {

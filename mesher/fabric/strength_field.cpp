@@ -24,11 +24,9 @@ double log_survival(double z) {
 }  // namespace
 
 void check(const StrengthRequest& request) {
-    if (request.modulus) return;
-    for (const auto& [given, option] : {std::pair{request.correlation.has_value(), "--strength-correlation"},
-                                        std::pair{request.seed.has_value(), "--strength-seed"}}) {
-        if (given) throw UsageError(std::string(option) + ": strength does not scatter; add --strength-modulus 5");
-    }
+    if (request.modulus || !(request.correlation || request.seed)) return;
+    throw UsageError(std::string(request.correlation ? "--strength-correlation" : "--strength-seed") +
+                     ": strength does not scatter; add --strength-modulus 5");
 }
 
 double weibull_factor(double log_q, double modulus) { return std::pow(-log_q, 1 / modulus) / std::tgamma(1 + 1 / modulus); }
@@ -60,17 +58,15 @@ void assign_strength_factors(Specimen& specimen, std::span<const int> crystal_of
     std::optional<GaussianField> field;
     if (request.correlation) field.emplace(*request.correlation, seed);
     const auto crystals = crystals_of_contacts(specimen, crystal_of_grain);
-    const auto at = [&](std::int32_t node) {
-        const auto& [x, y] = specimen.node_position[index(node)];
-        return Point{x, y};
-    };
     const Point x_axis{std::cos(turn), std::sin(turn)};
     const auto log_q = [&](std::size_t first, std::size_t last) {
         if (field) {
-            const Point middle = midpoint(at(specimen.contact_nodes[first][0]), at(specimen.contact_nodes[last][1]));
+            const auto& [x1, y1] = specimen.node_position[index(specimen.contact_nodes[first][0])];
+            const auto& [x2, y2] = specimen.node_position[index(specimen.contact_nodes[last][1])];
+            const Point middle = midpoint({x1, y1}, {x2, y2});
             return log_survival((*field)({dot(middle, x_axis), dot(middle, left_of(x_axis))}));
         }
-        const auto [low, high] = std::minmax({crystals[first][0], crystals[first][1]});
+        const auto& [low, high] = crystals[first];
         const std::uint64_t bits = mixed_bits(mixed_bits(seed, strength_stream), static_cast<std::uint64_t>(low));
         return std::log(uniform_of(mixed_bits(bits, static_cast<std::uint64_t>(high))));
     };

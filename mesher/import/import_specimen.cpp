@@ -127,11 +127,9 @@ std::string parts_line(const Specimen& specimen) {
         lengths[specimen.boundary_part[b]] += std::hypot(q[0] - p[0], q[1] - p[1]);
     }
     std::string line = "parts of the boundary:";
-    bool is_first = true;
     for (std::size_t part = 0; part < lengths.size(); ++part) {
         if (lengths[part] == 0) continue;
-        line += fmt::format("{} {} {}", is_first ? "" : ",", specimen.part_names[part], mm(lengths[part]));
-        is_first = false;
+        line += fmt::format("{} {} {}", line.ends_with(':') ? "" : ",", specimen.part_names[part], mm(lengths[part]));
     }
     return line;
 }

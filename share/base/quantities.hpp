@@ -166,6 +166,7 @@ inline constexpr Quantity strength_correlation{
     "strength_correlation", Dimension::length, 0, 1e4, "distance at which the autocorrelation of strength is 1/e", true};
 inline constexpr Quantity open_boundaries{"open_boundaries", Dimension::one, 0, 1,
                                           "share of the length of grain boundaries that is open from the start"};
+inline constexpr Quantity open_length{"open_length", Dimension::one, 1, 1000, "mean number of open boundaries in a row"};
 
 // --- test ------------------------------------------------------------------------------------------------------------
 inline constexpr Quantity platen_friction{"platen_friction", Dimension::angle, 0, 1.55, "friction angle between rock and platen"};

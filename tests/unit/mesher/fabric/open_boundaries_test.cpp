@@ -58,15 +58,17 @@ void expect_share(const Specimen& s, double share) {
 
 TEST(OpenBoundaries, WholeOnesOfTrianglesHaveTheShareAndLargerSharesOpenMore) {
     const Specimen plain = mesh(rectangle_of(1122));
-    std::vector<std::uint8_t> before = plain.contact_kind;
-    for (const double share : {0.0, 0.001, 0.1, 0.3, 0.6, 0.95}) {
-        Specimen s = plain;
-        open_boundaries(s, own_crystals(s), {share, {}});
-        expect_share(s, share);
-        for (std::size_t c = 0; c < s.n_contacts(); ++c) EXPECT_TRUE(before[c] == 0 || is_open(s, c)) << "opened by less";
-        before = s.contact_kind;
+    for (const double row : {1.0, 3.0}) {
+        std::vector<std::uint8_t> before = plain.contact_kind;
+        for (const double share : {0.0, 0.001, 0.1, 0.3, 0.6, 0.95}) {
+            Specimen s = plain;
+            open_boundaries(s, own_crystals(s), {share, {}, row});
+            expect_share(s, share);
+            for (std::size_t c = 0; c < s.n_contacts(); ++c) EXPECT_TRUE(before[c] == 0 || is_open(s, c)) << "opened by less";
+            before = s.contact_kind;
+        }
+        EXPECT_GT(std::count(before.begin(), before.end(), 0), 0);
     }
-    EXPECT_EQ(std::count(before.begin(), before.end(), 0) > 0, true);
     // They are drawn anew by another seed alone.
     const auto kinds = [&](const OpenBoundaryRequest& request) {
         Specimen s = plain;
@@ -100,6 +102,77 @@ TEST(OpenBoundaries, WholeOnesOfPolygonsAreOpenAndNeitherFlawsNorWhatIsWithinCry
     }
 }
 
+/// Open boundaries that are connected.
+struct Row {
+    std::map<std::pair<double, double>, int> contacts_at;
+    double boundaries = 0;
+    double length = 0;
+    double extent = 0;  ///< largest distance of two of its places
+};
+std::vector<Row> rows_of(const Specimen& s) {
+    std::vector<Row> rows;
+    for (const auto& [crystals, contacts] : boundaries_of(s)) {
+        if (!is_open(s, contacts.front())) continue;
+        Row row{{}, 1};
+        for (const std::size_t c : contacts) {
+            row.length += contact_length(s, c);
+            for (const std::size_t end : {0U, 1U}) {
+                const Point p = place_of(s, s.contact_nodes[c][end]);
+                ++row.contacts_at[{p.x, p.y}];
+            }
+        }
+        std::erase_if(rows, [&](const Row& other) {
+            if (std::ranges::none_of(other.contacts_at, [&](const auto& at) { return row.contacts_at.contains(at.first); })) {
+                return false;
+            }
+            for (const auto& [place, n] : other.contacts_at) row.contacts_at[place] += n;
+            row.boundaries += other.boundaries;
+            row.length += other.length;
+            return true;
+        });
+        for (const auto& [p, n] : row.contacts_at) {
+            for (const auto& [q, m] : row.contacts_at) {
+                row.extent = std::max(row.extent, std::hypot(p.first - q.first, p.second - q.second));
+            }
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+TEST(OpenBoundaries, RowsAreChainsApartOfTheMeanNumberOfBoundaries) {
+    Request of_crystals = rectangle_of(1200);
+    of_crystals.fabric.tessellation = Tessellation::voronoi;
+    for (const Request& request : {rectangle_of(2000), of_crystals}) {
+        const Specimen closed = mesh(request);
+        for (const double mean : {1.5, 3.0}) {
+            double boundaries = 0, rows = 0, single = 0, length = 0, extent = 0;
+            for (std::uint64_t seed = 0; seed < 20; ++seed) {
+                Specimen s = closed;
+                open_boundaries(s, own_crystals(s), {0.05, seed, mean});
+                for (const Row& row : rows_of(s)) {
+                    int ends = 0;
+                    for (const auto& [place, n] : row.contacts_at) {
+                        EXPECT_LE(n, 2) << "a branch";
+                        ends += n == 1 ? 1 : 0;
+                    }
+                    EXPECT_EQ(ends, 2);
+                    rows += 1;
+                    boundaries += row.boundaries;
+                    single += row.boundaries == 1 ? 1 : 0;
+                    length += row.length;
+                    extent += row.extent;
+                }
+            }
+            EXPECT_GT(rows, 900);
+            // Numbers of mean L with probabilities (1 − q) qⁿ⁻¹ have the variance L (L − 1), and 1/L of them are 1.
+            EXPECT_NEAR(boundaries / rows, mean, 3 * std::sqrt(mean * (mean - 1) / rows));
+            EXPECT_NEAR(single / rows, 1 / mean, 3 * std::sqrt((mean - 1) / rows) / mean);
+            EXPECT_GT(extent, std::sqrt(0.75) * length) << "no straighter than the zigzag of a honeycomb";
+        }
+    }
+}
+
 TEST(OpenBoundaries, AreNoPartOfANotch) {
     Request bent;
     bent.region = half_disc(0.08);
@@ -129,6 +202,7 @@ TEST(OpenBoundaries, BadRequestsNameTheirOption) {
         EXPECT_NE(refused({share, {}}).find("from 0 to below 1"), std::string::npos);
     }
     EXPECT_EQ(refused({{}, 3}).rfind("--open-seed: ", 0), 0U);
+    EXPECT_EQ(refused({{}, {}, 2}).rfind("--open-length: ", 0), 0U);
 }
 
 }  // namespace
