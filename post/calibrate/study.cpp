@@ -147,7 +147,7 @@ SpecimenOptions shape_options(const Specimens& s, Loading loading) {
 }
 
 /// Specimens of crystals that break have as many of them whatever their size: 300 in a rectangle, 270 in a disc, as in the study
-/// whose ratios they have (share/studies/brittle/README.md).
+/// whose ratios they have (share/studies/toughness/README.md).
 void take_size_of_crystals(Specimens& made, double grain_size) {
     made.width = rounded(34.0 / 3 * grain_size, 2);
     made.height = 2 * made.width;
