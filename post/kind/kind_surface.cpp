@@ -126,6 +126,7 @@ std::map<std::string, FixedTrait> fixed_traits(const Material& material) {
                                 ? std::optional(*contact.open_shear_strength / kind_coordinates(material).tensile_strength)
                                 : material.ratios.open_shear_strength;
     const GrainFabric& grains = material.grains;
+    const double bridges = contact.bridging_strength.value_or(material.ratios.bridging_strength.value_or(0)) > 0 ? 1 : 0;
     std::map<std::string, FixedTrait> traits{
         {"contact.law", {{}, material.law}},
         {"contact.normal_stiffness", {contact.normal_stiffness}},
@@ -133,6 +134,8 @@ std::map<std::string, FixedTrait> fixed_traits(const Material& material) {
         {"contact.residual_tensile_strength", {contact.residual_tensile_strength.value_or(0)}},
         {"contact.residual_cohesion", {contact.residual_cohesion.value_or(0)}},
         {"ratios.open_shear_strength", {open_shear}},
+        {"pairs.within.bridging_strength", {bridges}},  // unless they are given
+        {"pairs.within.bridging_energy", {bridges}},
         {"fabric.tessellation", {{}, grains.tessellation}},
         {"fabric.size_variation", {grains.size_variation}},
         {"fabric.elements_per_crystal", {grains.elements_per_crystal}},

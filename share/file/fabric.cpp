@@ -177,9 +177,7 @@ ContactParameters contact_within_crystals(const Material& material, PlaneConditi
 
     GivenContact given = given_contact(material, plane, choice);
     if (!has_table && !is_rock) given = given_between(material, plane, given, phase, phase);
-    GivenContact within = fabric.within;
-    for (auto* factor : {&within.bridging_strength, &within.bridging_energy}) *factor = factor->value_or(0);
-    take_factors(within, material, plane, given);
+    take_factors(fabric.within, material, plane, given);
     if (has_table) {
         given = overlay(table->second, given);
     } else {

@@ -19,7 +19,6 @@ constexpr std::size_t longest_name = 256;        // bytes, of a phase or a class
 constexpr Quantity relative_modulus{
     "relative_young_modulus", Dimension::one, 0, 100, "Young's modulus of a phase over the rock's", true};
 constexpr Quantity contrast{"contrast", Dimension::one, 0, 10, "share of the contrast of stiffness that grains have"};
-constexpr Quantity factor{"factor", Dimension::one, 0, 1000, "factor on a contact parameter", true};
 constexpr Quantity correlation{"correlation", Dimension::length, 0, 1e3, "distance over which strengths are alike"};
 
 /// Contact parameters of which none is needed.
@@ -30,7 +29,9 @@ std::vector<TomlKey> optional_contact_keys(GivenContact& given) {
 }
 std::vector<TomlKey> factor_keys(GivenContact& given) {
     std::vector<TomlKey> keys = optional_contact_keys(given);
-    for (TomlKey& key : keys) key.quantity = factor;
+    for (TomlKey& key : keys) {  // 0 only where the parameter may be
+        key.quantity = {"factor", Dimension::one, 0, 1000, "factor on a contact parameter", key.quantity.open_below};
+    }
     return keys;
 }
 

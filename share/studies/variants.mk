@@ -38,8 +38,10 @@ boundary = $(call set,contact.fracture_energy,$(1),J/m2) $(call set,contact.mode
 # $(call within,STRENGTH,ENERGY,ENERGY OF BOUNDARIES): the zone in which contacts slide apart is as long as that of boundaries
 within = $(if $(1),$(foreach key,tensile_strength cohesion open_shear_strength,$(call factor,$(key),$(1))) \
     $(call factor,mode_ii_fracture_energy,$(call times,$(1),$(1))) $(call factor,fracture_energy,$(call times,$(2),1 / $(3))))
+# Bridges are between crystals alone.
+between := $(foreach key,bridging_strength bridging_energy,$(call factor,$(key),0))
 define variant
-material_of_$(1) := $(call boundary,$(3),$(4),$(5)) $(call within,$(6),$(7),$(3)) $(8)
+material_of_$(1) := $(call boundary,$(3),$(4),$(5)) $(call within,$(6),$(7),$(3)) $(if $(findstring bridging,$(8)),$(between)) $(8)
 mesh_of_$(1) := $(9)
 solve_of_$(1) := $(10)
 endef

@@ -5,7 +5,8 @@
 # BRIDGES are what is set in the material. Specimens are as large as those of calibrations, half-discs HALF_DISC mm; no study uses their
 # seeds. Leaves $(OUT)/rocks/bridged-MATERIAL.tsv: the means of each property, with 95 % intervals.
 MATERIAL ?= wausau-granite-calibrated
-BRIDGES ?= --set ratios.bridging_strength=0.55 --set ratios.bridging_energy=1
+BRIDGES ?= --set ratios.bridging_strength=0.55 --set ratios.bridging_energy=1 \
+    --set pairs.within.bridging_strength=0 --set pairs.within.bridging_energy=0
 PRESSURE ?= 8
 HALF_DISC ?= 75
 DISCS ?= 6

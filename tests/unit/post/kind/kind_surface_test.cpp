@@ -206,6 +206,11 @@ TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
     rock.fabric.within.fracture_energy = 4;
     expect_none(rock, "its pairs.within.fracture_energy is 4, that of granite 16");
     rock = read_material("lac-du-bonnet-granite-calibrated");
+    rock.ratios.bridging_strength = rock.ratios.bridging_energy = 0.5;
+    expect_none(rock, "its pairs.within.bridging_energy is 1, that of granite 0");
+    rock.fabric.within.bridging_strength = rock.fabric.within.bridging_energy = 0;
+    EXPECT_TRUE(KindSurface::of(rock));
+    rock = read_material("lac-du-bonnet-granite-calibrated");
     rock.contact.open_shear_strength = 2 * at.tensile_strength;
     expect_none(rock, "its ratios.open_shear_strength is 2, that of granite 3.98");
     rock = read_material("lac-du-bonnet-granite-calibrated");

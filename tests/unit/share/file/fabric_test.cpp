@@ -190,7 +190,8 @@ TEST(Fabric, AClassOfFlawsHasTheContactOfTheRockAndItsOwnValues) {
     };
     EXPECT_EQ(bridging("[flaws.joint]\ncohesion = \"1 MPa\"\n", true), 0);
     EXPECT_EQ(bridging("[flaws.joint]\n" + bridges, true), 5e6);
-    EXPECT_EQ(bridging("", false), 0);
+    EXPECT_EQ(bridging("", false), 5e6);
+    EXPECT_EQ(bridging("[pairs.within]\nbridging_strength = 0\nbridging_energy = 0\n", false), 0);
     EXPECT_EQ(bridging("[pairs.within]\nbridging_strength = 0.5\n", false), 2.5e6);
 }
 
