@@ -38,10 +38,9 @@ double PlatenControl::least_load(bool apart) const {
     return apart ? tension_load : has_end_faces_ ? compression_load : disc_load;
 }
 
-double PlatenControl::settling_stress() const {
-    constexpr double share = settling_load / compression_load;
-    return span_ > 0 ? 0 : share * least_load(is_bonded_) * rock_.tensile_strength;
-}
+double PlatenControl::load_stress() const { return span_ > 0 ? 0 : least_load(is_bonded_) * rock_.tensile_strength; }
+
+double PlatenControl::settling_stress() const { return settling_load / compression_load * load_stress(); }
 
 RateScales PlatenControl::rate_scales(bool apart) const {
     if (span_ > 0) {

@@ -47,6 +47,8 @@ public:
     /// Difference of the mean compression from what a servo aims at, over that; 0 without a servo.
     [[nodiscard]] double pressure_error(double time) const;
 
+    /// Axial stress from which on it is a load for the rate, Pa; 0 in bending.
+    [[nodiscard]] double load_stress() const;
     /// Axial stress up to which a specimen that cracked before may settle between the platens, Pa.
     [[nodiscard]] double settling_stress() const;
 

@@ -262,7 +262,7 @@ IntervalLoading StageController::next(double duration) {
     interval.amplitudes = &amplitudes_;
     if (program_.has_temperature()) interval.temperature = static_cast<std::int32_t>(amplitudes_.size()) - 1;
     if (program_.platens) {
-        const PlatenSpeeds speeds = platens_.next(thermal_.of_load(feedback_, platens_.settling_stress()), duration);
+        const PlatenSpeeds speeds = platens_.next(thermal_.of_load(feedback_, platens_), duration);
         interval.velocity_begin = {speeds.begin, -speeds.begin};
         interval.velocity_end = {speeds.end, -speeds.end};
     }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "share/file/specimen_measures.hpp"
-#include "solver/loading/stage_ends.hpp"
 
 namespace graincrack {
 namespace {
@@ -42,6 +41,8 @@ void ThermalStage::begin(const Stage& stage, const Amplitude* amplitude, const F
         has_moved_ = true;
         locked_in_ = feedback.stored_energy;
     }
+    highest_ = 0;
+    fallen_ = 1 - stage.peak_drop.value_or(1);
     cracks_before_ = is_thermal_ ? cracks_in(history) : 0;
 }
 
@@ -55,13 +56,19 @@ bool ThermalStage::heat(const Feedback& feedback, double duration, Amplitude& te
     return true;
 }
 
-Feedback ThermalStage::of_load(Feedback feedback, double settling_stress) const {
+Feedback ThermalStage::of_load(Feedback feedback, const PlatenControl& platens) {
     feedback.stored_energy -= locked_in_;
-    if (is_thermal_ && settling_stress > 0) {
-        const double share = std::min(1.0, std::abs(feedback.axial_compression) / settling_stress);
-        feedback.force_difference *= share;  // both over a load that is none yet
-        feedback.damping_load *= share;
+    const double load_stress = platens.load_stress();
+    if (!is_thermal_ || load_stress <= 0) return feedback;
+    const double stress = std::abs(feedback.axial_compression);
+    highest_ = std::max(highest_, stress);
+    if (highest_ >= load_stress && stress < fallen_ * highest_) {  // a peak is behind: as fast as damage may spread
+        return {feedback.time, feedback.axial_strain, feedback.axial_compression, 0, 0, 0, 0, 0, 1};
     }
+    const double share = std::min(1.0, stress / platens.settling_stress());
+    feedback.force_difference *= share;  // all three are over a load that is none yet
+    feedback.damping_load *= share;
+    feedback.unbalanced_ratio *= share;
     return feedback;
 }
 

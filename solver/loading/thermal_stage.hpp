@@ -3,7 +3,9 @@
 #pragma once
 
 #include "share/file/specimen.hpp"
+#include "solver/loading/platen_control.hpp"
 #include "solver/loading/rate_control.hpp"
+#include "solver/loading/stage_ends.hpp"
 #include "solver/model/amplitude.hpp"
 #include "solver/program/program.hpp"
 
@@ -29,6 +31,7 @@ public:
     /// Takes the control of a stage that resumes.
     void resume(const Stage& stage) {
         if (stage.heating) control_ = control_of(*stage.heating);
+        fallen_ = 1 - stage.peak_drop.value_or(1);
     }
     /// True while the measures decide how fast the temperature changes: it is not there yet.
     [[nodiscard]] bool heats() const { return heats_; }
@@ -41,8 +44,8 @@ public:
     }
     /// Contacts that failed before the stage.
     [[nodiscard]] double cracks_before() const { return cracks_before_; }
-    /// Measures as the platens answer to them. \param settling_stress up to which the axial stress is no load yet, Pa
-    [[nodiscard]] Feedback of_load(Feedback feedback, double settling_stress) const;
+    /// Measures as the platens answer to them: over a load, and none once a peak is behind.
+    [[nodiscard]] Feedback of_load(Feedback feedback, const PlatenControl& platens);
     /// About what a change of the temperature by so much takes where minerals crack, s.
     [[nodiscard]] double usual_time(const AutomaticHeating& heating, double change) const {
         return control_of(heating).usual_time(change);
@@ -56,6 +59,7 @@ public:
         visit("platens_moved", self.has_moved_);
         visit("locked_in", self.locked_in_);
         visit("cracks_before", self.cracks_before_);
+        visit("highest_load", self.highest_);
         HeatingControl::visit_state(self.control_, visit);
     }
 
@@ -71,6 +75,8 @@ private:
     bool has_moved_ = false;    ///< of the platens: in this stage or one before
     double locked_in_ = 0;      ///< stored energy when they first did, J
     double cracks_before_ = 0;  ///< contacts
+    double highest_ = 0;        ///< axial stress of the stage, Pa
+    double fallen_ = 0;         ///< share of it below which the stage may end by a drop
 };
 
 }  // namespace graincrack

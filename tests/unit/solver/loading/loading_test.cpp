@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "share/base/error.hpp"
 #include "share/file/peak.hpp"
@@ -485,6 +486,58 @@ TEST(StageController, RowsAreThoseOfTheStageThatIsOn) {
     ASSERT_EQ(ends_at(31e6).size(), 1U);
     EXPECT_TRUE(ends_at(31e6).front().starts_with("stage short went 3.3 % beyond its end by axial_stress"))
         << ends_at(31e6).front();
+}
+
+// Forces out of balance of platens that bear nothing yet are those of waves: they do not slow them down.
+TEST(Heating, PlatensThatBearNothingYetAreNotSlow) {
+    LoadingRequest request;
+    request.rate = RateKind::automatic;
+    request.heat = 300;
+    LedPlatens calm(request);
+    LedPlatens ringing(request);
+    heat_through(calm, 0);
+    heat_through(ringing, 0);
+    const double begin = calm.stages.records().back().end;
+    double speed = 0;
+    for (int i = 1; i < 200; ++i) {
+        speed = calm.stages.next(0.25 * transit).velocity_end[bottom_platen];
+        expect_close(ringing.stages.next(0.25 * transit).velocity_end[bottom_platen], speed, 1e-12, speed);
+        calm.row(begin + 0.25 * i * transit, 0, 1e-4);
+        ringing.row(begin + 0.25 * i * transit, 0, 0.3);
+    }
+    for (int i = 200; i < 216; ++i) {
+        ringing.row(begin + 0.25 * i * transit, -10e6, 0.3);
+        ringing.stages.next(0.25 * transit);
+    }
+    EXPECT_LT(ringing.stages.next(0.25 * transit).velocity_end[bottom_platen], 0.99 * speed);
+}
+
+/// Speed of platens after heating and a hundred transits of loading. \param answer stress and measures after so many transits
+double speed_after_heating(const std::function<std::pair<double, Feedback>(double transits)>& answer) {
+    LoadingRequest request;
+    request.rate = RateKind::automatic;
+    request.heat = 300;
+    LedPlatens led(request);
+    heat_through(led, 0);
+    const double begin = led.stages.records().back().end;
+    double speed = 0;
+    for (int i = 1; i < 400; ++i) {
+        speed = led.stages.next(0.25 * transit).velocity_end[bottom_platen];
+        const auto& [stress, feedback] = answer(0.25 * i);
+        led.row(begin + 0.25 * i * transit, -stress, 1e-4, feedback);
+    }
+    return speed;
+}
+
+TEST(Heating, BehindAPeakNothingSlowsThePlatensUntilTheTestEnds) {
+    const auto speed_behind = [](double peak, double stress) {
+        Feedback feedback;
+        feedback.damping_load = 1;
+        feedback.near_failure = 1;
+        return speed_after_heating([=](double transits) { return std::pair(transits < 2 ? peak : stress, feedback); });
+    };
+    EXPECT_GT(speed_behind(100e6, 69e6), 50 * speed_behind(100e6, 71e6));
+    EXPECT_EQ(speed_behind(20e6, 10e6), speed_behind(20e6, 15e6));  // no load yet
 }
 
 // What settles on a face that heat has cracked falls before it bears a load, and contacts that heat has cracked are none of the
