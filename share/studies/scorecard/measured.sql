@@ -1,5 +1,5 @@
 -- One row per specimen and quantity. Strengths are first peaks, MPa; K_IC in MPa√m; thresholds over the peak of the same test; shares within crystals by contacts, of
--- direct tension at the end of the test.
+-- direct tension at the end of the test. The fall at 8 MPa is to the end of the test, that at 50 MPa to the residual strength.
 WITH tests AS (
     SELECT runs.rowid AS place, runs.variant AS variant, runs.series AS series, runs.judged AS specimen, file,
         coalesce(first_peak_MPa, peak_compressive_stress_MPa) AS peak, tensile_strength_MPa AS tensile, drop_percent FROM runs JOIN strength USING (file)
@@ -22,7 +22,8 @@ WITH tests AS (
     UNION ALL SELECT CASE series WHEN 'uniaxial' THEN 'E' WHEN 'uniaxial300' THEN 'E_300' END, file, young_modulus_GPa FROM tests JOIN moduli USING (file)
         WHERE series IN ('uniaxial', 'uniaxial300')
     UNION ALL SELECT iif(series = 'tension', 'within_in_tension', 'within_at_UCS'), file, iif(series = 'tension', at_end, at_peak) FROM tests JOIN shares USING (file)
-    UNION ALL SELECT CASE series WHEN 'low' THEN 'fall_at_8_MPa' ELSE 'fall_at_50_MPa' END, file, ifnull(drop_percent, 0) / 100 FROM tests WHERE series IN ('low', 'high')
+    UNION ALL SELECT 'fall_at_8_MPa', file, 1 - (-axial_stress_Pa / 1e6 - 8) / (peak - 8) FROM tests JOIN ends USING (file)
+    UNION ALL SELECT 'fall_at_50_MPa', file, ifnull(drop_percent, 0) / 100 FROM tests WHERE series = 'high'
     UNION ALL SELECT iif(quantity = 'onset_1_percent_C', 'onset', quantity), file, value FROM logs WHERE quantity IN ('onset_1_percent_C', 'within_at_notch')
 )
 SELECT file, variant, specimen, quantity, value FROM found JOIN tests USING (file) WHERE value IS NOT NULL ORDER BY place, quantity
