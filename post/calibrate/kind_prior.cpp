@@ -110,7 +110,7 @@ std::string KindPrior::lacks(const std::vector<Target>& targets) const {
 std::optional<LocalSurface> KindPrior::surface(const Target& target) const {
     const KindModel* const found = model(target);
     if (found == nullptr) return std::nullopt;
-    LinearModel of_rock = *found;
+    auto of_rock = static_cast<const LinearModel&>(*found);
     of_rock.inverse(0, 0) += found->rock_variance / found->variance;  // of the constant
     of_rock.freedom = found->freedom_of_mean(kind_->factors(first_, target.confining_pressure));
     return LocalSurface(

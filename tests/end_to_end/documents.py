@@ -41,7 +41,7 @@ INIT = "graincrack-post material init my-rock --kind granite"
 ENTER_VALUES = "sed -i 's/^# \\([a-z_]* = \\)/\\1/' my-rock.toml\n"
 # A study that is printed has one specimen of each kind where the command does not say how many: a dry run costs by the number of runs.
 def one_of_each(command):
-    return "".join(f" {name}=1" for name in ("RECTANGLES", "DISCS", "HALF_DISCS", "SEEDS") if f"{name}=" not in command)
+    return "".join(f" {name}=1" for name in ("RECTANGLES", "DISCS", "HALF_DISCS", "SEEDS", "NUMBER", "PAIRS") if f"{name}=" not in command)
 
 
 QUICK = {
