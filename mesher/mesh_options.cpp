@@ -359,7 +359,7 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
                  "random, without tension or cohesion, with friction; default: none")
         .of(SettingGroup::fabric);
     add_quantity(set, "--open-length", fabric.open.row, quantity::open_length,
-                 "mean number of open boundaries in a row, at most 1000; rows lie apart, as straight as grains allow", "1")
+                 "mean number of open boundaries in a row; rows lie apart, as straight as grains allow", "1")
         .of(SettingGroup::fabric, [&fabric] { return fabric.open.row != 1 ? SettingValue(fabric.open.row) : SettingValue(); });
     add_integer<std::uint64_t>(set, "--open-seed", fabric.open.seed, "seed of the open boundaries; default: that of --seed", 0)
         .of(SettingGroup::seed);
