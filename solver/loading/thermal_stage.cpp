@@ -42,7 +42,7 @@ void ThermalStage::begin(const Stage& stage, const Amplitude* amplitude, const F
         locked_in_ = feedback.stored_energy;
     }
     highest_ = 0;
-    fallen_ = 1 - stage.peak_drop.value_or(1);
+    await_fall(stage);
     cracks_before_ = is_thermal_ ? cracks_in(history) : 0;
 }
 

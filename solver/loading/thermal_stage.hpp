@@ -2,6 +2,7 @@
 // stored energy and cracks, does not count in the stages after it.
 #pragma once
 
+#include "share/file/peak.hpp"
 #include "share/file/specimen.hpp"
 #include "solver/loading/platen_control.hpp"
 #include "solver/loading/rate_control.hpp"
@@ -31,7 +32,7 @@ public:
     /// Takes the control of a stage that resumes.
     void resume(const Stage& stage) {
         if (stage.heating) control_ = control_of(*stage.heating);
-        fallen_ = 1 - stage.peak_drop.value_or(1);
+        await_fall(stage);
     }
     /// True while the measures decide how fast the temperature changes: it is not there yet.
     [[nodiscard]] bool heats() const { return heats_; }
@@ -64,6 +65,8 @@ public:
     }
 
 private:
+    /// A heated peak is behind once the stress has fallen by what ends the stage, and by `heated_fall` at least.
+    void await_fall(const Stage& stage) { fallen_ = stage.peak_drop ? std::min(1 - *stage.peak_drop, 1 - heated_fall) : 0; }
     [[nodiscard]] HeatingControl control_of(const AutomaticHeating& heating) const {
         return {heating.tolerance, scales_, heating.share};
     }
@@ -76,7 +79,7 @@ private:
     double locked_in_ = 0;      ///< stored energy when they first did, J
     double cracks_before_ = 0;  ///< contacts
     double highest_ = 0;        ///< axial stress of the stage, Pa
-    double fallen_ = 0;         ///< share of it below which the stage may end by a drop
+    double fallen_ = 0;         ///< share of it below which a peak is behind
 };
 
 }  // namespace graincrack
