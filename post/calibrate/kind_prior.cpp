@@ -67,8 +67,7 @@ KindPrior::KindPrior(std::shared_ptr<const KindSurface> kind, const Material& ro
     for (std::size_t k = 0; k < parameters.size(); ++k) {
         const Parameter& p = parameters[k];
         changed_->places.push_back(place_of(changed_->material, p.key));
-        const bool is_within = p.key == "ratios.bridging_strength" && rock.fabric.within.bridging_strength.value_or(1) > 0;
-        if ((changed_->places.back() == nullptr || is_within) && unknown_.empty()) unknown_ = p.key;
+        if (changed_->places.back() == nullptr && unknown_.empty()) unknown_ = p.key;
         for (const auto& [key, coordinate] : bounded) {
             if (p.key != key) continue;
             const auto i = static_cast<Eigen::Index>(k);

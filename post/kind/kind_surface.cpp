@@ -37,11 +37,11 @@ using At = KindCoordinates;
 constexpr std::array<Factor, 8> continuous{{
     {"ln(cohesion/5)", [](const At& at, double /*pressure*/) { return std::log(at.cohesion / 5); }},
     {"(friction_angle_deg-44)/8", [](const At& at, double /*pressure*/) { return (at.friction_angle / degree - 44) / 8; }},
-    {"(residual_friction_angle_deg-26)/8",
-     [](const At& at, double /*pressure*/) { return (at.residual_friction_angle / degree - 26) / 8; }},
-    {"ln(process_zone/0.71)", [](const At& at, double /*pressure*/) { return std::log(at.process_zone / 0.71); }},
-    {"ln(mode_ii_fracture_energy/80)",
-     [](const At& at, double /*pressure*/) { return std::log(at.mode_ii_fracture_energy / 80); }},
+    {"(residual_friction_angle_deg-17)/8",
+     [](const At& at, double /*pressure*/) { return (at.residual_friction_angle / degree - 17) / 8; }},
+    {"ln(process_zone/1.16)", [](const At& at, double /*pressure*/) { return std::log(at.process_zone / 1.16); }},
+    {"ln(mode_ii_fracture_energy/47)",
+     [](const At& at, double /*pressure*/) { return std::log(at.mode_ii_fracture_energy / 47); }},
     {"bridging_strength", [](const At& at, double /*pressure*/) { return at.bridging_strength; }},
     {"bridging_strength*ln(bridging_energy/8)",
      [](const At& at, double /*pressure*/) {
@@ -126,7 +126,6 @@ std::map<std::string, FixedTrait> fixed_traits(const Material& material) {
                                 ? std::optional(*contact.open_shear_strength / kind_coordinates(material).tensile_strength)
                                 : material.ratios.open_shear_strength;
     const GrainFabric& grains = material.grains;
-    const double bridges = contact.bridging_strength.value_or(material.ratios.bridging_strength.value_or(0)) > 0 ? 1 : 0;
     std::map<std::string, FixedTrait> traits{
         {"contact.law", {{}, material.law}},
         {"contact.normal_stiffness", {contact.normal_stiffness}},
@@ -134,8 +133,9 @@ std::map<std::string, FixedTrait> fixed_traits(const Material& material) {
         {"contact.residual_tensile_strength", {contact.residual_tensile_strength.value_or(0)}},
         {"contact.residual_cohesion", {contact.residual_cohesion.value_or(0)}},
         {"ratios.open_shear_strength", {open_shear}},
-        {"pairs.within.bridging_strength", {bridges}},  // unless they are given
-        {"pairs.within.bridging_energy", {bridges}},
+        {"contact.wear_slip", {contact.wear_slip.value_or(0)}},
+        {"pairs.within.bridging_strength", {1}},  // unless they are given
+        {"pairs.within.bridging_energy", {1}},
         {"fabric.tessellation", {{}, grains.tessellation}},
         {"fabric.size_variation", {grains.size_variation}},
         {"fabric.elements_per_crystal", {grains.elements_per_crystal}},

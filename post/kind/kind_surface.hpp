@@ -83,7 +83,7 @@ public:
     [[nodiscard]] const std::string& kind() const { return kind_; }
     /// The models by the names of their properties, in the order of `all_properties`.
     [[nodiscard]] const std::vector<std::pair<std::string, KindModel>>& models() const { return models_; }
-    /// A term in words, "ln(cohesion/5) ln(process_zone/0.71)".
+    /// A term in words, "ln(cohesion/5) ln(process_zone/1.16)".
     [[nodiscard]] std::string name_of(const SurfaceTerm& term) const;
     /// The model of a property; null if it has none, as of one at a pressure that is no first peak, or of one that no row of this
     /// kind has.

@@ -38,7 +38,7 @@ struct SyntheticKind {
             const auto between = [&](double low, double high) { return low + (high - low) * normal.uniform(); };
             const auto of_logs = [&](double low, double high) { return std::exp(between(std::log(low), std::log(high))); };
             KindCoordinates at{
-                1, 1, of_logs(1.5, 16), between(0.56, 1), between(0.21, 0.56), of_logs(0.35, 1.8), of_logs(30, 250)};
+                1, 1, of_logs(1.5, 16), between(0.56, 1), between(0.08, 0.56), of_logs(0.35, 1.8), of_logs(30, 250)};
             at.bridging_strength = std::max(0.0, between(-0.27, 0.8));
             at.bridging_energy = at.bridging_strength > 0 ? of_logs(3, 20) : 0;
             for (const char* property : {"uniaxial", "brazilian", "toughness", "first_peak", "first_peak"}) {

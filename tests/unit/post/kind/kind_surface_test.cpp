@@ -188,14 +188,14 @@ TEST(KindSurface, HoldsWithinItsDesignAlone) {
 
 TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
     const test::KindFolder folder(granite_and_gabbro({}));
-    Material rock = read_material("lac-du-bonnet-granite-calibrated");
+    Material rock = read_material("granite-crystals");
     const auto surface = KindSurface::of(rock);
     ASSERT_TRUE(surface);
     EXPECT_EQ(surface->kind(), "granite");
     const KindCoordinates at = kind_coordinates(rock);
-    EXPECT_NEAR(at.cohesion, 4.50741, 1e-9);
-    EXPECT_NEAR(at.process_zone, 1.22844, 1e-9);
-    EXPECT_NEAR(at.mode_ii_fracture_energy, 181.658, 1e-9);
+    EXPECT_NEAR(at.cohesion, 4.76, 1e-9);
+    EXPECT_NEAR(at.process_zone, 1.16, 1e-9);
+    EXPECT_NEAR(at.mode_ii_fracture_energy, 47, 1e-9);
     EXPECT_NEAR(surface->predict(rock, uniaxial, 0)->value / at.tensile_strength,
                 std::exp(SyntheticKind{}.log_of("uniaxial", at, 0)), 1.5);
     std::string why;
@@ -204,19 +204,22 @@ TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
         EXPECT_EQ(why, reason);
     };
     rock.fabric.within.fracture_energy = 4;
-    expect_none(rock, "its pairs.within.fracture_energy is 4, that of granite 16");
-    rock = read_material("lac-du-bonnet-granite-calibrated");
-    rock.ratios.bridging_strength = rock.ratios.bridging_energy = 0.5;
-    expect_none(rock, "its pairs.within.bridging_energy is 1, that of granite 0");
+    expect_none(rock, "its pairs.within.fracture_energy is 4, that of granite 1.1");
+    rock = read_material("granite-crystals");
     rock.fabric.within.bridging_strength = rock.fabric.within.bridging_energy = 0;
+    expect_none(rock, "its pairs.within.bridging_energy is 0, that of granite 1");
+    rock = read_material("granite-crystals");
+    rock.ratios.bridging_strength = rock.ratios.bridging_energy = 0;
     EXPECT_TRUE(KindSurface::of(rock));
-    rock = read_material("lac-du-bonnet-granite-calibrated");
+    rock.contact.wear_slip = 0;
+    expect_none(rock, "its contact.wear_slip is 0 mm, that of granite 0.2 mm");
+    rock = read_material("granite-crystals");
     rock.contact.open_shear_strength = 2 * at.tensile_strength;
-    expect_none(rock, "its ratios.open_shear_strength is 2, that of granite 3.98");
-    rock = read_material("lac-du-bonnet-granite-calibrated");
+    expect_none(rock, "its ratios.open_shear_strength is 2, that of granite 2.86");
+    rock = read_material("granite-crystals");
     rock.grains.grain_size.reset();
     expect_none(rock, "its fabric.grain_size is not given");
-    rock = read_material("lac-du-bonnet-granite-calibrated");
+    rock = read_material("granite-crystals");
     rock.platen_friction_angle = 10 * std::numbers::pi / 180;
     expect_none(rock, "its platen.friction_angle is 10 deg, that of granite 5 deg");
     rock.kind = "gabbro";  // the kind that it names, not the nearest
@@ -232,8 +235,7 @@ TEST(KindTable, BrokenIsRefusedInOneLine) {
     const std::string text = text_of_file(folder.table());
     const auto expect_refused = [&](const std::string& row, const std::vector<std::string>& parts) {
         std::ofstream(folder.table()) << text << row << '\n';
-        test::expect_one_line<InputError>([] { (void)KindSurface::of(read_material("lac-du-bonnet-granite-calibrated")); },
-                                          parts);
+        test::expect_one_line<InputError>([] { (void)KindSurface::of(read_material("granite-crystals")); }, parts);
     };
     expect_refused("granite\ta\t0\t-5\t44\t26\t0.7\t80\t0\t0\t0\tuniaxial\t18\t1",
                    {"surface.tsv: line 432: cohesion is \"-5\"; a number above 0"});
