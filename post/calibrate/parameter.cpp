@@ -30,13 +30,15 @@ struct Basis {
     double friction_angle;  ///< of the rock
     bool frictional;        ///< law `cohesive-frictional`, whose friction adds to its cohesion
     bool crystals;          ///< that break, with that law
+    bool wears;             ///< has friction that wears, whose residual value is one of worn faces
 };
 
 /// Which materials a row is of: those of other laws than `cohesive-frictional`, those of that law, of these those of crystals
-/// that break. A later row replaces an earlier one.
-enum class Of { all, others, frictional, crystals };
+/// that break, and those whose friction wears. A later row replaces an earlier one.
+enum class Of { all, others, frictional, crystals, worn };
 bool holds(Of materials, const Basis& b) {
     if (materials == Of::others) return !b.frictional;
+    if (materials == Of::worn) return b.wears;
     return materials == Of::all || (b.frictional && (materials == Of::frictional || b.crystals));
 }
 
@@ -60,6 +62,7 @@ struct DefaultBox {
 double rock_tension(const Basis& b) { return b.rock.rock.tensile_strength; }
 double ucs(const Basis& b) { return b.ucs; }
 double rock_friction(const Basis& b) { return b.friction_angle; }
+double worn_friction(const Basis& b) { return b.rock.contact.residual_friction_angle.value_or(NAN); }
 double tension_of_toughness(const Basis& b) {
     return fpz::contact_tensile_strength_from_toughness(b.rock.rock.mode_i_toughness, b.edge);
 }
@@ -94,6 +97,7 @@ constexpr DefaultBox default_boxes[] = {
     {"contact.residual_friction_angle", Of::frictional, true, rock_friction, 0.7, 0.5, 0.9, 0, 0, below_intact},
     {"contact.residual_friction_angle", Of::crystals, true, rock_friction, 0.57, 0.4, 0.75, 0, 0,
      "0.57 φ, of crystals that break"},
+    {"contact.residual_friction_angle", Of::worn, false, worn_friction, 1, 0.5, 2, 0, 0, "the material's own, of worn faces"},
     {"contact.fracture_energy", Of::all, false, energy_of_toughness, 0.75, 0.5, 1, 0.5, 1,
      "½ to 1 K_IC²/Ẽ, so that K_IC stays the rock's"},
     {"contact.open_shear_strength", Of::all, false, rock_tension, 3, 1, 9, 0.3, 30, "3 times the Brazilian strength"},
@@ -103,7 +107,13 @@ constexpr DefaultBox default_boxes[] = {
 
 Basis basis_of(const Material& rock, double edge) {
     const auto of = [&](const char* key) { return rock.laboratory_value(key).value_or(NAN); };
-    Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional", false};
+    Basis basis{rock,
+                edge,
+                of("compressive_strength"),
+                of("friction_angle"),
+                rock.law == "cohesive-frictional",
+                false,
+                rock.contact.wear_slip.value_or(0) > 0};
     basis.crystals = basis.frictional && rock.grains.tessellation == "trigon";
     if (const auto b = laboratory_slope(rock); b && std::isnan(basis.friction_angle)) {
         basis.friction_angle = friction_angle_of(*b);

@@ -212,7 +212,7 @@ TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
     rock.ratios.bridging_strength = rock.ratios.bridging_energy = 0;
     EXPECT_TRUE(KindSurface::of(rock));
     rock.contact.wear_slip = 0;
-    expect_none(rock, "its contact.wear_slip is 0 mm, that of granite 0.2 mm");
+    expect_none(rock, "its contact.wear_slip is 0 m, that of granite 200 um");
     rock = read_material("granite-crystals");
     rock.contact.open_shear_strength = 2 * at.tensile_strength;
     expect_none(rock, "its ratios.open_shear_strength is 2, that of granite 2.86");
