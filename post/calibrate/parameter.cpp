@@ -107,13 +107,8 @@ constexpr DefaultBox default_boxes[] = {
 
 Basis basis_of(const Material& rock, double edge) {
     const auto of = [&](const char* key) { return rock.laboratory_value(key).value_or(NAN); };
-    Basis basis{rock,
-                edge,
-                of("compressive_strength"),
-                of("friction_angle"),
-                rock.law == "cohesive-frictional",
-                false,
-                rock.contact.wear_slip.value_or(0) > 0};
+    const bool wears = rock.contact.wear_slip.value_or(0) > 0;
+    Basis basis{rock, edge, of("compressive_strength"), of("friction_angle"), rock.law == "cohesive-frictional", false, wears};
     basis.crystals = basis.frictional && rock.grains.tessellation == "trigon";
     if (const auto b = laboratory_slope(rock); b && std::isnan(basis.friction_angle)) {
         basis.friction_angle = friction_angle_of(*b);

@@ -79,6 +79,7 @@ double HeatingControl::usual_time(double change) const {
 }
 
 double HeatingControl::next(const Feedback& now, double change, double left, double duration) {
+    change = std::max(change, scales_.change(now.stored_energy));
     const double transits = duration / scales_.transit_time;
     unbalanced_ratio_ += std::min(1.0, transits / smoothing_transits) * (scales_.loaded(now) - unbalanced_ratio_);
     near_failure_ = std::max(near_failure_, now.near_failure);

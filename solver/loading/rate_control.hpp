@@ -16,6 +16,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -94,17 +95,22 @@ struct HeatingScales {
     double transit_time = 0;  ///< of a bar wave through it, s
     double least_change = 0;  ///< below it there is no stress to speak of yet, K
     double least_force = 0;   ///< Σ |force of the elements on a node| then, N
+    double least_energy = 1;  ///< stored then, J
     /// The unbalanced ratio over at least these forces: where one mineral expands freely there is no other force than that of
     /// waves.
     [[nodiscard]] double loaded(const Feedback& now) const {
         return now.unbalanced_ratio * std::min(1.0, now.element_force / least_force);
     }
+    /// The change whose stress a free specimen has that stores so much, K.
+    [[nodiscard]] double change(double stored_energy) const {
+        return least_change * std::sqrt(std::max(stored_energy, 0.0) / least_energy);
+    }
 };
 
-/// How fast a temperature may change. Its change θ since the ramp began gives thermal stress a relative rise of θ̇/θ: per wave
-/// transit it may reach what the first two measures of `RateControl` may, and no more than strain may. The unbalanced ratio slows
-/// it down, but for forces of waves alone (`HeatingScales::loaded`). Kinetic energy tells nothing: free expansion is motion
-/// without stress.
+/// How fast a temperature may change. Its change θ since the ramp began, or the one whose stress the specimen has already if that
+/// is more, gives thermal stress a relative rise of θ̇/θ: per wave transit it may reach what the first two measures of
+/// `RateControl` may, and no more than strain may. The unbalanced ratio slows it down, but for forces of waves alone
+/// (`HeatingScales::loaded`). Kinetic energy tells nothing: free expansion is motion without stress.
 class HeatingControl {
 public:
     HeatingControl(double tolerance, const HeatingScales& scales, double fraction = 1)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "share/file/specimen_measures.hpp"
 
@@ -10,9 +11,11 @@ namespace {
 
 constexpr double least_thermal_load = 0.2;  // thermal stress that counts, of the tensile strength
 
-/// Σ |force of the elements on a node| under a uniform stress, N: each node has the mean of two sides of an element.
+/// Σ |force of the elements on a node| under a uniform stress, N: each node has the mean of two sides of an element. Energies are
+/// of a uniaxial stress.
 HeatingScales heating_scales(const Specimen& s, const Rock& rock, double difference) {
     const double stress = least_thermal_load * rock.tensile_strength;
+    const double strain = stress / rock.young_modulus;
     double sides = 0;
     for (const auto& nodes : s.element_nodes) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -21,7 +24,8 @@ HeatingScales heating_scales(const Specimen& s, const Rock& rock, double differe
             sides += std::hypot(to[0] - from[0], to[1] - from[1]);
         }
     }
-    return {bar_transit_time(s, rock), difference > 0 ? stress / (rock.young_modulus * difference) : 1, stress * sides / 2};
+    const double area = std::accumulate(s.grain_area.begin(), s.grain_area.end(), 0.0);
+    return {bar_transit_time(s, rock), difference > 0 ? strain / difference : 1, stress * sides / 2, stress * strain / 2 * area};
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
--- share/materials/kinds/surface.tsv: the specimens of the design, a row each and quantity, and the means of the calibrated granites without bridges. Stresses are over the
+-- share/materials/kinds/surface.tsv: the specimens of the design, a row each and quantity, and the means of the calibrated granites. Stresses are over the
 -- tensile strength tc of contacts, K_IC over tc √d; contact_strain is tc/(k d) with the normal stiffness k of
 -- contacts, on which crack initiation depends: it is told by an absolute strain.
 WITH contacts AS (
     SELECT rock, max(CASE parameter WHEN 'contact.tensile_strength' THEN CAST(value AS REAL) END) AS tc,
         max(CASE parameter WHEN 'ratios.cohesion' THEN CAST(value AS REAL) END) AS cohesion,
         max(CASE parameter WHEN 'contact.friction_angle' THEN CAST(value AS REAL) END) AS friction,
-        max(CASE parameter WHEN 'contact.residual_friction_angle' THEN CAST(value AS REAL) END) AS residual,
         coalesce(max(CASE parameter WHEN 'ratios.process_zone' THEN CAST(value AS REAL) END), :PROCESS_ZONE) AS zone,
         coalesce(max(CASE parameter WHEN 'ratios.mode_ii_fracture_energy' THEN CAST(value AS REAL) END), :MODE_II) AS shear
-    FROM rocks_values WHERE ended = 'calibrated' AND rock NOT LIKE '%bridges%' GROUP BY rock
+    FROM rocks_values WHERE ended = 'calibrated' GROUP BY rock
 ), measured AS (
     SELECT rowid AS place, rock, new_specimens AS value, CAST(with_it AS INTEGER) AS specimens, CASE target WHEN 'Brazilian_strength' THEN 'brazilian'
         WHEN 'UCS' THEN 'uniaxial' WHEN 'direct_tensile_strength' THEN 'direct_tension' WHEN 'crack_initiation' THEN target WHEN 'crack_damage' THEN target
@@ -19,7 +18,7 @@ WITH contacts AS (
     SELECT specimens.rowid AS place, kind, text('d{:.0f}', point) AS point, 0 AS rock, cohesion, friction_angle_deg, residual_friction_angle_deg, process_zone, mode_ii_fracture_energy,
         bridging_strength, bridging_energy, (SELECT contact_strain FROM stiffnesses WHERE material = 'granite') AS contact_strain, confining_pressure, property, value, 1 AS specimens
     FROM specimens WHERE variant = 'base'
-    UNION ALL SELECT 1e6 + place, 'granite', rock, 1, cohesion, friction, residual, zone, shear, 0, 0, contact_strain, pressure / tc, property, value / tc, specimens
+    UNION ALL SELECT 1e6 + place, 'granite', rock, 1, cohesion, friction, stiffnesses.residual, zone, shear, stiffnesses.bridging_strength, stiffnesses.bridging_energy, contact_strain, pressure / tc, property, value / tc, specimens
     FROM measured JOIN contacts USING (rock) JOIN stiffnesses ON material = replace(lower(rock), ' ', '-') || '-calibrated'
     WHERE property IS NOT NULL AND value IS NOT NULL
 )

@@ -162,6 +162,14 @@ TEST(HeatingControl, WhereMineralsCrackTheirStressRisesByTheToleranceInATransit)
     for (std::size_t i = 1; i < rates.size(); ++i) EXPECT_LE(rates[i], rates[i - 1] * std::exp(0.25 / 3.9) * (1 + 1e-9));
 }
 
+// Energies go with the square of stress: 10⁴ times the least is the stress of 100 times the least change.
+TEST(HeatingControl, WhereThereIsStressAlreadyThatRisesByTheTolerance) {
+    Feedback cooling = cracking();
+    cooling.stored_energy = 1e4;
+    const double rate = rates_of_heating(cooling, 1e9, 4 * 40).back();
+    expect_close(rate * heating_scales.transit_time / 400, tolerance, 0.01, tolerance);  // it follows by half a per mille
+}
+
 TEST(HeatingControl, UnbalancedForcesSlowItDownUnlessThereAreNoOthers) {
     const HeatingControl control(tolerance, heating_scales);
     EXPECT_EQ(rates_of_heating(cracking(20 * tolerance), 1e9, 400).back(), control.min_rate(0));
