@@ -29,6 +29,7 @@ struct LoadedEdge {
     std::array<std::int32_t, 2> traction{
         no_amplitude, no_amplitude};       ///< amplitudes of a dead traction along x and y, per reference length, Pa
     std::int32_t pressure = no_amplitude;  ///< amplitude of a pressure that follows the edge, Pa
+    std::int32_t shear = no_amplitude;     ///< of a traction along the edge, which follows it, from its first node, Pa
     std::int32_t condition = no_amplitude;
     double length = 0;        ///< reference, m
     bool is_lateral = false;  ///< of the parts left and right of the boundary, whose pressure is the confining pressure

@@ -126,10 +126,24 @@ void visit(Keys& keys, Content<Keys, Region>& region) {
     std::optional<std::array<double, 4>> box;
     if (std::isfinite(region.left)) box = {region.left, region.right, region.bottom, region.top};
     constexpr const char* fits = "is no box; [left, right, bottom, top] with left <= right and bottom <= top fits";
+    constexpr const char* range = "is no range; [from, to], up to 360 degrees more, fits";
     keys.given("box", coordinate, box, fits);
+    keys.given("angles", any("angles", Dimension::angle), region.angles, range);
+    keys.given("at", coordinate, region.at, "is no point; [x, y] fits");
     if constexpr (Keys::reads) {
-        if (box) region = {region.parts, (*box)[0], (*box)[1], (*box)[2], (*box)[3]};
+        if (box) {
+            region.left = (*box)[0];
+            region.right = (*box)[1];
+            region.bottom = (*box)[2];
+            region.top = (*box)[3];
+        }
         if (region.left > region.right || region.bottom > region.top) keys.refuse("box", fits);
+        const double width = region.angles ? region.angles->back() - region.angles->front() : 1;
+        constexpr double round_off = 1e-12;
+        if (!(width > 0 && width <= 2 * std::numbers::pi + round_off)) keys.refuse("angles", range);
+        if (region.at && (box || region.angles || !region.parts.empty())) {
+            keys.refuse("at", "is one node already; leave out on, box and angles");
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace graincrack {
 namespace {
@@ -40,6 +41,14 @@ struct SlowDown {
 };
 
 }  // namespace
+
+bool Region::has_angle_of(const Vector2& p) const {
+    if (!angles) return true;
+    constexpr double turn = 2 * std::numbers::pi;
+    constexpr double slack = 1e-9;  // rad, by which what lies between two ranges is of the second
+    const double beyond = std::atan2(p.y, p.x) - angles->front() + slack;
+    return beyond - turn * std::floor(beyond / turn) < angles->back() - angles->front();
+}
 
 Vector2 ProgramPlatens::axis() const {
     if (!direction) return {0, 1};

@@ -19,19 +19,25 @@
 
 namespace graincrack {
 
-/// The region in which a boundary condition acts: named parts of the boundary, a box, or what is in both.
+/// The region in which a boundary condition acts: named parts of the boundary, a range of angles, a box, or what is in all of
+/// those that are given; or a single node.
 struct Region {
     std::vector<std::string> parts;  ///< none: everywhere
     double left = -std::numeric_limits<double>::infinity(), right = std::numeric_limits<double>::infinity();
     double bottom = -std::numeric_limits<double>::infinity(), top = std::numeric_limits<double>::infinity();  ///< m
+    /// From the one up to the other, counter-clockwise from x about the origin, rad: the boundary edges with their middles there.
+    std::optional<std::array<double, 2>> angles;
+    std::optional<std::array<double, 2>> at;  ///< the node nearest to this point, m
+    [[nodiscard]] bool has_angle_of(const Vector2& p) const;
     [[nodiscard]] bool has(const Vector2& p) const { return p.x >= left && p.x <= right && p.y >= bottom && p.y <= top; }
 };
 
 /// The quantities that a boundary condition may prescribe.
-enum class Action : std::uint8_t { velocity_x, velocity_y, traction_x, traction_y, pressure, count };
+enum class Action : std::uint8_t { velocity_x, velocity_y, traction_x, traction_y, pressure, shear, count };
 inline constexpr std::size_t n_actions = static_cast<std::size_t>(Action::count);
 constexpr std::string_view name_of(Action action) {
-    constexpr std::array<std::string_view, n_actions> names{"velocity_x", "velocity_y", "traction_x", "traction_y", "pressure"};
+    constexpr std::array<std::string_view, n_actions> names{"velocity_x", "velocity_y", "traction_x",
+                                                            "traction_y", "pressure",   "shear"};
     return names[static_cast<std::size_t>(action)];
 }
 constexpr bool is_velocity(Action action) { return action <= Action::velocity_y; }

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "share/base/error.hpp"
@@ -131,8 +132,11 @@ BoundaryCondition read_boundary_condition(TomlTable& table) {
     BoundaryCondition condition;
     condition.name = table.name();
     visit(table, condition.region);
-    if (!table.has("on") && !table.has("box")) {
-        table.refuse("", "nowhere; give on = \"a part of the boundary\" or box = [left, right, bottom, top]");
+    const auto is_given = [&](const char* key) { return table.has(key); };
+    if (constexpr std::array keys{"on", "box", "angles", "at"}; std::none_of(keys.begin(), keys.end(), is_given)) {
+        table.refuse("",
+                     "nowhere; give on = \"a part of the boundary\", angles = [from, to], at = [x, y] or box = [left, right, "
+                     "bottom, top]");
     }
     condition.start = read_functions(table);
     return condition;
@@ -277,8 +281,8 @@ void record_actions(Program& program) {
         }
         if (std::none_of(condition.is_set.begin(), condition.is_set.end(), [](bool set) { return set; })) {
             throw InputError(
-                fmt::format("{}: boundary.{}: does nothing; give it a velocity_x, velocity_y, traction_x, traction_y "
-                            "or pressure, here or in a stage",
+                fmt::format("{}: boundary.{}: does nothing; give it a velocity_x, velocity_y, traction_x, traction_y, "
+                            "pressure or shear, here or in a stage",
                             program.file, condition.name));
         }
     }

@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "share/base/error.hpp"
 
@@ -43,6 +45,43 @@ double mean_rotation(const Assemblage& a, const State& state) {
            sum([](const Vector2& r, const Vector2&) { return dot(r, r); });
 }
 
+/// The node nearest to a point, of several the first; none for a point that is far outside.
+RegionContent content_of_point(const Vector2& point, double slack, const Assemblage& a, const Specimen& s) {
+    constexpr double near = 0.55;  // of the extents, from the middle
+    RegionContent content;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
+        const double distance = length(a.position[i] - point);
+        if (a.mass[i] == 0 || distance >= least - slack) continue;
+        content.nodes = {i};
+        least = distance;
+    }
+    if (std::abs(point.x) > near * s.width || std::abs(point.y) > near * s.height) content.nodes.clear();
+    return content;
+}
+
+RegionContent content_within(const Region& region, const Assemblage& a, const Specimen& s, const std::string& where) {
+    const std::vector<std::uint8_t> parts = numbers_of(region.parts, s, where);
+    const bool is_outline = !parts.empty() || region.angles;
+    RegionContent content;
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        if (!parts.empty() && std::find(parts.begin(), parts.end(), s.boundary_part[e]) == parts.end()) continue;
+        const std::int32_t first = a.node_of_specimen[s.boundary_edges[e][0]];
+        const std::int32_t second = a.node_of_specimen[s.boundary_edges[e][1]];
+        if (!region.has_angle_of(0.5 * (a.position[first] + a.position[second]))) continue;
+        if (region.has(a.position[first]) && region.has(a.position[second])) content.edges.push_back(e);
+        for (const std::int32_t i : {first, second}) {
+            if (is_outline && region.has(a.position[i])) content.nodes.push_back(i);
+        }
+    }
+    for (std::int32_t i = 0; i < a.n_nodes() && !is_outline; ++i) {
+        if (region.has(a.position[i]) && a.mass[i] > 0) content.nodes.push_back(i);
+    }
+    std::sort(content.nodes.begin(), content.nodes.end());
+    content.nodes.erase(std::unique(content.nodes.begin(), content.nodes.end()), content.nodes.end());
+    return content;
+}
+
 /// Later conditions take over the components of a node that earlier ones had.
 void prescribe_velocities(const RegionContent& content, const std::array<std::int32_t, n_actions>& amplitudes,
                           std::int32_t condition, std::vector<PrescribedNode>& by_node) {
@@ -65,6 +104,7 @@ void load_edges(const RegionContent& content, const std::array<std::int32_t, n_a
         edge.traction = {amplitudes[static_cast<std::size_t>(Action::traction_x)],
                          amplitudes[static_cast<std::size_t>(Action::traction_y)]};
         edge.pressure = amplitudes[static_cast<std::size_t>(Action::pressure)];
+        edge.shear = amplitudes[static_cast<std::size_t>(Action::shear)];
         edge.condition = condition;
         edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
         const auto part = static_cast<BoundaryPart>(s.boundary_part[e]);
@@ -73,11 +113,33 @@ void load_edges(const RegionContent& content, const std::array<std::int32_t, n_a
     }
 }
 
+/// The conditions that load an edge, by action.
+using LoadingConditions = std::array<const BoundaryCondition*, n_actions>;
+/// \throws InputError where an edge has a load of the same kind from another condition
+void note_loads(const RegionContent& content, const Program& program, std::size_t condition, const Assemblage& a,
+                const Specimen& s, std::vector<LoadingConditions>& loaded_by) {
+    const BoundaryCondition& own = program.boundary_conditions[condition];
+    for (const std::size_t e : content.edges) {
+        for (std::size_t i = 0; i < n_actions; ++i) {
+            if (!own.is_set[i] || is_velocity(static_cast<Action>(i))) continue;
+            if (const BoundaryCondition* const other = std::exchange(loaded_by[e][i], &own)) {
+                const Vector2 middle = 0.5 * (a.position[a.node_of_specimen[s.boundary_edges[e][0]]] +
+                                              a.position[a.node_of_specimen[s.boundary_edges[e][1]]]);
+                throw InputError(fmt::format(
+                    "{}: boundary.{}: {}: boundary.{} has one on the same edge, at {:.4g} mm, {:.4g} mm; "
+                    "parts that do not overlap fit",
+                    program.file, own.name, name_of(static_cast<Action>(i)), other->name, 1e3 * middle.x, 1e3 * middle.y));
+            }
+        }
+    }
+}
+
 PrescribedConditions make_prescribed_conditions(const Assemblage& a, const Specimen& s, const Program& program) {
     const AmplitudeNumbers amplitudes = number_amplitudes(program);
     PrescribedConditions prescribed;
     prescribed.gravity = program.gravity;
     std::vector<PrescribedNode> by_node(a.position.size());
+    std::vector<LoadingConditions> loaded_by(s.n_boundary_edges());
     for (std::size_t c = 0; c < program.boundary_conditions.size(); ++c) {
         const BoundaryCondition& condition = program.boundary_conditions[c];
         const std::string where = fmt::format("{}: boundary.{}", program.file, condition.name);
@@ -86,11 +148,12 @@ PrescribedConditions make_prescribed_conditions(const Assemblage& a, const Speci
         if (is_set(Action::velocity_x) || is_set(Action::velocity_y)) {
             prescribe_velocities(content, amplitudes[c], static_cast<std::int32_t>(c), by_node);
         }
-        if (is_set(Action::traction_x) || is_set(Action::traction_y) || is_set(Action::pressure)) {
+        if (is_set(Action::traction_x) || is_set(Action::traction_y) || is_set(Action::pressure) || is_set(Action::shear)) {
             if (content.edges.empty()) {
                 throw InputError(where +
                                  ": there is no boundary edge to load; a part of the boundary, or a box that holds some, fits");
             }
+            note_loads(content, program, c, a, s, loaded_by);
             load_edges(content, amplitudes[c], static_cast<std::int32_t>(c), a, s, prescribed);
         }
     }
@@ -114,23 +177,20 @@ AmplitudeNumbers number_amplitudes(const Program& program) {
 
 RegionContent content_of_region(const Region& region, const Assemblage& a, const Specimen& s, const std::string& where) {
     const double slack = relative_slack * (s.width + s.height);
-    const Region wide{region.parts, region.left - slack, region.right + slack, region.bottom - slack, region.top + slack};
-    const std::vector<std::uint8_t> parts = numbers_of(region.parts, s, where);
     RegionContent content;
-    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
-        if (!parts.empty() && std::find(parts.begin(), parts.end(), s.boundary_part[e]) == parts.end()) continue;
-        const std::int32_t first = a.node_of_specimen[s.boundary_edges[e][0]];
-        const std::int32_t second = a.node_of_specimen[s.boundary_edges[e][1]];
-        if (wide.has(a.position[first]) && wide.has(a.position[second])) content.edges.push_back(e);
-        for (const std::int32_t i : {first, second}) {
-            if (!parts.empty() && wide.has(a.position[i])) content.nodes.push_back(i);
-        }
+    if (region.at) {
+        content = content_of_point({region.at->front(), region.at->back()}, slack, a, s);
+    } else {
+        Region wide = region;
+        wide.left -= slack;
+        wide.right += slack;
+        wide.bottom -= slack;
+        wide.top += slack;
+        content = content_within(wide, a, s, where);
     }
-    for (std::int32_t i = 0; i < a.n_nodes() && parts.empty(); ++i) {
-        if (wide.has(a.position[i]) && a.mass[i] > 0) content.nodes.push_back(i);
+    if (content.nodes.empty() && region.angles) {
+        throw InputError(where + ": no edge of the boundary there has its middle between these angles; a wider range fits");
     }
-    std::sort(content.nodes.begin(), content.nodes.end());
-    content.nodes.erase(std::unique(content.nodes.begin(), content.nodes.end()), content.nodes.end());
     if (content.nodes.empty()) {
         throw InputError(
             fmt::format("{}: nothing of the specimen is there; it reaches from {} mm to {} mm along x and from {} mm to "

@@ -4,6 +4,7 @@
 
 #include "share/base/error.hpp"
 #include "share/base/units.hpp"
+#include "solver/setup/borne_loads.hpp"
 #include "solver/setup/element_mass.hpp"
 #include "solver/setup/regions.hpp"
 #include "solver/setup/stable_time_step.hpp"
@@ -87,6 +88,8 @@ Setup make_setup(const Specimen& specimen, const SimulationRequest& r, const Pro
     s.parameters.damping_form = r.damping_form;
     s.assemblage.vector_target = r.vector_target.value_or(widest_vector_target());
     s.boundary = make_program_boundary(s.assemblage, specimen, program, r.contact, r.loading.platen_friction);
+    const bool starts_unloaded = r.restart.empty() && program.start_from.empty();
+    if (r.damping > 0 && starts_unloaded) require_borne_loads(s.assemblage, s.boundary.prescribed, program);
     const ContactLaws& laws = s.parameters.laws;
     if (r.mass_scaling) {
         s.added_mass = scale_mass_of_stiffest_elements(s.assemblage, max_added_mass);

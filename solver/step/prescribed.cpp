@@ -11,13 +11,10 @@ double value_of(const StepLoading& loading, std::int32_t amplitude, double other
 
 void find_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoading& loading, std::int32_t index, State& s) {
     const auto [first, second] = edge.nodes;
-    const double half_pressure = 0.5 * value_of(loading, edge.pressure, 0);
     const Vector2 along = (a.position[second] + s.displacement[second]) - (a.position[first] + s.displacement[first]);
-    const double half_length = 0.5 * edge.length;
-    const Vector2 load{half_length * value_of(loading, edge.traction[0], 0) - half_pressure * along.y,
-                       half_length * value_of(loading, edge.traction[1], 0) + half_pressure * along.x};
-    s.prescribed.load[index] = load;
-    s.prescribed.lateral[index] = half_pressure * std::abs(along.y);
+    const EdgeLoad load = load_of_edge(edge, along, loading);
+    s.prescribed.load[index] = load.on_end;
+    s.prescribed.lateral[index] = load.lateral;
 }
 
 /// Moves the force on a prescribed component into its reaction.
@@ -38,6 +35,15 @@ double move_component(double prescribed, double old_velocity, double reaction, d
 }
 
 }  // namespace
+
+EdgeLoad load_of_edge(const LoadedEdge& edge, const Vector2& along, const StepLoading& loading) {
+    const double half_pressure = 0.5 * value_of(loading, edge.pressure, 0);
+    const double half_shear = 0.5 * value_of(loading, edge.shear, 0);
+    const double half_length = 0.5 * edge.length;
+    const Vector2 load{half_length * value_of(loading, edge.traction[0], 0) - half_pressure * along.y,
+                       half_length * value_of(loading, edge.traction[1], 0) + half_pressure * along.x};
+    return {load + half_shear * along, half_pressure * std::abs(along.y)};
+}
 
 void find_edge_loads(const Assemblage& a, const PrescribedConditions& prescribed, const StepLoading& loading, std::int32_t chunk,
                      State& s) {

@@ -10,6 +10,13 @@
 
 namespace graincrack {
 
+/// The load of an edge. \param along from its first node to its second, m
+struct EdgeLoad {
+    Vector2 on_end;      ///< on each of its nodes, N
+    double lateral = 0;  ///< the part of it along x that is pressure, inwards positive, N
+};
+EdgeLoad load_of_edge(const LoadedEdge& edge, const Vector2& along, const StepLoading& loading);
+
 /// The loads of the edges of a chunk at the present displacements.
 void find_edge_loads(const Assemblage& assemblage, const PrescribedConditions& prescribed, const StepLoading& loading,
                      std::int32_t chunk, State& state);

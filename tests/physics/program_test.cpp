@@ -343,6 +343,7 @@ const char* const everything = R"(
     until.time = "50 us"
     [stage.break]
     roof.velocity_y = { to = "-1 m/s", over = "30 us" }
+    sides.shear = { to = "0.2 MPa", over = "40 us" }
     until = { time = "400 us", tensile_cracks = 10 }
     [stage."let go"]
     roof.velocity_x = "free"

@@ -202,7 +202,12 @@ traction_x = { to = "20 MPa", over = "0.02 ms" }
 traction_y = { to = "-8 MPa", over = "0.02 ms" }
 [boundary.other]
 on = "right"
+angles = ["-60 deg", "45 deg"]
 pressure = { to = "30 MPa", over = "0.01 ms" }
+shear = { to = "5 MPa", over = "0.01 ms" }
+[boundary.held]
+at = [0, "20 mm"]
+velocity_x = 0
 [probe.middle]
 point = ["1 mm", "2 mm"]
 [probe.core]

@@ -54,7 +54,12 @@ on = ["top"]
 [boundary.a]
 on = ["left", "right"]
 box = [-0.001, 0.001, 0.0, 0.004]
+angles = [-0.25, 0.25]
 velocity_x = "free"
+
+[boundary.d]
+at = [0.0, -0.04]
+velocity_y = 0.0
 
 [probe.p]
 point = [0.001, 0.0]
@@ -82,6 +87,7 @@ must_end_by = "rest"
 [stage."s 2"]
 a.traction_y = { ricker = 1000.0, frequency = 10000.0, at = 0.0002 }
 a.pressure = { pulse = 1000000.0, over = 1e-05 }
+a.shear = { to = 1000000.0, over = 0.001 }
 platen_speed = 0.001
 until = { peak_drop = 0.2 }
 )";
