@@ -1,5 +1,10 @@
 #include "post/commands/commands.hpp"
 
+#include <algorithm>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
 #include "post/measure/history.hpp"
 #include "post/options/command.hpp"
 #include "share/base/error.hpp"
@@ -12,12 +17,44 @@ namespace graincrack {
 
 namespace {
 
+/// "strain_xx", "stress_xx_Pa": a column with its unit, angles in degrees.
+std::string name_with_unit(const ProbeColumn& column, bool in_degrees) {
+    const std::string_view unit = in_degrees && column.dimension == Dimension::angle ? "deg" : si_unit(column.dimension);
+    return column.dimension == Dimension::one ? column.name : column.name + "_" + std::string(unit);
+}
+
+/// angle_deg and the columns of each point of a ring at the end of the run: a row a point.
+void write_ring(std::ostream& out, const RunReader& run, const std::string& name, TableFormat format) {
+    std::vector<ProbeHistory> points;
+    const std::vector<std::string> names = probe_names(run.file());
+    for (std::string point = point_of_ring(name, 0); std::binary_search(names.begin(), names.end(), point);) {
+        points.push_back(read_probe(run.file(), point));
+        point = point_of_ring(name, points.size());
+    }
+    std::vector<std::string> columns;
+    for (const ProbeColumn& column : points.front().columns) columns.push_back(name_with_unit(column, true));
+    TableWriter table(out, columns, format);
+    for (const ProbeHistory& point : points) {
+        if (point.columns.size() != columns.size() || point.values.front().empty()) {
+            throw InputError(run.name() + ": probe " + point.name + " has not the columns or rows of its ring");
+        }
+        std::vector<Cell> row;
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            row.emplace_back(point.values[c].back() *
+                             (point.columns[c].dimension == Dimension::angle ? 180 / std::numbers::pi : 1));
+        }
+        table.row(row);
+    }
+}
+
 /// time_s, step and every column of a probe, names with SI units. \throws InputError if the run has no such probe
 void write_probe(std::ostream& out, const RunReader& run, const std::string& name, TableFormat format) {
+    const std::vector<std::string> names = probe_names(run.file());
+    if (std::binary_search(names.begin(), names.end(), point_of_ring(name, 0))) return write_ring(out, run, name, format);
     const ProbeHistory probe = read_probe(run.file(), name);
     const History history = run.history();
     std::vector<std::string> columns{"time_s", "step"};
-    for (const ProbeColumn& column : probe.columns) columns.push_back(column.name + "_" + std::string(si_unit(column.dimension)));
+    for (const ProbeColumn& column : probe.columns) columns.push_back(name_with_unit(column, false));
     for (const std::vector<double>& values : probe.values) {
         if (values.size() != history.size()) throw InputError(run.name() + ": probe " + name + " and history differ in length");
     }
@@ -56,7 +93,8 @@ struct HistoryOptions {
 void add_history_options(OptionSet set, HistoryOptions& options) {
     add_flag(set, "--follow", options.follow, "print the rows of a running test as they appear, until it ends");
     const Option probe =
-        add_text(set, "--probe", options.probe, "print the history of this probe or boundary of a loading program instead")
+        add_text(set, "--probe", options.probe,
+                 "print the history of this probe or boundary of a loading program instead, of a ring a row an angle")
             .type_name("NAME");
     Option stages =
         add_flag(set, "--stages", options.stages, "print the stages of a loading program instead, and how each ended");

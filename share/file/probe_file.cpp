@@ -19,6 +19,8 @@ std::string group_of(const std::string& probe) { return std::string(schema::prob
 
 }  // namespace
 
+std::string point_of_ring(const std::string& ring, std::size_t point) { return fmt::format("{}.{:03}", ring, point); }
+
 void append_probes(H5Output& file, const std::vector<ProbeHistory>& probes, std::size_t first) {
     for (const ProbeHistory& probe : probes) {
         if (probe.values.front().size() == first && first > 0) {

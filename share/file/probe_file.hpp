@@ -1,6 +1,7 @@
 // Probes in a run file: the group /probes/NAME has columns with one row for each row of the history.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct ProbeHistory {
     std::vector<ProbeColumn> columns;
     std::vector<std::vector<double>> values;  ///< by column
 };
+
+/// The probe that a point of a ring is, "gauges.007" of the ring gauges.
+std::string point_of_ring(const std::string& ring, std::size_t point);
 
 /// Appends rows [first, …) of every probe.
 void append_probes(H5Output& file, const std::vector<ProbeHistory>& probes, std::size_t first);

@@ -162,22 +162,29 @@ void visit_vector(Keys& keys, const char* key, const Quantity& quantity, Content
 
 template <class Keys>
 void visit(Keys& keys, Content<Keys, ProbeRequest>& probe) {
+    using Form = ProbeRequest::Form;
     std::optional<std::array<double, 2>> point;
-    std::optional<std::array<double, 3>> circle;
+    std::optional<std::array<double, 3>> circle, ring;
     if constexpr (!Keys::reads) {
-        if (probe.is_circle) {
-            circle = {probe.centre.x, probe.centre.y, probe.radius};
-        } else {
-            point = {probe.centre.x, probe.centre.y};
-        }
+        if (probe.form == Form::point) point = {probe.centre.x, probe.centre.y};
+        if (probe.form == Form::circle) circle = {probe.centre.x, probe.centre.y, probe.radius};
+        if (probe.form == Form::ring) ring = {probe.centre.x, probe.centre.y, probe.radius};
     }
     constexpr const char* fits = "is no circle; [x, y, radius] with a radius above 0 fits";
     keys.given("point", coordinate, point, "is no point; [x, y] fits");
     keys.given("circle", coordinate, circle, fits);
+    keys.given("ring", coordinate, ring, fits);
+    if (ring) {
+        keys.given("points", {"points", Dimension::one, 1, 1000, "points"}, probe.points);
+        keys.given("reach", positive("reach", Dimension::length), probe.reach);
+    }
     if constexpr (Keys::reads) {
-        if (point.has_value() == circle.has_value()) keys.refuse("", "needs either point = [x, y] or circle = [x, y, radius]");
-        if (circle && (*circle)[2] <= 0) keys.refuse("circle", fits);
-        probe.is_circle = circle.has_value();
+        if (point.has_value() + circle.has_value() + ring.has_value() != 1) {
+            keys.refuse("", "needs one of point = [x, y], circle = [x, y, radius] and ring = [x, y, radius]");
+        }
+        probe.form = ring ? Form::ring : circle ? Form::circle : Form::point;
+        if (ring) circle = ring;
+        if (circle && (*circle)[2] <= 0) keys.refuse(ring ? "ring" : "circle", fits);
         probe.centre = circle ? Vector2{(*circle)[0], (*circle)[1]} : Vector2{(*point)[0], (*point)[1]};
         probe.radius = circle ? (*circle)[2] : 0;
     }

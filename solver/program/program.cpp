@@ -62,6 +62,10 @@ double ProgramPlatens::span() const {
     return std::abs(bottom.at[1] - bottom.at[0]);
 }
 
+double ProbeRequest::angle(std::int64_t point) const {
+    return 2 * std::numbers::pi * static_cast<double>(point) / static_cast<double>(points);
+}
+
 const Stage& Program::stage(const std::string& stage_name) const {
     return *std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == stage_name; });
 }
@@ -136,6 +140,25 @@ const std::vector<ProbeColumn>& circle_columns() {
         {"stress_xy", Dimension::stress, "mean stress xy of the elements with their centre in the circle"},
         {"stress_zz", Dimension::stress, "mean stress zz of the elements with their centre in the circle, tension positive"},
     };
+    return columns;
+}
+
+const std::vector<ProbeColumn>& ring_columns() {
+    static const std::vector<ProbeColumn> columns = [] {
+        std::vector<ProbeColumn> of_point{
+            {"angle", Dimension::angle, "of the point of the ring, counter-clockwise from x"},
+            {"strain_xx", Dimension::one, "mean strain xx of the elements there, elongation positive"},
+            {"strain_yy", Dimension::one, "mean strain yy of the elements there, elongation positive"},
+            {"strain_xy", Dimension::one, "mean strain xy of the elements there, half the change of the angle"},
+            {"volumetric_strain", Dimension::one, "strain xx + yy of the elements there (of the area, in plane stress)"},
+        };
+        for (ProbeColumn stress : circle_columns()) {
+            stress.description =
+                "mean stress " + stress.name.substr(stress.name.size() - 2) + " of the elements there, tension positive";
+            of_point.push_back(stress);
+        }
+        return of_point;
+    }();
     return columns;
 }
 

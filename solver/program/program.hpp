@@ -114,10 +114,14 @@ struct InitialVelocity {
 
 /// [probe.NAME]
 struct ProbeRequest {
+    enum class Form : std::uint8_t { point, circle, ring };
     std::string name;
-    bool is_circle = false;
-    Vector2 centre;     ///< or point, m
-    double radius = 0;  ///< m
+    Form form = Form::point;
+    Vector2 centre;               ///< or point, m
+    double radius = 0;            ///< m
+    std::int64_t points = 48;     ///< of a ring, at equal angles from x
+    std::optional<double> reach;  ///< from a point of a ring to the centres of the elements read there, m; missing: the one there
+    [[nodiscard]] double angle(std::int64_t point) const;  ///< of a point of a ring, rad
 };
 
 /// A value that ends a stage when it is reached, from whichever side: a column of the history, or of a probe.
@@ -177,9 +181,10 @@ struct Program {
 /// The same program at half the speed: all times are twice as long, all frequencies and prescribed velocities half as high.
 Program at_half_the_rate(Program program);
 
-/// Columns of a probe: of every boundary condition, of a point, of a circle.
+/// Columns of a probe: of every boundary condition, of a point, of a circle, of a point of a ring.
 const std::vector<ProbeColumn>& boundary_columns();
 const std::vector<ProbeColumn>& point_columns();
 const std::vector<ProbeColumn>& circle_columns();
+const std::vector<ProbeColumn>& ring_columns();
 
 }  // namespace graincrack

@@ -158,7 +158,8 @@ const std::vector<ProbeColumn>* columns_of(const Program& program, const std::st
         if (condition.name == probe) return &boundary_columns();
     }
     for (const ProbeRequest& request : program.probes) {
-        if (request.name == probe) return request.is_circle ? &circle_columns() : &point_columns();
+        if (request.name != probe || request.form == ProbeRequest::Form::ring) continue;
+        return request.form == ProbeRequest::Form::circle ? &circle_columns() : &point_columns();
     }
     return nullptr;
 }

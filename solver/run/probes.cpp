@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "share/base/error.hpp"
 #include "solver/setup/regions.hpp"
@@ -80,6 +83,46 @@ std::vector<double> mean_stress(const Assemblage& a, const std::vector<std::int3
     return mean;
 }
 
+/// Integral of strain (xx yy xy) over elements and their area.
+struct StrainSum {
+    std::array<double, 3> strain{};
+    double area = 0;
+    using IsSum = void;
+};
+std::vector<double> mean_strain(const Assemblage& a, const std::vector<std::int32_t>& elements, const State& s) {
+    const auto elements_of = [&a](std::int32_t chunk) { return a.element_chunks[chunk]; };
+    const StrainSum sum = sum_over_listed(a.part, a.part.elements, elements_of, elements, [&](std::int32_t e) {
+        const double area = a.element_geometry[e].area;
+        const TriangleState state = cold_element_state(a, static_cast<std::size_t>(e), s);
+        return StrainSum{{area * state.exx, area * state.eyy, area * state.exy}, area};
+    });
+    return {sum.strain[0] / sum.area, sum.strain[1] / sum.area, sum.strain[2] / sum.area};
+}
+
+/// The element at a point, where corners of several meet the first; −1 outside of the specimen.
+std::int32_t element_at(const Assemblage& a, const Vector2& point) {
+    std::int32_t best = -1;
+    double inside = -1e-9;  // round-off
+    for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+        const auto w = weights_at(a, e, point);
+        const double least = *std::min_element(w.begin(), w.end());
+        if (least > inside) {
+            inside = least;
+            best = e;
+        }
+    }
+    return best;
+}
+
+/// The elements with their centres within a distance from a point.
+std::vector<std::int32_t> elements_near(const Assemblage& a, const Vector2& point, double distance) {
+    std::vector<std::int32_t> elements;
+    for (std::int32_t e = 0; e < a.n_elements(); ++e) {
+        if (length(centre_of(a, e) - point) <= distance) elements.push_back(e);
+    }
+    return elements;
+}
+
 ProbeHistory empty_history(const std::string& name, const std::vector<ProbeColumn>& columns) {
     return {name, columns, std::vector<std::vector<double>>(columns.size())};
 }
@@ -94,31 +137,39 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
     }
     for (const ProbeRequest& request : program.probes) {
         const std::string where = program.file + ": probe." + request.name;
-        if (request.is_circle) {
-            Circle elements;
-            for (std::int32_t e = 0; e < a.n_elements(); ++e) {
-                if (length(centre_of(a, e) - request.centre) <= request.radius) elements.push_back(e);
-            }
-            if (elements.empty()) {
+        if (request.form == ProbeRequest::Form::ring) {
+            add_ring(request, a, where);
+        } else if (request.form == ProbeRequest::Form::circle) {
+            requests_.emplace_back(Circle{elements_near(a, request.centre, request.radius)});
+            if (std::get<Circle>(requests_.back()).empty()) {
                 throw InputError(where + ": no element has its centre in this circle; a larger one, or one inside, fits");
             }
-            requests_.emplace_back(elements);
+            histories_.push_back(empty_history(request.name, circle_columns()));
         } else {
-            std::int32_t best = 0;
-            double inside = -1e300;
-            for (std::int32_t e = 0; e < a.n_elements(); ++e) {
-                const auto w = weights_at(a, e, request.centre);
-                const double least = *std::min_element(w.begin(), w.end());
-                if (least > inside) {
-                    inside = least;
-                    best = e;
-                }
-            }
-            constexpr double round_off = -1e-9;
-            if (inside < round_off) throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
-            requests_.emplace_back(Point{a.element_nodes[best], weights_at(a, best, request.centre)});
+            const std::int32_t element = element_at(a, request.centre);
+            if (element < 0) throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
+            requests_.emplace_back(Point{a.element_nodes[element], weights_at(a, element, request.centre)});
+            histories_.push_back(empty_history(request.name, point_columns()));
         }
-        histories_.push_back(empty_history(request.name, request.is_circle ? circle_columns() : point_columns()));
+    }
+}
+
+void Probes::add_ring(const ProbeRequest& request, const Assemblage& a, const std::string& where) {
+    for (std::int64_t i = 0; i < request.points; ++i) {
+        const double angle = request.angle(i);
+        const Vector2 point = request.centre + request.radius * Vector2{std::cos(angle), std::sin(angle)};
+        OnRing on_ring{angle, {}};
+        if (request.reach) {
+            on_ring.elements = elements_near(a, point, *request.reach);
+        } else if (const std::int32_t element = element_at(a, point); element >= 0) {
+            on_ring.elements = {element};
+        }
+        if (on_ring.elements.empty()) {
+            throw InputError(fmt::format("{}: no element at {:.4g} degrees; {} fits", where, 180 / std::numbers::pi * angle,
+                                         request.reach ? "a larger reach" : "a ring inside of the specimen"));
+        }
+        requests_.emplace_back(std::move(on_ring));
+        histories_.push_back(empty_history(point_of_ring(request.name, static_cast<std::size_t>(i)), ring_columns()));
     }
 }
 
@@ -136,6 +187,14 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
     for (const auto& request : requests_) {
         if (const auto* const circle = std::get_if<Circle>(&request)) {
             push(probe++, mean_stress(a, *circle, s));
+            continue;
+        }
+        if (const auto* const on_ring = std::get_if<OnRing>(&request)) {
+            const std::vector<double> strain = mean_strain(a, on_ring->elements, s);
+            std::vector<double> row{on_ring->angle, strain[0], strain[1], strain[2], strain[0] + strain[1]};
+            const std::vector<double> stress = mean_stress(a, on_ring->elements, s);
+            row.insert(row.end(), stress.begin(), stress.end());
+            push(probe++, row);
             continue;
         }
         const Point& point = std::get<Point>(request);

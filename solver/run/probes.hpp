@@ -1,4 +1,5 @@
-// Probes of a program: motion of points, mean stress in circles, motion of and force on the parts it prescribes something to.
+// Probes of a program: motion of points, mean stress in circles, strain and stress at the points of rings, motion of and force on
+// the parts it prescribes something to.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ namespace graincrack {
 
 class Probes {
 public:
-    /// \throws InputError for a point outside of the specimen, or a circle without the centre of an element
+    /// \throws InputError for a point outside of the specimen, or where no element is to be read
     Probes(const Program& program, const Assemblage& assemblage, const Specimen& specimen);
     /// Adds a row of the state after `measure`, which leaves the forces of its time in it.
     void record(const Assemblage& assemblage, const Boundary& boundary, const State& state);
@@ -30,11 +31,16 @@ private:
         std::array<std::int32_t, 3> nodes;
         std::array<double, 3> weights;
     };
+    struct OnRing {
+        double angle;
+        std::vector<std::int32_t> elements;
+    };
+    void add_ring(const ProbeRequest& request, const Assemblage& assemblage, const std::string& where);
     void push(std::size_t probe, const std::vector<double>& row);
 
     using Circle = std::vector<std::int32_t>;  ///< its elements
     std::vector<std::vector<std::int32_t>> nodes_of_boundary_;
-    std::vector<std::variant<Point, Circle>> requests_;
+    std::vector<std::variant<Point, Circle, OnRing>> requests_;
     std::vector<ProbeHistory> histories_;  ///< boundary conditions, then requests
 };
 

@@ -188,22 +188,23 @@ TEST(OutlineLoads, ADiscUnderAPressureThatVariesRoundIt) {
             fmt::format("boundary.p{} = {{ angles = [\"{} deg\", \"{} deg\"], pressure = {{ to = {}, over = \"20 us\" }} }}\n", k,
                         k * 7.5, (k + 1) * 7.5, p);
     }
-    constexpr double r = 0.6 * radius;
-    for (int k = 0; k < 8; ++k) {
-        conditions +=
-            fmt::format("probe.q{}.circle = [{}, {}, \"5 mm\"]\n", k, r * std::cos(k * pi / 8), r * std::sin(k * pi / 8));
-    }
+    conditions += "probe.q = { ring = [0, 0, \"24 mm\"], points = 16, reach = \"5 mm\" }\n";  // .6 R
     const ProgramRun run = run_of(conditions, "time = \"2 ms\", rest = 1e-6", 0.8, 16);
     const Rock rock = test::augig_granite().rock;
     const double plane = (1 + rock.poisson_ratio) * (1 - 2 * rock.poisson_ratio) / rock.young_modulus;
-    for (int k = 0; k < 8; ++k) {
+    const double shear = rock.young_modulus / (1 + rock.poisson_ratio);
+    for (int k = 0; k < 16; ++k) {
         const double angle = k * pi / 8;
+        const auto of = [&](const char* column) { return run.column(fmt::format("q.{:03}", k), column).back(); };
         const double expected =
             -2 * plane * (p0 + p2 * std::pow(0.6, 2) * std::cos(2 * angle) + p4 * std::pow(0.6, 4) * std::cos(4 * angle));
-        const auto of = [&](const char* column) { return run.column(fmt::format("q{}", k), column).back(); };
-        const double measured = plane * (of("stress_xx") + of("stress_yy"));
-        test::verify("elements: disc under p0 + p2 cos 2t + p4 cos 4t, volumetric strain at .6 R (1e-4)", 1e4 * measured,
-                     1e4 * expected, 0.01, "harmonic extension of p", 1e4 * 2 * plane * p0);
+        test::verify("elements: disc under p0 + p2 cos 2t + p4 cos 4t, volumetric strain at .6 R (1e-4)",
+                     1e4 * of("volumetric_strain"), 1e4 * expected, 0.01, "harmonic extension of p", 1e4 * 2 * plane * p0);
+        expect_close(of("angle"), angle, 1e-15, pi);
+        // Strain and stress are of the same elements; they differ by the rotation, of the size of the strain.
+        expect_close(plane * (of("stress_xx") + of("stress_yy")), of("volumetric_strain"), 1e-6, 2 * plane * p0);
+        expect_close(shear * (of("strain_xx") - of("strain_yy")), of("stress_xx") - of("stress_yy"), 1e-3, p0);
+        expect_close(shear * of("strain_xy"), of("stress_xy"), 1e-3, p0);
     }
 }
 

@@ -212,6 +212,9 @@ velocity_x = 0
 point = ["1 mm", "2 mm"]
 [probe.core]
 circle = ["0 mm", "0 mm", "12 mm"]
+[probe.gauges]
+ring = [0, 0, "12 mm"]
+points = 6
 [stage.shake]
 until.time = "0.05 ms"
 )",

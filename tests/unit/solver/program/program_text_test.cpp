@@ -31,8 +31,7 @@ TEST(ProgramText, ReadAgainItIsTheSameProgram) {
     }
 }
 
-TEST(ProgramText, OfAProgramWithEveryKeyIsThatOfItsFile) {
-    const std::string everything = R"(name = "a \"b\""
+const std::string everything = R"(name = "a \"b\""
 stages = ["s 0", "s 1", "s 2"]
 damping = "none"
 gravity = [0.0, -9.81]
@@ -67,6 +66,11 @@ point = [0.001, 0.0]
 [probe.c]
 circle = [0.0, 0.0, 0.005]
 
+[probe.r]
+ring = [0.0, 0.0, 0.005]
+points = 12
+reach = 0.001
+
 [initial.0]
 on = ["top"]
 velocity = [0.001, 0.0]
@@ -91,6 +95,8 @@ a.shear = { to = 1000000.0, over = 0.001 }
 platen_speed = 0.001
 until = { peak_drop = 0.2 }
 )";
+
+TEST(ProgramText, OfAProgramWithEveryKeyIsThatOfItsFile) {
     EXPECT_EQ(program_text(parse_program(everything, "everything.toml")), everything);
 }
 
