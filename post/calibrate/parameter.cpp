@@ -7,7 +7,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <set>
 #include <string_view>
 
 #include "post/fit/mohr_coulomb.hpp"
@@ -269,9 +268,11 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
         require_sound(parameters.back(), row.where());
     }
     if (parameters.empty()) {
-        std::set<std::string> known;
         for (const DefaultBox& box : default_boxes) {
-            if (!box.is_free || !holds(box.materials, basis) || !known.insert(box.key).second) continue;
+            const bool is_replaced = std::any_of(&box + 1, std::end(default_boxes), [&](const DefaultBox& later) {
+                return std::string_view(later.key) == box.key && holds(later.materials, basis);
+            });
+            if (!box.is_free || is_replaced || !holds(box.materials, basis)) continue;
             // Crystals keep the ratio by which the material gives the cohesion: as parts of tc it is known before tc is.
             const bool by_ratio = basis.crystals && box.reference == ucs && rock.ratios.cohesion && !rock.contact.cohesion;
             parameters.push_back(usual(by_ratio ? "ratios.cohesion" : box.key));
