@@ -19,7 +19,7 @@ using std::numbers::pi;
 using test::expect_close;
 using test::ProgramRun;
 
-constexpr double disc_radius = 0.04;
+constexpr double outline_radius = 0.04;
 constexpr int sectors = 48;
 
 /// A disc of one grain: rings of cells of two triangles about a fan, alike under a quarter turn.
@@ -27,7 +27,7 @@ Specimen polar_disc(int rings) {
     std::vector<test::Point> points{{0, 0}};
     for (int i = 1; i <= rings; ++i) {
         for (int k = 0; k < sectors; ++k) {
-            const double r = disc_radius * i / rings;
+            const double r = outline_radius * i / rings;
             points.push_back({r * std::cos(2 * pi * k / sectors), r * std::sin(2 * pi * k / sectors)});
         }
     }
@@ -76,7 +76,7 @@ double twice_area(const ProgramRun& run) {
 
 /// Where the corner of the outline at an angle (degrees) is now.
 Vector2 outline_at(const ProgramRun& run, double angle) {
-    const Vector2 corner{disc_radius * std::cos(angle * test::degree), disc_radius * std::sin(angle * test::degree)};
+    const Vector2 corner{outline_radius * std::cos(angle * test::degree), outline_radius * std::sin(angle * test::degree)};
     std::int32_t nearest = 0;
     for (std::int32_t i = 0; i < run.run.assemblage.n_nodes(); ++i) {
         if (length(run.run.assemblage.position[i] - corner) < length(run.run.assemblage.position[nearest] - corner)) nearest = i;
@@ -94,16 +94,16 @@ TEST(OutlineLoads, ResultantAndMomentAreThoseOfTheChord) {
                                   "time = \"0.1 us\"", 0);
     EXPECT_EQ(run.run.boundary.prescribed.edges.size(), 8U + 12U + 4U);
     const auto expect_force = [&](const char* name, const Vector2& expected) {
-        expect_close(run.column(name, "force_x").back(), expected.x, 1e-12, 1e6 * disc_radius);
-        expect_close(run.column(name, "force_y").back(), expected.y, 1e-12, 1e6 * disc_radius);
+        expect_close(run.column(name, "force_x").back(), expected.x, 1e-12, 1e6 * outline_radius);
+        expect_close(run.column(name, "force_y").back(), expected.y, 1e-12, 1e6 * outline_radius);
     };
     const Vector2 chord = outline_at(run, 30) - outline_at(run, -30);
-    EXPECT_GT(chord.y, 0.99 * disc_radius);
+    EXPECT_GT(chord.y, 0.99 * outline_radius);
     expect_force("pad", 3e6 * Vector2{-chord.y, chord.x});
     expect_force("brush", 2e6 * (outline_at(run, 150) - outline_at(run, 60)));
     expect_force("twist", 1e6 * (outline_at(run, 195) - outline_at(run, 165)));
     // Twice the area between a part and the middle, per edge: the arm of the shear is the apothem. The pressure has none.
-    const double of_edge = disc_radius * disc_radius * std::sin(2 * pi / sectors);
+    const double of_edge = outline_radius * outline_radius * std::sin(2 * pi / sectors);
     expect_close(moment_of(run), (12 * 2e6 + 4 * 1e6) * of_edge, 1e-4, 1e6 * of_edge);  // but for the motion of 0.1 us
 }
 
@@ -113,7 +113,7 @@ TEST(OutlineLoads, WorkIsPressureTimesTheAreaThatItTakes) {
         const ProgramRun run =
             run_of(R"(boundary.all = { angles = ["-180 deg", "180 deg"], pressure = "3 MPa" })", "time = \"15 us\"", damping);
         ASSERT_EQ(run.run.boundary.prescribed.edges.size(), static_cast<std::size_t>(sectors));
-        const double before = disc_radius * disc_radius * sectors * std::sin(2 * pi / sectors);
+        const double before = outline_radius * outline_radius * sectors * std::sin(2 * pi / sectors);
         const double work = 3e6 * 0.5 * (before - twice_area(run));
         EXPECT_GT(work, 0);
         expect_close(run.energies.back().external, work, 1e-3, work);
@@ -165,7 +165,7 @@ TEST(OutlineLoads, SupportsBearWhatIsNotBalanced) {
         boundary.pad = { angles = ["-30 deg", "30 deg"], pressure = { to = "1 MPa", over = "20 us" } })",
                                      "time = \"2 ms\", rest = 1e-8", 0.8);
     ASSERT_EQ(pushed.run.boundary.prescribed.nodes.size(), 2U);
-    const double force = 1e6 * disc_radius;  // towards −x, whose line passes the middle: so the side bears all of it
+    const double force = 1e6 * outline_radius;  // towards −x, whose line passes the middle: so the side bears all of it
     expect_close(pushed.column("side", "force_x").back(), force, 1e-3, force);
     expect_close(pushed.column("foot", "force_x").back(), 0, 1e-3, force);
     const ProgramRun squeezed = run_of(supports + R"(
