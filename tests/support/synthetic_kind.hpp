@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "post/kind/kind_surface.hpp"
+#include "share/base/text.hpp"
 #include "tests/support/normal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -65,6 +66,13 @@ inline void write_kind_rows(const std::string& file, const std::vector<KindRow>&
             << '\t' << row.at.mode_ii_fracture_energy << '\t' << row.at.bridging_strength << '\t' << row.at.bridging_energy
             << '\t' << row.confining_pressure << '\t' << row.property << '\t' << row.value << '\t' << row.specimens << '\n';
     }
+}
+
+/// A calibrated rock without the predictions of its calibration, of which its kind alone says what it has. \return its file
+inline std::string rock_by_kind_alone(const TemporaryFolder& folder) {
+    std::string text = text_of_file(std::string(GRAINCRACK_SOURCE) + "/share/materials/wausau-granite-calibrated.toml");
+    std::ofstream(folder.file("calibrated.toml")) << text.erase(text.find("[predicted]"));
+    return folder.file("calibrated.toml");
 }
 
 /// A folder of materials with a table of rows, found before that of the installation while it is there.

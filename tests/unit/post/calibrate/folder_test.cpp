@@ -490,8 +490,8 @@ TEST_F(CalibrateFolder, CrystalsThatBreakBeginWithTheirRatios) {
     expect_box(own, "ratios.process_zone", 0.05, 0.1, 0.2);
     expect_box(own, "pairs.within.fracture_energy", 1, 20, 30);
     // Residual friction of worn faces is no parameter.
-    stone.insert(stone.find("# cohesion"), "residual_friction_angle = \"10 deg\"\nwear_slip = \"0.2 mm\"\n");
-    EXPECT_EQ(parameters("[ratios]\ncohesion = 6\n").parameters.size(), 3U);
+    stone.insert(stone.find("cohesion = \"74.57 MPa\""), "residual_friction_angle = \"10 deg\"\nwear_slip = \"0.2 mm\"\n");
+    EXPECT_EQ(parameters("").parameters.size(), 3U);
 }
 
 TEST_F(CalibrateFolder, RatiosAreParametersAndChangeRuns) {
