@@ -7,7 +7,7 @@ WITH contacts AS (
         max(CASE parameter WHEN 'contact.friction_angle' THEN CAST(value AS REAL) END) AS friction,
         coalesce(max(CASE parameter WHEN 'ratios.process_zone' THEN CAST(value AS REAL) END), :PROCESS_ZONE) AS zone,
         coalesce(max(CASE parameter WHEN 'ratios.mode_ii_fracture_energy' THEN CAST(value AS REAL) END), :MODE_II) AS shear
-    FROM rocks_values WHERE ended = 'calibrated' GROUP BY rock
+    FROM rocks_values WHERE ended IN ('calibrated', 'undecided') GROUP BY rock
 ), measured AS (
     SELECT rowid AS place, rock, new_specimens AS value, CAST(with_it AS INTEGER) AS specimens, CASE target WHEN 'Brazilian_strength' THEN 'brazilian'
         WHEN 'UCS' THEN 'uniaxial' WHEN 'direct_tensile_strength' THEN 'direct_tension' WHEN 'crack_initiation' THEN target WHEN 'crack_damage' THEN target
