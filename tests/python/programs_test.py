@@ -98,7 +98,7 @@ class DrivesThePrograms(unittest.TestCase):
         self.same(triaxial, f"solve triaxial pillar.h5 --confining-pressure 4MPa {QUICK_LINE}")
         self.assertEqual((brazilian.test, triaxial["confining_pressure"]), ("brazilian", 4e6))
         other = graincrack.brazilian(self.disc, material="lac-du-bonnet-granite-calibrated", **QUICK)
-        self.assertEqual(other["material"], "Lac du Bonnet granite, calibrated")
+        self.assertEqual(other["material"], "Lac du Bonnet granite, nearest point")
 
     def test_a_loading_program(self):
         options = {"contact_tensile_strength": "12MPa", "frames": 1}
