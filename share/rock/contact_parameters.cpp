@@ -61,7 +61,7 @@ std::span<const ContactParameter> all_contact_parameters() {
         {{"contact_bridging_strength", stress, 0, 1e12, "stress that bridges hold in a contact that has cracked open"}, &Values::bridging_strength, &Given::bridging_strength,
             "5 MPa", "0, no bridges", false, false, true, nothing},
         {{"contact_bridging_energy", fracture_energy, 0, 1e9, "energy to pull the bridges of a unit of contact area apart"}, &Values::bridging_energy, &Given::bridging_energy,
-            "80 J/m2", "0, no bridges", false, false, true, nothing},
+            "80 J/m2", "0, no bridges", false, true, true, nothing},
         {{"contact_wear_slip", length, 0, 1, "slip over which the friction of a contact without cohesion falls to that of worn faces"}, &Values::wear_slip, &Given::wear_slip,
             "0.2 mm", "0, worn at once", false, false, true, nothing},
     }};
