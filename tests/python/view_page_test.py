@@ -160,7 +160,7 @@ class Page(unittest.TestCase):
             self.assertEqual([states[side] for states in found["states"]][-1], own[-1][0])
             self.assertEqual(len({states[side]["frame"] for states in found["states"]}), len(own))
         for file in (FILE, "brazilian.h5"):  # each counts its own cracks, and has a scale of its own
-            self.assertRegex(found["legend"], re.escape(file) + r": [\w -]+: \d+")
+            self.assertRegex(found["legend"], re.escape(file) + r": [\w –-]+: \d+")
             self.assertRegex(found["legend"], re.escape(file) + r": −[\d.]+ to [\d.]+ MPa")
 
 
