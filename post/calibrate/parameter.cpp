@@ -104,6 +104,13 @@ constexpr DefaultBox default_boxes[] = {
     {contrast, Of::all, false, contrast_of_variation, NAN, 0.17, 0.32, 0.17, 0.32,
      "coefficients of variation of published moduli, 0.17 to 0.32"}};
 
+/// The last row of a key that holds for a material; null if there is none.
+const DefaultBox* default_box(const Basis& basis, std::string_view key) {
+    const auto fits = [&](const DefaultBox& box) { return key == box.key && holds(box.materials, basis); };
+    const auto last = std::find_if(std::rbegin(default_boxes), std::rend(default_boxes), fits);
+    return last == std::rend(default_boxes) ? nullptr : &*last;
+}
+
 Basis basis_of(const Material& rock, double edge) {
     const auto of = [&](const char* key) { return rock.laboratory_value(key).value_or(NAN); };
     const bool wears = rock.contact.wear_slip.value_or(0) > 0;
@@ -247,9 +254,7 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
     const Basis basis = basis_of(rock, edge);
     const auto usual = [&](const std::string& key) {
         Parameter p = ratio_box(basis, key);
-        for (const DefaultBox& box : default_boxes) {
-            if (key == box.key && holds(box.materials, basis)) p = box.of(basis);
-        }
+        if (const DefaultBox* const box = default_box(basis, key)) p = box->of(basis);
         p.key = key;
         if (key == contrast) p.first = rock.fabric.contrast;
         begin_at_ratio(p, rock);
@@ -269,10 +274,7 @@ std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file,
     }
     if (parameters.empty()) {
         for (const DefaultBox& box : default_boxes) {
-            const bool is_replaced = std::any_of(&box + 1, std::end(default_boxes), [&](const DefaultBox& later) {
-                return std::string_view(later.key) == box.key && holds(later.materials, basis);
-            });
-            if (!box.is_free || is_replaced || !holds(box.materials, basis)) continue;
+            if (!box.is_free || default_box(basis, box.key) != &box) continue;
             // Crystals keep the ratio by which the material gives the cohesion: as parts of tc it is known before tc is.
             const bool by_ratio = basis.crystals && box.reference == ucs && rock.ratios.cohesion && !rock.contact.cohesion;
             parameters.push_back(usual(by_ratio ? "ratios.cohesion" : box.key));
