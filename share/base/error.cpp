@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -37,15 +38,19 @@ void end_at_once(int /*alarm*/) {
     ::_exit(128 + caught_signal);
 }
 
-/// The second signal ends the tool at once; but for SIGHUP, which both the shell and the system send when a terminal is closed,
-/// and for SIGXCPU, which comes every second.
+/// The second signal ends the tool at once; but for one that comes with the first (`timeout` sends each to its command and to the
+/// command's group), for SIGHUP, which both the shell and the system send when a terminal is closed, and for SIGXCPU, which comes
+/// every second.
 void remember_signal(int signal) {
-    if (caught_signal != 0 && signal != SIGHUP && signal != SIGXCPU) {
+    static std::time_t first;
+    const std::time_t now = std::time(nullptr);
+    if (caught_signal != 0 && now > first + 1 && signal != SIGHUP && signal != SIGXCPU) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
     if (caught_signal != 0) return;
     caught_signal = signal;
+    first = now;
     if (patience > 0) ::alarm(patience);
 }
 
