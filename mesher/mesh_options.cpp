@@ -42,6 +42,7 @@ struct KindOptions {
     std::optional<double> flats;
     std::optional<double> notch;
     std::optional<double> angle;  ///< of a slit
+    std::optional<double> place;  ///< of a slit from below, along x
     std::string file;
     std::optional<double> grain_size;  ///< equal-area diameter
 };
@@ -141,13 +142,19 @@ const Kind kinds[] = {
      [](OptionSet set, KindOptions& options) {
          add_width(set, options, "--length");
          add_height(set, options);
-         add_quantity(set.usual(), "--slit", options.notch, quantity::slit, "length of a straight crack from below at mid-length")
+         add_quantity(set.usual(), "--slit", options.notch, quantity::slit,
+                      "length of a straight crack from below, at mid-length or --slit-at")
+             .of(SettingGroup::cuts);
+         add_quantity(set, "--slit-at", options.place, quantity::coordinate, "place of the crack from mid-length along x")
              .of(SettingGroup::cuts);
      },
      [](const KindOptions& options, Request& request) {
          request.region = rectangle(options.width, options.height);
          request.region.name = "beam";
-         if (options.notch) request.region.edges = {slit_from_below(request.region, *options.notch, "--slit")};
+         if (options.place && !options.notch) throw UsageError("--slit-at: there is no slit; add --slit 20mm");
+         if (options.notch) {
+             request.region.edges = {slit_from_below(request.region, *options.notch, "--slit", options.place.value_or(0))};
+         }
      }},
     {"half-disc", "half a disc on its flat side, to be bent",
      [](OptionSet set, KindOptions& options) {

@@ -115,12 +115,16 @@ PrescribedEdge central_slit(const Region& region, double length, double angle, c
     return {-length / 2 * along, length / 2 * along, ContactKind::pre_existing_crack, where};
 }
 
-PrescribedEdge slit_from_below(const Region& region, double length, const std::string& where) {
+PrescribedEdge slit_from_below(const Region& region, double length, const std::string& where, double at) {
     const Box box = bounds(region);
+    if (!(box.low.x < at && at < box.high.x)) {
+        throw UsageError(fmt::format("{}-at: {} lies outside of the specimen; give more than {} and less than {}", where,
+                                     format_length(at), format_length(box.low.x), format_length(box.high.x)));
+    }
     if (!(length < box.height())) {
         throw UsageError(where + ": " + format_length(length) + " has no room; give less than " + format_length(box.height()));
     }
-    return {{0, box.low.y}, {0, box.low.y + length}, ContactKind::pre_existing_crack, where};
+    return {{at, box.low.y}, {at, box.low.y + length}, ContactKind::pre_existing_crack, where};
 }
 
 Point centre_region(Region& region) {

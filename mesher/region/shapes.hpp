@@ -27,8 +27,8 @@ void add_hole(Region& region, Point centre, double radius, const std::string& wh
 /// A straight crack through the middle; as long as the specimen in its direction it is a joint. \throws UsageError naming `where`
 /// if it is longer
 PrescribedEdge central_slit(const Region& region, double length, double angle, const std::string& where);
-/// A crack from the middle of the bottom upwards. \throws UsageError naming `where` if it has no room
-PrescribedEdge slit_from_below(const Region& region, double length, const std::string& where);
+/// A crack from the bottom upwards. \param at its place along x, m \throws UsageError naming `where` if it has no room
+PrescribedEdge slit_from_below(const Region& region, double length, const std::string& where, double at = 0);
 
 /// Moves a region so that the middle of its extent is the origin. \return the translation
 Point centre_region(Region& region);

@@ -104,6 +104,7 @@ TEST(Shapes, HolesAndSlitsWithoutRoomAreRefused) {
     EXPECT_THROW((void)central_slit(disc(0.08), 0.0801, 0, "--slit"), UsageError);
     EXPECT_THROW((void)slit_from_below(half_disc(0.08), 0.04, "--slit"), UsageError);
     EXPECT_EQ(slit_from_below(half_disc(0.08), 0.02, "--slit").to, (Point{0, 0}));
+    EXPECT_EQ(slit_from_below(rectangle(0.25, 0.08), 0.02, "--slit", 0.05).to, (Point{0.05, -0.02}));
 }
 
 }  // namespace
