@@ -162,6 +162,8 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
     LoadingRequest& loading = request.loading;
     const bool rolls = test.loading == Loading::bending;
     if (rolls) {
+        static constexpr Quantity gauge{"gauge", Dimension::length, 0, 1e4, "length of a gauge over the mouth of a notch", true};
+        static constexpr Quantity mouth_opening{"opening", Dimension::length, 0, 1, "elongation of such a gauge", true};
         add_quantity(command.usual(), "--span", loading.span, quantity::span,
                      "distance of the lower rollers, which stand at the nodes next to its ends; default: four heights of a beam, "
                      "0.6 diameters of a half-disc")
@@ -170,6 +172,12 @@ void add_run_options(OptionSet command, SimulationRequest& request, RawOptions& 
             command, "--roller-width", loading.roller_width, quantity::roller_width,
             "width of the flat faces of the rollers; default: the mean edge of the boundary, so that each meets one node")
             .of(SettingGroup::loading);
+        add_quantity(command, "--mouth-gauge", loading.mouth_gauge, gauge,
+                     "record the elongation of a gauge of this length over the mouth of the notch (`history --probe mouth`)")
+            .of(SettingGroup::none);
+        add_quantity(command, "--mouth-opening", loading.mouth_opening, mouth_opening,
+                     "elongation of that gauge at which the test ends; default: none")
+            .of(SettingGroup::end);
     }
     if (test.is_confined) {
         add_quantity(command, "--confining-pressure", raw.confining_pressure, quantity::confining_pressure,
@@ -296,6 +304,9 @@ void complete_request(SimulationRequest& request, const RawOptions& raw) {
     request.loading.platen_friction = raw.platen_friction.value_or(rolls ? 0 : request.material.platen_friction_angle);
     request.loading.confining_pressure = raw.confining_pressure.value_or(0);
     request.loading.heat = raw.heat.value_or(0);
+    if (request.loading.mouth_opening && !request.loading.mouth_gauge) {
+        throw UsageError("--mouth-opening: nothing measures it; give --mouth-gauge too, such as --mouth-gauge 20mm");
+    }
     if (request.loading.cool && !raw.heat) {
         throw UsageError("--cool: there is nothing to cool; give --heat too, such as --heat 300K, or leave it out");
     }

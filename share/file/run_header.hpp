@@ -70,7 +70,7 @@ struct RunSummary {
     double stable_time_step = 0;  ///< s
     double time_step = 0;         ///< s
     // set when the run ends
-    std::string stop_reason;  ///< "peak drop" | "strain limit" | "end of the program" | "checkpoint"
+    std::string stop_reason;  ///< "peak drop" | "strain limit" | "mouth opening" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
     std::int64_t integrations = 0;  ///< steps
     double isotropic_end_time = 0;  ///< end of heating and of the isotropic stage (triaxial), s; 0 without them

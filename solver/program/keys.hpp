@@ -165,24 +165,34 @@ void visit(Keys& keys, Content<Keys, ProbeRequest>& probe) {
     using Form = ProbeRequest::Form;
     std::optional<std::array<double, 2>> point;
     std::optional<std::array<double, 3>> circle, ring;
+    std::optional<std::array<double, 4>> gauge;
     if constexpr (!Keys::reads) {
         if (probe.form == Form::point) point = {probe.centre.x, probe.centre.y};
         if (probe.form == Form::circle) circle = {probe.centre.x, probe.centre.y, probe.radius};
         if (probe.form == Form::ring) ring = {probe.centre.x, probe.centre.y, probe.radius};
+        if (probe.form == Form::gauge) gauge = {probe.centre.x, probe.centre.y, probe.end.x, probe.end.y};
     }
     constexpr const char* fits = "is no circle; [x, y, radius] with a radius above 0 fits";
+    constexpr const char* fits_gauge = "is no gauge; [x1, y1, x2, y2] of two points apart fits";
     keys.given("point", coordinate, point, "is no point; [x, y] fits");
     keys.given("circle", coordinate, circle, fits);
     keys.given("ring", coordinate, ring, fits);
+    keys.given("gauge", coordinate, gauge, fits_gauge);
     if (ring) {
         keys.given("points", {"points", Dimension::one, 1, 1000, "points"}, probe.points);
         keys.given("reach", positive("reach", Dimension::length), probe.reach);
     }
     if constexpr (Keys::reads) {
-        if (point.has_value() + circle.has_value() + ring.has_value() != 1) {
-            keys.refuse("", "needs one of point = [x, y], circle = [x, y, radius] and ring = [x, y, radius]");
+        if (point.has_value() + circle.has_value() + ring.has_value() + gauge.has_value() != 1) {
+            keys.refuse(
+                "", "needs one of point = [x, y], circle = [x, y, radius], ring = [x, y, radius] and gauge = [x1, y1, x2, y2]");
         }
-        probe.form = ring ? Form::ring : circle ? Form::circle : Form::point;
+        probe.form = gauge ? Form::gauge : ring ? Form::ring : circle ? Form::circle : Form::point;
+        if (gauge) {
+            point = {(*gauge)[0], (*gauge)[1]};
+            probe.end = {(*gauge)[2], (*gauge)[3]};
+            if ((*point)[0] == probe.end.x && (*point)[1] == probe.end.y) keys.refuse("gauge", fits_gauge);
+        }
         if (ring) circle = ring;
         if (circle && (*circle)[2] <= 0) keys.refuse(ring ? "ring" : "circle", fits);
         probe.centre = circle ? Vector2{(*circle)[0], (*circle)[1]} : Vector2{(*point)[0], (*point)[1]};

@@ -162,4 +162,10 @@ const std::vector<ProbeColumn>& ring_columns() {
     return columns;
 }
 
+const std::vector<ProbeColumn>& gauge_columns() {
+    static const std::vector<ProbeColumn> columns{
+        {"elongation", Dimension::length, "change of the distance of its two points, positive when they move apart"}};
+    return columns;
+}
+
 }  // namespace graincrack

@@ -114,10 +114,11 @@ struct InitialVelocity {
 
 /// [probe.NAME]
 struct ProbeRequest {
-    enum class Form : std::uint8_t { point, circle, ring };
+    enum class Form : std::uint8_t { point, circle, ring, gauge };
     std::string name;
     Form form = Form::point;
-    Vector2 centre;               ///< or point, m
+    Vector2 centre;               ///< or point, or first point of a gauge, m
+    Vector2 end;                  ///< second point of a gauge, m
     double radius = 0;            ///< m
     std::int64_t points = 48;     ///< of a ring, at equal angles from x
     std::optional<double> reach;  ///< from a point of a ring to the centres of the elements read there, m; missing: the one there
@@ -181,10 +182,11 @@ struct Program {
 /// The same program at half the speed: all times are twice as long, all frequencies and prescribed velocities half as high.
 Program at_half_the_rate(Program program);
 
-/// Columns of a probe: of every boundary condition, of a point, of a circle, of a point of a ring.
+/// Columns of a probe: of every boundary condition, of a point, of a circle, of a point of a ring, of a gauge.
 const std::vector<ProbeColumn>& boundary_columns();
 const std::vector<ProbeColumn>& point_columns();
 const std::vector<ProbeColumn>& circle_columns();
 const std::vector<ProbeColumn>& ring_columns();
+const std::vector<ProbeColumn>& gauge_columns();
 
 }  // namespace graincrack

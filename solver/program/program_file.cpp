@@ -159,6 +159,7 @@ const std::vector<ProbeColumn>* columns_of(const Program& program, const std::st
     }
     for (const ProbeRequest& request : program.probes) {
         if (request.name != probe || request.form == ProbeRequest::Form::ring) continue;
+        if (request.form == ProbeRequest::Form::gauge) return &gauge_columns();
         return request.form == ProbeRequest::Form::circle ? &circle_columns() : &point_columns();
     }
     return nullptr;

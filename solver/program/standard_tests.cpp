@@ -136,6 +136,28 @@ void add_rollers(const LoadingRequest& request, const Specimen& s, ProgramPlaten
     platens.bottom.width = platens.top.width = width;
 }
 
+/// A gauge on the lower face with the mouth of the notch in its middle.
+ProbeRequest gauge_over_mouth(double gauge, const Specimen& s) {
+    const auto notch = edge_notch(s);
+    if (!notch) {
+        throw UsageError(
+            fmt::format("--mouth-gauge: the {} has no notch from below; leave it out, or make one by graincrack-mesh {} --slit",
+                        s.shape, s.shape));
+    }
+    const auto [x, y] = notch->mouth;
+    if (std::abs(x) + gauge / 2 > s.width / 2) {
+        throw UsageError(fmt::format("--mouth-gauge: {} about a notch at {} leave the lower face of a {} of {}; at most {} fits",
+                                     format_length(gauge), format_length(x), s.shape, format_length(s.width),
+                                     format_length(s.width - 2 * std::abs(x))));
+    }
+    ProbeRequest probe;
+    probe.name = mouth_probe;
+    probe.form = ProbeRequest::Form::gauge;
+    probe.centre = {x - gauge / 2, y};
+    probe.end = {x + gauge / 2, y};
+    return probe;
+}
+
 bool has_shape_of(const TestDescription& test, const Specimen& specimen) {
     return std::find(test.shapes.begin(), test.shapes.end(), specimen.shape) != test.shapes.end();
 }
@@ -187,6 +209,10 @@ Program standard_test(const LoadingRequest& request, double peak_drop, const Spe
     axial.name = axial_stage;
     axial.platens = axial_motion(request, transit_time);
     if (peak_drop > 0) axial.peak_drop = peak_drop;
+    if (request.mouth_gauge) program.probes = {gauge_over_mouth(*request.mouth_gauge, specimen)};
+    if (request.mouth_opening) {
+        axial.until = {{mouth_probe, 0, fmt::format("{}.{}", mouth_probe, gauge_columns().front().name), *request.mouth_opening}};
+    }
     program.stages.push_back(axial);
     std::transform(program.stages.begin(), program.stages.end(), std::back_inserter(program.order),
                    [](const Stage& stage) { return stage.name; });

@@ -35,8 +35,10 @@ struct LoadingRequest {
     double heat = 0;                ///< rise of the temperature of the free specimen before the test, K
     bool cool = false;              ///< it falls back before the test
     double max_strain = 0.015;
-    std::optional<double> span;          ///< bend: distance of the lower rollers, m; missing: `usual_span`
-    std::optional<double> roller_width;  ///< bend: m; missing: the mean boundary edge
+    std::optional<double> span;           ///< bend: distance of the lower rollers, m; missing: `usual_span`
+    std::optional<double> roller_width;   ///< bend: m; missing: the mean boundary edge
+    std::optional<double> mouth_gauge;    ///< bend: length of the gauge over the mouth of the notch, m; missing: none
+    std::optional<double> mouth_opening;  ///< bend: elongation of that gauge that ends the test, m; missing: none
     [[nodiscard]] double automatic_tolerance() const { return rate_tolerance.value_or(description_of(test).rate_tolerance); }
     /// Of heating: that of `automatic` if it is given; all tests heat alike.
     [[nodiscard]] double heating_tolerance() const {
@@ -54,6 +56,8 @@ inline constexpr const char* heat_stage = "heat";
 inline constexpr const char* cool_stage = "cool";
 inline constexpr const char* isotropic_stage = "isotropic";
 inline constexpr const char* axial_stage = "axial";
+/// Name of the probe over the mouth of a notch.
+inline constexpr const char* mouth_probe = "mouth";
 
 /// Span of a test in bending where none is asked for, m: four heights of a beam (ASTM E399), 0.6 diameters of a half-disc (ISRM
 /// 2014: 0.5 to 0.8, Kuruppu et al.).
@@ -67,7 +71,8 @@ double usual_span(const Specimen& specimen);
 ///
 /// A roller stands at the node of the boundary next to its place: it is met whatever its width, and one no wider than an edge
 /// meets that node alone, so that the span is known. A wider flat face meets the bent specimen at its inner end. The span of the
-/// program is the one that comes out. \throws UsageError naming --span or --roller-width if the rollers have no room
+/// program is the one that comes out. \throws UsageError naming --span or --roller-width if the rollers have no room,
+/// --mouth-gauge if there is no notch below or the gauge leaves the lower face
 Program standard_test(const LoadingRequest& request, double peak_drop, const Specimen& specimen, const Rock& rock);
 
 /// Tests load the shapes of their row (`all_tests`), or end faces, the boundary parts bottom and top: those of a rectangle, a

@@ -48,6 +48,11 @@ auto sum_over_listed(const Part& part, const ChunkShare& chunks, const RangeOf& 
     });
 }
 
+/// |way + change| − |way|, without the loss of digits of a difference.
+double elongation(const Vector2& way, const Vector2& change) {
+    return dot(change, 2.0 * way + change) / (length(way + change) + length(way));
+}
+
 Vector2 mean_displacement(const Assemblage& a, const std::vector<std::int32_t>& nodes, const State& s) {
     const auto nodes_of = [&a](std::int32_t chunk) { return a.node_chunks[chunk].nodes; };
     return (1 / static_cast<double>(nodes.size())) *
@@ -145,13 +150,28 @@ Probes::Probes(const Program& program, const Assemblage& a, const Specimen& s) {
                 throw InputError(where + ": no element has its centre in this circle; a larger one, or one inside, fits");
             }
             histories_.push_back(empty_history(request.name, circle_columns()));
+        } else if (request.form == ProbeRequest::Form::gauge) {
+            requests_.emplace_back(
+                Gauge{{point_at(a, request.centre, where), point_at(a, request.end, where)}, request.end - request.centre});
+            histories_.push_back(empty_history(request.name, gauge_columns()));
         } else {
-            const std::int32_t element = element_at(a, request.centre);
-            if (element < 0) throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
-            requests_.emplace_back(Point{a.element_nodes[element], weights_at(a, element, request.centre)});
+            requests_.emplace_back(point_at(a, request.centre, where));
             histories_.push_back(empty_history(request.name, point_columns()));
         }
     }
+}
+
+Probes::Point Probes::point_at(const Assemblage& a, const Vector2& place, const std::string& where) {
+    const std::int32_t element = element_at(a, place);
+    if (element < 0) throw InputError(where + ": the point lies in no element; one inside of the specimen fits");
+    return {a.element_nodes[element], weights_at(a, element, place)};
+}
+
+Vector2 Probes::value_at(const Part& part, const Point& point, const std::vector<Vector2>& of_nodes) {
+    const std::vector<Vector2> values = values_at(part, {point.nodes.begin(), point.nodes.end()}, of_nodes);
+    Vector2 value;
+    for (std::size_t k = 0; k < 3; ++k) value += point.weights[k] * values[k];
+    return value;
 }
 
 void Probes::add_ring(const ProbeRequest& request, const Assemblage& a, const std::string& where) {
@@ -197,15 +217,15 @@ void Probes::record(const Assemblage& a, const Boundary& boundary, const State& 
             push(probe++, row);
             continue;
         }
-        const Point& point = std::get<Point>(request);
-        const std::vector<std::int32_t> nodes(point.nodes.begin(), point.nodes.end());
-        const std::vector<Vector2> displacement = values_at(a.part, nodes, s.displacement);
-        const std::vector<Vector2> velocity = values_at(a.part, nodes, s.velocity);
-        Vector2 u, v;
-        for (std::size_t k = 0; k < 3; ++k) {
-            u += point.weights[k] * displacement[k];
-            v += point.weights[k] * velocity[k];
+        if (const auto* const gauge = std::get_if<Gauge>(&request)) {
+            const auto& [first, second] = gauge->ends;
+            push(probe++,
+                 {elongation(gauge->way, value_at(a.part, second, s.displacement) - value_at(a.part, first, s.displacement))});
+            continue;
         }
+        const Point& point = std::get<Point>(request);
+        const Vector2 u = value_at(a.part, point, s.displacement);
+        const Vector2 v = value_at(a.part, point, s.velocity);
         push(probe++, {u.x, u.y, v.x, v.y});
     }
 }

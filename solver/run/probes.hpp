@@ -1,5 +1,5 @@
-// Probes of a program: motion of points, mean stress in circles, strain and stress at the points of rings, motion of and force on
-// the parts it prescribes something to.
+// Probes of a program: motion of points, elongation of gauges, mean stress in circles, strain and stress at the points of rings,
+// motion of and force on the parts it prescribes something to.
 #pragma once
 
 #include <array>
@@ -35,12 +35,21 @@ private:
         double angle;
         std::vector<std::int32_t> elements;
     };
+    /// Two points and the way from the first to the second.
+    struct Gauge {
+        std::array<Point, 2> ends;
+        Vector2 way;
+    };
+    /// \throws InputError naming `where` if the place lies in no element
+    static Point point_at(const Assemblage& assemblage, const Vector2& place, const std::string& where);
+    /// A quantity of nodes at a point.
+    static Vector2 value_at(const Part& part, const Point& point, const std::vector<Vector2>& of_nodes);
     void add_ring(const ProbeRequest& request, const Assemblage& assemblage, const std::string& where);
     void push(std::size_t probe, const std::vector<double>& row);
 
     using Circle = std::vector<std::int32_t>;  ///< its elements
     std::vector<std::vector<std::int32_t>> nodes_of_boundary_;
-    std::vector<std::variant<Point, Circle, OnRing>> requests_;
+    std::vector<std::variant<Point, Circle, OnRing, Gauge>> requests_;
     std::vector<ProbeHistory> histories_;  ///< boundary conditions, then requests
 };
 

@@ -72,10 +72,8 @@ void ProgramDriver::resume(const StageControllerState& state, const RunReader& c
         throw InputError(checkpoint.name() + ": is the checkpoint of another program than " + program_.file +
                          "; resume it with its own program");
     }
-    if (!is_standard()) {
-        started_from_ = read_start(file);
-        probes_.restore(file, checkpoint.history().size());
-    }
+    if (!is_standard()) started_from_ = read_start(file);
+    if (keeps_probes()) probes_.restore(file, checkpoint.history().size());
     try {
         stages_.resume(state);
     } catch (const InputError& error) {
@@ -86,7 +84,8 @@ void ProgramDriver::resume(const StageControllerState& state, const RunReader& c
 
 std::string ProgramDriver::stop_reason() const {
     if (!stages_.finished()) return stages_.is_at_strain_limit() ? "strain limit" : "";
-    return is_standard() && stages_.records().back().ended_by == ended_by_peak_drop ? "peak drop" : "end of the program";
+    if (!is_standard()) return "end of the program";
+    return stages_.records().back().ended_by == ended_by_peak_drop ? "peak drop" : "mouth opening";
 }
 
 void ProgramDriver::complete(RunHeader& header) {
@@ -111,7 +110,7 @@ void ProgramDriver::complete(RunHeader& header) {
 }
 
 void ProgramDriver::append(H5Output& file, std::size_t first) const {
-    if (!is_standard()) append_probes(file, probes_.histories(), first);
+    if (keeps_probes()) append_probes(file, probes_.histories(), first);
 }
 
 void ProgramDriver::write(H5Output& file) const {

@@ -35,13 +35,15 @@ public:
     void take_over(const StageControllerState& state);
     /// Resumes from a checkpoint of this very program. \throws InputError for one of another program
     void resume(const StageControllerState& state, const RunReader& checkpoint);
-    /// Appends to the run file its rows from `first` on, besides the history; of a standard test nothing.
+    /// Appends to the run file its rows from `first` on, besides the history; of a standard test without probes nothing.
     void append(H5Output& file, std::size_t first) const;
     /// And at the end.
     void write(H5Output& file) const;
 
 private:
     [[nodiscard]] bool is_standard() const { return test_ != TestKind::program; }
+    /// The membrane of a standard test is in its history already.
+    [[nodiscard]] bool keeps_probes() const { return !is_standard() || !program_.probes.empty(); }
     [[nodiscard]] Rows rows_of(const History& history) const {
         return {history, [this](const std::string& name, std::size_t column) { return probes_.last(name, column); }};
     }

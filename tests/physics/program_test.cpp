@@ -117,6 +117,9 @@ TEST(Program, CirclesSeeAUniformStress) {
         boundary.bottom = { on = "bottom", traction_x = "-0.5 MPa", pressure = "3 MPa" }
         probe.all.circle = [0, 0, "30 mm"]
         probe.core.circle = [0, 0, "8 mm"]
+        probe.from.point = ["-9 mm", "-6 mm"]
+        probe.to.point = ["8 mm", "-2 mm"]
+        probe.gauge.gauge = ["-9 mm", "-6 mm", "8 mm", "-2 mm"]
         stage.load.until = { time = "10 ms", rest = 1e-5 }
     )",
                      augig_law(), PlaneCondition::stress, 0.8);
@@ -131,6 +134,14 @@ TEST(Program, CirclesSeeAUniformStress) {
            3);
     EXPECT_EQ(all("stress_zz"), 0);
     EXPECT_NE(patch.column("core", "stress_xx").back(), patch.column("all", "stress_xx").back());
+    const auto& elongation = patch.column("gauge", "elongation");
+    EXPECT_EQ(elongation.front(), 0);
+    const auto moved = [&](const char* axis) {
+        const std::string column = std::string("displacement_") + axis;
+        return patch.column("to", column).back() - patch.column("from", column).back();
+    };
+    EXPECT_NEAR(elongation.back(), std::hypot(0.017 + moved("x"), 0.004 + moved("y")) - std::hypot(0.017, 0.004), 1e-17);
+    EXPECT_GT(elongation.back(), 1e-7);  // along x it is pulled
     verify("elements: force of a pressure along its part (kN/m)", patch.column("top", "force_y").back() * 1e-3, -90, 1e-3,
            "pressure x length");
     EXPECT_LT(patch.residual(), 1e-3);

@@ -215,6 +215,8 @@ circle = ["0 mm", "0 mm", "12 mm"]
 [probe.gauges]
 ring = [0, 0, "12 mm"]
 points = 6
+[probe.across]
+gauge = ["-14 mm", 0, "14 mm", "3 mm"]
 [stage.shake]
 until.time = "0.05 ms"
 )",

@@ -71,6 +71,9 @@ ring = [0.0, 0.0, 0.005]
 points = 12
 reach = 0.001
 
+[probe.g]
+gauge = [0.0, 0.0, 0.01, 0.0]
+
 [initial.0]
 on = ["top"]
 velocity = [0.001, 0.0]
@@ -85,7 +88,7 @@ a.velocity_x = { sine = 1.0, frequency = 1000.0, phase = 0.5, cycles = 2.0 }
 a.pressure = { times = [0.0, 0.001], values = [0.0, 1000000.0] }
 platen_pressure = "keep"
 temperature = { to = 100.0, rate = "auto", tolerance = 0.003, share = 0.5 }
-until = { time = 0.003, rest = 0.001, axial_stress = -2000000.0, c.stress_yy = -1000000.0 }
+until = { time = 0.003, rest = 0.001, axial_stress = -2000000.0, c.stress_yy = -1000000.0, g.elongation = 0.0001 }
 must_end_by = "rest"
 
 [stage."s 2"]
