@@ -134,14 +134,9 @@ TEST(Program, CirclesSeeAUniformStress) {
            3);
     EXPECT_EQ(all("stress_zz"), 0);
     EXPECT_NE(patch.column("core", "stress_xx").back(), patch.column("all", "stress_xx").back());
-    const auto& elongation = patch.column("gauge", "elongation");
-    EXPECT_EQ(elongation.front(), 0);
-    const auto moved = [&](const char* axis) {
-        const std::string column = std::string("displacement_") + axis;
-        return patch.column("to", column).back() - patch.column("from", column).back();
-    };
-    EXPECT_NEAR(elongation.back(), std::hypot(0.017 + moved("x"), 0.004 + moved("y")) - std::hypot(0.017, 0.004), 1e-17);
-    EXPECT_GT(elongation.back(), 1e-7);  // along x it is pulled
+    const auto moved = [&](const char* u) { return patch.column("to", u).back() - patch.column("from", u).back(); };
+    const double distance = std::hypot(0.017 + moved("displacement_x"), 0.004 + moved("displacement_y"));
+    EXPECT_NEAR(patch.column("gauge", "elongation").back(), distance - std::hypot(0.017, 0.004), 1e-17);
     verify("elements: force of a pressure along its part (kN/m)", patch.column("top", "force_y").back() * 1e-3, -90, 1e-3,
            "pressure x length");
     EXPECT_LT(patch.residual(), 1e-3);

@@ -208,15 +208,11 @@ shear = { to = "5 MPa", over = "0.01 ms" }
 [boundary.held]
 at = [0, "20 mm"]
 velocity_x = 0
-[probe.middle]
-point = ["1 mm", "2 mm"]
-[probe.core]
-circle = ["0 mm", "0 mm", "12 mm"]
-[probe.gauges]
-ring = [0, 0, "12 mm"]
-points = 6
-[probe.across]
-gauge = ["-14 mm", 0, "14 mm", "3 mm"]
+[probe]
+middle.point = ["1 mm", "2 mm"]
+core.circle = ["0 mm", "0 mm", "12 mm"]
+gauges = { ring = [0, 0, "12 mm"], points = 6 }
+across.gauge = ["-14 mm", 0, "14 mm", "3 mm"]
 [stage.shake]
 until.time = "0.05 ms"
 )",

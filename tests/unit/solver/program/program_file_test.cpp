@@ -62,7 +62,7 @@ TEST(ProgramFile, WhatIsWrongIsOneLine) {
         "name = \"x\"\nstages = [\"run\"]\nplatens.max_strain = 0.01\n[stage.run]\nuntil.peak_drop = 0.3\nplaten_speed = 1";
     EXPECT_TRUE(std::isinf(parse_program(press, "press.toml").longest_time()));
     const auto read = [](const std::string& text) { parse_program(text, "wrong.toml"); };
-    EXPECT_EQ(test::expect_refused<InputError>("solver/program/program_file.toml", read), 45U);
+    EXPECT_EQ(test::expect_refused<InputError>("solver/program/program_file.toml", read), 46U);
     expect_one_line<InputError>([] { read_program("/nowhere/program.toml"); }, {"/nowhere/program.toml", "cannot be read"});
 }
 
