@@ -33,7 +33,7 @@ double of_rock(const Values& /*before*/, const Rock& rock, PlaneCondition plane)
 std::span<const ContactParameter> all_contact_parameters() {
     using enum Dimension;
     // clang-format off
-    static const std::array<ContactParameter, 14> rows{{
+    static const std::array<ContactParameter, 16> rows{{
         // quantity: name, dimension, bounds, meaning, open below; members
         //     example, usual, every law, follows the plane, files may lack it, derivation
         {{"contact_tensile_strength", stress, 0, 1e12, "tensile strength t_c of a contact", true}, &Values::tensile_strength, &Given::tensile_strength,
@@ -62,6 +62,10 @@ std::span<const ContactParameter> all_contact_parameters() {
             "5 MPa", "0, no bridges", false, false, true, nothing},
         {{"contact_bridging_energy", fracture_energy, 0, 1e9, "energy to pull the bridges of a unit of contact area apart"}, &Values::bridging_energy, &Given::bridging_energy,
             "80 J/m2", "0, no bridges", false, true, true, nothing},
+        {{"contact_maximum_closure", length, 0, 1, "closure from which on a joint is shut"}, &Values::maximum_closure, &Given::maximum_closure,
+            "50 um", "0, never shut", false, false, true, nothing},
+        {{"contact_shut_stiffness", stiffness, 0, 1e19, "normal stiffness of a joint beyond its maximum closure", true}, &Values::shut_stiffness, &Given::shut_stiffness,
+            "6.87e5 MPa/mm", "E / w_I (Eqs 3-5)", false, true, true, of_rock<fpz::normal_stiffness>},
         {{"contact_wear_slip", length, 0, 1, "slip over which the friction of a contact without cohesion falls to that of worn faces"}, &Values::wear_slip, &Given::wear_slip,
             "0.2 mm", "0, worn at once", false, false, true, nothing},
     }};

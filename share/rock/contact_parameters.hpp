@@ -31,6 +31,8 @@ struct ContactValues {
     Value residual_friction_angle{};    ///< after failure, rad
     Value bridging_strength{};          ///< σb, of what still holds an opened contact, Pa; 0: nothing does
     Value bridging_energy{};            ///< Gb, that it takes to open it fully, J/m²
+    Value maximum_closure{};            ///< from which on a joint is shut, m; 0: it never is
+    Value shut_stiffness{};             ///< normal stiffness beyond, Pa/m
     Value wear_slip{};                  ///< w, over which fresh faces lose the friction that worn ones lack, m; 0: at once
 };
 using ContactValue = double ContactValues<double>::*;

@@ -55,6 +55,9 @@ inline ContactLaw make_contact_law(const ContactParameters& p, LawVariant varian
     law.dut = p.ultimate_opening;
     law.inv_dct = 1 / law.dct;
     law.inv_dcs = 1 / law.dcs;
+    const bool shuts = description.reads(&ContactParameters::maximum_closure) && p.maximum_closure > 0;
+    law.maximum_closure = shuts ? p.maximum_closure : std::numeric_limits<double>::infinity();
+    law.stiffest_normal = shuts ? std::max(law.kt, p.shut_stiffness) : law.kt;
     const bool is_bridged =
         description.reads(&ContactParameters::bridging_strength) && p.bridging_strength > 0 && p.bridging_energy > 0;
     law.bridge = is_bridged ? p.bridging_strength / law.tc : 0;

@@ -1,6 +1,7 @@
 // `coulomb-slip` (share/doc/laws.md): the Coulomb slip model of joints with residual strength of UDEC (Itasca), without dilation.
 //
-//   σn = kt δn,  τ = ks (δs − slip)             linear, the same on both sides of δn = 0
+//   σn = kt δn,  τ = ks (δs − slip)             linear, the same on both sides of δn = 0; σn is stiffer where a
+//                                               joint is shut (joint.hpp)
 //   fails if  σn > T  or  |τ| > c − σn tan φ    the Coulomb line continues into tension, where it ends at zero
 //
 // A failed point has the residual values T_r, c_r, φ_r. One that is pulled above T_r separates: it carries nothing while open,
@@ -12,6 +13,7 @@
 
 #include <cmath>
 
+#include "solver/law/joint.hpp"
 #include "solver/law/vector_path.hpp"
 
 namespace graincrack::contact_law {
@@ -23,7 +25,8 @@ struct CoulombSlip {
         .meaning = "UDEC's Coulomb slip with residual strength",
         .potential = true,
         .parameters = {&ContactParameters::residual_tensile_strength, &ContactParameters::residual_cohesion,
-                       &ContactParameters::residual_friction_angle, &ContactParameters::wear_slip}};
+                       &ContactParameters::residual_friction_angle, &ContactParameters::maximum_closure,
+                       &ContactParameters::shut_stiffness, &ContactParameters::wear_slip}};
     static constexpr bool damages_intact = false;
     static FractureEnergies min_energies(const ContactLaw& /*law*/) { return {}; }
     static void complete(ContactLaw& law) { law.stiffest_shear = law.ks; }
@@ -45,7 +48,7 @@ struct CoulombSlip {
             fail(law, to, r);
         }
         const bool open = to.opening >= 0;
-        const double normal = law.kt * to.opening;
+        const double normal = joint_traction(law, to.opening);
         if (open && !h.separated && normal > law.residual_tc) {
             h.separated = true;
             r.dissipation.fracture += 0.5 * law.residual_tc * law.residual_tc / law.kt;
@@ -63,13 +66,16 @@ struct CoulombSlip {
     static double stored_energy(const ContactLaw& law, const ContactHistory& h) {
         if (h.separated && h.motion.opening >= 0) return 0;
         const double elastic = h.motion.sliding - h.slip;
-        return 0.5 * (law.kt * h.motion.opening * h.motion.opening + law.ks * elastic * elastic);
+        return joint_energy(law, h.motion.opening) + 0.5 * law.ks * elastic * elastic;
     }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() ? 1 : 0; }
-    /// With a residual cohesion a point that opens has shear to relax, which the residual response knows nothing of.
-    static bool is_residual(const ContactLaw& law, const ContactHistory& h) { return h.separated && law.residual_cc == 0; }
+    /// With a residual cohesion a point that opens has shear to relax, which the residual response knows nothing of, as of
+    /// joints that are shut.
+    static bool is_residual(const ContactLaw& law, const ContactHistory& h) {
+        return h.separated && law.residual_cc == 0 && std::isinf(law.maximum_closure);
+    }
     static IntactResponse intact(const ContactLaw& law, const MovedPoint& p) {
-        const double normal = law.kt * p.opening;
+        const double normal = joint_traction(law, p.opening);
         const double shear = law.ks * p.sliding;
         const bool holds = normal <= law.tc && std::abs(shear) <= shear_limit(law.cc, law.tan_phi, normal);
         return {normal, shear, holds ? 1.0 : 0.0};
@@ -79,7 +85,7 @@ private:
     /// From the elastic state at `to` to the residual one: the energy that the springs lose is fracture energy.
     static void fail(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
-        const double normal = law.kt * to.opening;
+        const double normal = joint_traction(law, to.opening);
         const double shear = law.ks * to.sliding;
         mark_failed(h, to.opening >= 0 ? CrackMode::tensile : CrackMode::shear);
         double limit = shear_limit(law.residual_cc, law.residual_tan_phi, normal);

@@ -55,6 +55,8 @@ struct ContactLaw {
     double worn_tan_phi, wear_slip;  ///< of node–edge contacts: tan φr, and w, m; without wear tan φr is `residual_tan_phi` too
     double dct, dcs, dut;            ///< δct, δcs, δut (Eqs 8, 11, 14), m
     double inv_dct, inv_dcs;         ///< 1/m
+    double maximum_closure;          ///< of a joint (coulomb-slip), m; infinite where it is never shut
+    double stiffest_normal;          ///< stiffness of a joint that is shut, otherwise kt, Pa/m
     double stiffest_shear;           ///< largest shear stiffness a point can reach, for the stable time step, Pa/m
     double open_shear_strength;      ///< to (consistent, cohesive-frictional), Pa
     double inv_dso;                  ///< 1/δso, δso = e to/ks (likewise)

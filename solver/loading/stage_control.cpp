@@ -186,12 +186,12 @@ void StageController::start_next(const Rows& rows) {
 void StageController::start_functions(int place) {
     functions_end_ = 0;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
-        const std::optional<TimeFunction> function = written_at(place, condition, action);
-        if (!function) return;
-        amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(feedback_.time)), feedback_.time,
-                          amplitudes_[i].of_velocity};
-        origins_[i] = place;
-        functions_end_ = std::max(functions_end_, feedback_.time + amplitudes_[i].function.end());
+        if (const std::optional<TimeFunction> function = written_at(place, condition, action)) {
+            amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(feedback_.time)), feedback_.time,
+                              amplitudes_[i].of_velocity};
+            origins_[i] = place;
+        }
+        functions_end_ = std::max(functions_end_, amplitudes_[i].start + amplitudes_[i].function.end());
     });
 }
 

@@ -116,7 +116,7 @@ private:
     std::size_t at_ = 0;
     bool is_started_ = false;     ///< the stage that is on
     double stage_begin_ = 0;      ///< s
-    double functions_end_ = 0;    ///< of those the stage set, s
+    double functions_end_ = 0;    ///< of all that run in the stage, s
     std::vector<StageEnd> ends_;  ///< of the stage that is on
     ThermalStage thermal_;
     std::vector<StageRecord> records_;

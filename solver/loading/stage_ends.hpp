@@ -16,7 +16,7 @@ struct StageRow {
     const Feedback& feedback;
     const Rows& rows;
     double begin;             ///< of the stage, s
-    double functions_end;     ///< of the functions that it set, s
+    double functions_end;     ///< of all functions that run in it, s
     double unbalanced_ratio;  ///< over the least forces that count
     double pressure_error;    ///< of a servo
     double transit_time;      ///< of a bar wave through the specimen, s

@@ -71,7 +71,7 @@ ChunkFailure failure_of(const Assemblage& a, const ContactLaws& laws, std::int32
             if (law.softens_in_shear && s.residual[i] == 0 && s.integrity[i] > 0) {
                 slides = slides || opening >= 0;  // as a crack grows; in shear, friction takes over what it loses
             } else if (opening < 0 && s.contact_pairs.released[c] == 0) {
-                const double limit = contact_law::residual_limit(law, -law.kt * opening);
+                const double limit = contact_law::residual_limit(law, -contact_law::joint_traction(law, opening));
                 slides = slides || is_near_sliding(law.ks * (sliding - s.slip[i]), limit);
             }
         }

@@ -44,7 +44,7 @@ void add_contacts(const Assemblage& a, const ContactLaws& laws, const std::vecto
             const std::int32_t on_b = g.nodes[2 + p];
             const Vector2 jump = x[on_b] - x[on_a];
             const Vector2 force =
-                (g.point_area * law.kt * dot(jump, n)) * n + (g.point_area * law.stiffest_shear * dot(jump, t)) * t;
+                (g.point_area * law.stiffest_normal * dot(jump, n)) * n + (g.point_area * law.stiffest_shear * dot(jump, t)) * t;
             y[on_b] += force;
             y[on_a] -= force;
         }
@@ -61,7 +61,7 @@ std::vector<ContactStiffness> stiffest_by_phase(const Assemblage& a, const Conta
         for (std::size_t low = 0; low <= high; ++low) {
             const ContactLaw& law = laws.of_class[contact_class(high, low)];
             for (const std::size_t phase : {low, high}) {
-                stiffest[phase] = {std::max(stiffest[phase].normal, law.kt), std::max(stiffest[phase].shear, law.ks)};
+                stiffest[phase] = {std::max(stiffest[phase].normal, law.stiffest_normal), std::max(stiffest[phase].shear, law.ks)};
             }
         }
     }

@@ -1,6 +1,7 @@
 // The law `coulomb-slip`: strengths, residual values, what happens open, and its energies, against values by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/augig_granite.hpp"
@@ -43,6 +44,27 @@ TEST(CoulombSlip, TensionIsLinearAndThenGone) {
     walk.go({-strain_at_peak, 0}, 10);
     walk.go({0.5 * strain_at_peak, 0}, 10);
     EXPECT_EQ(walk.traction().normal, 0);  // no healing
+}
+
+// Beyond its maximum closure Vm a joint is as stiff as a boundary of the rock; opened again it is soft.
+TEST(CoulombSlip, AJointIsShutAtItsMaximumClosure) {
+    ContactParameters c = augig_contact();
+    c.maximum_closure = 2e-6;
+    c.shut_stiffness = 50 * c.normal_stiffness;
+    const ContactLaw law = slip_law(c);
+    ContactWalk walk(law);
+    for (const double closure : {1e-6, 2e-6, 5e-6, 1.5e-6}) {
+        walk.go({-closure, 0}, 10);
+        const double beyond = std::max(0.0, closure - 2e-6);
+        const double traction = law.kt * std::min(closure, 2e-6) + 50 * law.kt * beyond;
+        verify("law: coulomb-slip, traction of a joint that shuts (MPa)", -walk.traction().normal / MPa, traction / MPa, 1e-12,
+               "kt Vm + k (closure - Vm)");
+        const double energy =
+            0.5 * law.kt * std::min(closure, 2e-6) * std::min(closure, 2e-6) + beyond * (law.kt * 2e-6 + 25 * law.kt * beyond);
+        expect_close(walk.stored(), energy, 1e-12, energy);
+    }
+    EXPECT_EQ(law.stiffest_normal, 50 * law.kt);
+    EXPECT_EQ(make_contact_law(c, LawVariant::consistent).stiffest_normal, law.kt);  // of a law without joints
 }
 
 // Open: the Coulomb line goes on into tension.
