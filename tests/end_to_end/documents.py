@@ -57,7 +57,7 @@ STAND_INS = {
         "--set ratios.cohesion=4.10362 --set 'contact.friction_angle=32.13 deg' --set 'contact.residual_friction_angle=20.8213 deg' >results/calibrate/marble/calibrated.toml",
 }
 LARGER_GRAINS = {
-    "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"', "disc --diameter 68mm --slit 17mm": "disc --diameter 40mm --slit 10mm",
+    "README.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"',
                   "disc --diameter 68mm": "disc --diameter 24mm", "half-disc --diameter 84mm --slit 21mm": "half-disc --diameter 48mm --slit 12mm"},
     "file-format.md": {'diameter="68mm"': 'diameter="24mm"'},
     "from-udec-and-pfc.md": {"--width 50mm --height 100mm": "--width 16mm --height 32mm", 'width="50mm", height="100mm"': 'width="16mm", height="32mm"'},
