@@ -16,10 +16,11 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double same_place = 1e-9;     ///< over the extent of a region, as of fixed seeds
-constexpr double shortest_piece = 0.5;  ///< over the mean edge
-constexpr double longest_move = 1.2;    ///< of an end of what is not needed, over the mean edge
-constexpr double sample_distance = 0.2;
+// The last three lengths are over the mean edge; they were chosen by trial and not varied since.
+constexpr double same_place = 1e-9;      ///< distance of equal places, over the extent of a region, as for fixed seeds
+constexpr double shortest_piece = 0.5;   ///< shortest piece
+constexpr double longest_move = 1.2;     ///< longest move of an end of an edge that is not needed
+constexpr double sample_distance = 0.2;  ///< distance of the points of a piece whose depth inside the region is tested
 
 Curve curve_of(const PrescribedEdge& e) { return {Curve::Kind::prescribed, e.from, e.to, unit(e.to - e.from), {}}; }
 
@@ -44,7 +45,7 @@ public:
 
     std::vector<PrescribedEdge> edges() && { return std::move(placed_); }
 
-    /// A sentence for each end of what is needed that was moved by more than is left unsaid.
+    /// A sentence for each end of a needed edge that moved by more than `told_move` edges.
     [[nodiscard]] std::vector<std::string> moves() const {
         std::vector<std::string> sentences;
         for (std::size_t i = 0; i < placed_.size(); ++i) {
@@ -73,7 +74,7 @@ private:
         }
     }
 
-    /// Adds a piece, with the ends of others that it moves; or says why it does not fit.
+    /// Adds a piece and moves the ends of others to it, or returns why it does not fit.
     Fault place(PrescribedEdge piece) {
         const std::vector<PrescribedEdge> before = placed_;
         requested_.push_back(piece);
@@ -96,7 +97,7 @@ private:
         return fault;
     }
 
-    /// Share of the line of `a` at which it meets that of `b`, if it does within the segment of `b`.
+    /// Position along `a` (0 to 1 within it) at which its line meets the segment of `b`; empty if it does not.
     [[nodiscard]] std::optional<double> meeting(const PrescribedEdge& a, const PrescribedEdge& b) const {
         const Point u = a.to - a.from;
         const Point v = b.to - b.from;
@@ -211,7 +212,7 @@ private:
         const double distance = std::min(
             {curve_of(a).distance(b.from), curve_of(a).distance(b.to), curve_of(b).distance(a.from), curve_of(b).distance(a.to)});
         if (distance >= near_) return std::nullopt;
-        // Two that continue each other on one line share an end and nothing else.
+        // Two pieces that continue each other on one line share one end only.
         if (distance <= tolerance_ && share_an_end(a, b) && dot(outward(a, b), outward(b, a)) < 0) return std::nullopt;
         if (distance <= tolerance_) return "lies upon " + b.name;
         return fmt::format("comes within {} of {} without meeting it; at least {} fits, with grain edges of {}",
@@ -228,7 +229,8 @@ private:
         return at_start ? a.to - a.from : a.from - a.to;
     }
 
-    /// Whether a piece is met at places too near to each other or to its ends; only if it meets `cause` at all.
+    /// Says why a piece does not fit whose meetings with others are too near to each other or to its ends. Pieces that do not
+    /// meet `cause` are left out.
     [[nodiscard]] Fault fault_of_stations(std::size_t index, const PrescribedEdge& cause) const {
         const PrescribedEdge& piece = placed_[index];
         const bool is_cause = index + 1 == placed_.size();
@@ -255,9 +257,9 @@ private:
 
     Region loops_;  ///< the region without edges
     double edge_, tolerance_ = 0, near_ = 0;
-    std::vector<Point> corners_;  ///< points of loops that stay where they are
+    std::vector<Point> corners_;  ///< points of loops that cannot move
     std::vector<PrescribedEdge> placed_;
-    std::vector<PrescribedEdge> requested_;  ///< what these were before any end was moved
+    std::vector<PrescribedEdge> requested_;  ///< the same pieces before any end moved
 };
 
 }  // namespace

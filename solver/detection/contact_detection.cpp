@@ -12,26 +12,28 @@
 namespace graincrack {
 namespace {
 
-/// Distance behind a bonded edge, in mean edge lengths, up to which a node counts as in the bond and not in the grain. Larger,
-/// and nodes slip farther in along a bond before a contact stops them; smaller, and nodes that only lie in the bond begin
+// The numbers of this list were chosen by trial and not varied since.
+
+/// Distance behind a bonded edge, in mean edge lengths, up to which a node lies in the bond and not in the grain. With a larger
+/// one nodes slip farther in along a bond before a contact stops them; with a smaller one nodes that only lie in the bond begin
 /// contacts with the grains at either side of it.
 constexpr double bond_width = 3e-3;
-/// Area of a new contact until it is found.
+/// Area that marks a new contact until `find_areas_of_new_contacts`.
 constexpr double area_not_found = 0;
-/// Least area of a new contact, over the tributary area of its node. It goes beyond the available area: a node that may not press
-/// at all would not be kept out. Each such contact exceeds the limit by at most this fraction.
+/// Smallest area of a new contact, over the tributary area of its node. It may exceed the available area, by this fraction at
+/// most per contact, because a node without any area would not be kept out.
 constexpr double min_area = 0.1;
-/// Cosine of the angle between the normals of two edges above which they are of one surface: turned by less than 60°, edges push
-/// a node the same way, and one contact is enough.
+/// Two edges are of one surface if the cosine of the angle between their normals is larger. Edges turned by less than 60° push a
+/// node the same way, and one contact is enough.
 constexpr double cos_same_surface = 0.5;
-/// Sine of the angle by which the outline of a grain turns between two edges beyond which there is a corner with two faces.
-/// Less (3°) is the unevenness of one face, along which a contact is transferred at the ends of the edges only.
+/// Two edges form a corner with two faces if the outline of the grain turns between them by an angle with a larger sine. A
+/// smaller turn (3°) is the unevenness of one face, along which a contact is transferred at the ends of the edges only.
 constexpr double sin_corner = 0.05;
 
 /// Memory of a thread, kept from chunk to chunk.
 struct Scratch {
     std::vector<PairGeometry> geometry;  ///< of the chunk's watched pairs
-    std::vector<std::int32_t> active;    ///< of the pairs of a node, those in contact
+    std::vector<std::int32_t> active;    ///< the pairs of a node that are in contact
 };
 
 /// Data of detection in a chunk of watched pairs.
@@ -47,8 +49,8 @@ struct ChunkData {
 /// The watched pairs of one node, `i` from 0 to `size()`.
 struct NodePairs {
     ChunkData& data;
-    Range in_watched;          ///< where they are in `ContactPairList::watched`
-    std::int32_t chunk_begin;  ///< where the pairs of the chunk begin there
+    Range in_watched;          ///< their indices in `ContactPairList::watched`
+    std::int32_t chunk_begin;  ///< index there of the first pair of the chunk
 
     [[nodiscard]] std::int32_t size() const { return in_watched.size(); }
     [[nodiscard]] std::int32_t index_in_list(std::int32_t i) const {
@@ -76,8 +78,8 @@ bool is_convex_corner(const Vector2& tangent, const Vector2& neighbour_tangent, 
     return neighbour_is_next ? turn > sin_corner : turn < -sin_corner;
 }
 
-/// The one of the two edges next to edge `i` around a convex corner of the grain to whose face the node is nearest, if
-/// nearer than `depth` (m); −1 if there is none among the watched pairs.
+/// Of the two edges next to edge `i` around a convex corner of the grain, returns the watched pair whose face is nearest to the
+/// node, if nearer than `depth` (m); −1 if there is none.
 std::int32_t nearer_face(const NodePairs& pairs, std::int32_t i, double depth) {
     const SurfaceEdge& edge = pairs.edge(i);
     const Vector2 tangent = pairs.geometry(i).tangent;
@@ -94,8 +96,8 @@ std::int32_t nearer_face(const NodePairs& pairs, std::int32_t i, double depth) {
     return found;
 }
 
-/// The edge on which the contact of a node that has left edge `i` at its end continues: the one of the same surface, of whatever
-/// grain, whose depth differs least, and by no more than the edge was followed beyond its end; −1 for none.
+/// The edge on which the contact of a node continues that has left edge `i` at its end. It is the edge of the same surface, of
+/// any grain, whose depth differs least, and by less than `end_tolerance` of edge `i`; −1 if there is none.
 std::int32_t next_edge(const NodePairs& pairs, std::int32_t i) {
     const PairGeometry from = pairs.geometry(i);
     double min_change = detection_rule::end_tolerance / from.inv_length;
@@ -118,15 +120,15 @@ void clear(NodePairs& pairs, std::int32_t i) {
     std::fill_n(pairs.forces(i), 3, Vector2{});
 }
 
-/// Ends a contact as its node slips off; the energy of its springs is lost and booked as friction.
+/// Ends a contact whose node slips off. The energy of its springs is lost and counted as friction.
 void end_contact(NodePairs& pairs, std::int32_t i) {
     const FrictionLaw law = friction_law(pairs.data.assemblage, pairs.data.parameters.laws, pairs.pair(i));
     pairs.data.friction += node_edge_energy(law, pairs.contact(i));
     clear(pairs, i);
 }
 
-/// Transfers a contact to edge `to`, of the same grain or another. Overlap and elastic slip stay, and with them its energy and
-/// the magnitudes of its forces; their directions are those of the new edge from now on.
+/// Transfers a contact to edge `to`, of the same grain or another. Overlap and elastic slip do not change, nor do the energy and
+/// the magnitudes of the forces; the forces take the directions of the new edge.
 void transfer_contact(NodePairs& pairs, std::int32_t from, std::int32_t to) {
     NodeEdgeContact contact = pairs.contact(from);
     contact.initial_overlap = pairs.depth(to) - contact.overlap;
@@ -134,11 +136,11 @@ void transfer_contact(NodePairs& pairs, std::int32_t from, std::int32_t to) {
     clear(pairs, from);
 }
 
-/// The edge on which contact `i` continues; −1 if it ends.
+/// Returns the edge on which contact `i` continues; −1 if it ends.
 ///
-/// Near a convex corner the nearer face carries the contact. For the contact, the surface of the grain lies the initial overlap
-/// behind its edge, as there it bears no force; a face without a contact lies where it is. So the overlap with the one is
-/// compared with the depth behind the other. A node that is not behind the other face is outside the grain, and its contact ends.
+/// Near a convex corner the nearer face carries the contact. The contact has no force where its depth is the initial overlap, so
+/// its overlap, not its depth, is compared with the depth behind a face without a contact. A node that is not behind the other
+/// face is outside the grain, and its contact ends.
 std::int32_t continue_contact(NodePairs& pairs, std::int32_t i) {
     std::int32_t to = i;
     const double overlap = pairs.depth(i) - pairs.contact(i).initial_overlap;
@@ -160,8 +162,8 @@ void append_active(NodePairs& pairs, std::int32_t i) {
                   pairs.data.state.contact_pairs);
 }
 
-/// Decides how the contacts of a node continue; those that do become active. Those of before are noted first, as one that is
-/// transferred to a later pair must not be treated twice.
+/// Decides how the contacts of a node continue, and lists those that do as active. The present contacts are collected first, as a
+/// contact that is transferred to a later pair must not be treated twice.
 void continue_contacts(NodePairs& pairs) {
     std::vector<std::int32_t>& active = pairs.data.scratch.active;
     active.clear();
@@ -177,9 +179,9 @@ void continue_contacts(NodePairs& pairs) {
     }
 }
 
-/// True if a contact may begin: the node is behind the edge and over it but for its corner zones, belongs to this edge and not to
-/// a neighbouring face, and has no other contact with this grain or with the same surface. A node deep inside the grain is kept
-/// out even in a corner zone, and even where it has a contact with the same surface of another grain.
+/// True if a contact may begin: the node is behind the edge, over it but for its corner zones, belongs to this edge and not to a
+/// neighbouring face, and has no other contact with this grain or with the same surface. For a node deep inside the grain neither
+/// the corner zones nor a contact with the same surface of another grain count.
 bool may_begin(const NodePairs& pairs, std::int32_t i) {
     const PairGeometry g = pairs.geometry(i);
     if (pairs.contact(i).active || g.depth <= 0 || !is_over(g, 0)) return false;
@@ -195,27 +197,27 @@ bool may_begin(const NodePairs& pairs, std::int32_t i) {
     return !belongs_to_neighbour(pairs.data.assemblage, pairs.data.state, pairs.pair(i), g, margin);
 }
 
-/// Begins contacts; their areas are found when all chunks are done (`find_areas_of_new_contacts`).
+/// Begins contacts. `find_areas_of_new_contacts` gives them their areas when all chunks are done.
 void begin_contacts(NodePairs& pairs) {
     for (std::int32_t i = 0; i < pairs.size(); ++i) {
         if (may_begin(pairs, i)) {
             const PairGeometry g = pairs.geometry(i);
             pairs.contact(i) = {.active = true, .near_first = g.place < 0.5, .area = area_not_found, .initial_overlap = g.depth};
             append_active(pairs, i);
-            pairs.data.state.contact_pairs.active.changed[pairs.data.chunk] = 1;  // even where one of the same pair has ended
+            pairs.data.state.contact_pairs.active.changed[pairs.data.chunk] = 1;  // even if a contact of the same pair has ended
         }
     }
 }
 
-/// True if an edge belongs to a contact that has not been released and is not one of the node.
+/// True if an edge belongs to a contact that has not been released and does not have the node.
 bool is_between_others(const Assemblage& a, const State& s, std::int32_t node, const SurfaceEdge& edge) {
     if (edge.contact < 0 || s.contact_pairs.released[edge.contact] != 0) return false;
     const auto& nodes = a.contacts[edge.contact].nodes;
     return std::find(nodes.begin(), nodes.end(), node) == nodes.end();
 }
 
-/// Half of the two outline edges of a node (1 m thick), less the points of its contacts that have not been released and what
-/// node–edge contacts occupy; below 0 where they take more. \param occupied by them, m²
+/// Area available at a node, m²: half of its two outline edges (1 m thick), less the points of its contacts that have not been
+/// released and the area of node–edge contacts; negative if these exceed it. \param occupied area of node–edge contacts, m²
 double available_area(const Assemblage& a, const ContactPairList& list, std::int32_t node, double occupied) {
     const GrainSurface& surface = a.surface;
     double area = 2 * surface.tributary[node] - occupied;
@@ -226,14 +228,14 @@ double available_area(const Assemblage& a, const ContactPairList& list, std::int
     return area;
 }
 
-/// The area of a node that new contacts request, and the fraction of it that each gets.
+/// The area of a node that new contacts request, and the fraction of it that each of them gets.
 struct RequestedArea {
     double requested = 0, occupied = 0;  ///< m²
     double fraction = 1;
 };
 
-/// Calls `visit` with the pair of each active contact that has not ended and the two nodes whose area it occupies: its own, and
-/// the nearer end of its edge.
+/// Calls `visit` with the pair of each active contact that has not ended and with the two nodes whose area it occupies: its own
+/// node and the nearer end of its edge.
 template <class Visit>
 void for_occupied(const ContactPairList& list, Visit&& visit) {
     list.for_active([&](std::int32_t i) {
@@ -260,7 +262,7 @@ bool belongs_to_neighbour(const Assemblage& a, const State& s, const CandidatePa
     return false;
 }
 
-/// Each new contact wants the tributary area of its node. All that want area of one node get the same fraction of it.
+/// Each new contact requests the tributary area of its node. All that request area of one node get the same fraction of it.
 void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& parameters, State& s) {
     ContactPairList& list = s.contact_pairs;
     std::vector<NewContact> contacts;
@@ -278,7 +280,7 @@ void find_areas_of_new_contacts(const Assemblage& a, const StepParameters& param
         }
     });
     for (auto& [node, area] : requested) area.fraction = available_area(a, list, node, area.occupied) / area.requested;
-    if (s.ghosts) {  // the owner of a node knows all contacts that want area of it
+    if (s.ghosts) {  // the owner of a node knows all contacts that request area of it
         s.ghosts->update(
             [&](std::int32_t node) {
                 const auto found = requested.find(node);

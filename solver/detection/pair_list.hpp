@@ -1,4 +1,4 @@
-// The update of the pair list between two steps: which contacts are released, which pairs are listed and watched.
+// Updates the contact pair list between two steps: releases contacts, lists pairs, and chooses the pairs that steps watch.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace graincrack {
 
-/// Most steps from one update to the next.
+/// Most steps from one update to the next. Chosen by trial.
 inline constexpr std::int64_t max_update_interval = 128;
 
-/// Updates the list between two steps: finds points that have debonded, releases contacts that have moved far, searches anew
-/// where that or the travel of the nodes since the last search makes it necessary, limits areas to what the step allows, chooses
-/// the watched pairs, and sets the step of the next update (`next_update`). One thread of each rank does it, all ranks together;
-/// the result depends on the state only.
+/// Updates the list between two steps. It finds points that have debonded, releases contacts that have moved far, searches anew
+/// if these or the travel of the nodes since the last search require it, limits the areas of contacts to what the time step
+/// allows, chooses the watched pairs, and sets the step of the next update (`next_update`). All ranks call it together, each in
+/// one thread; the result depends on the state only. Without a search the cost is linear in contacts, nodes and pairs; a search
+/// sorts its pairs, O(n log n).
 void update_pair_list(const Assemblage& assemblage, const StepParameters& parameters, State& state);
 
 }  // namespace graincrack

@@ -10,15 +10,18 @@
 namespace graincrack {
 namespace {
 
-constexpr double servo_transits = 4;            // time constant of the servo
-constexpr double rows_to_max_strain = 8000;     // to the strain limit
-constexpr std::int64_t min_steps_per_row = 20;  // between two rows: a row costs some two steps
-constexpr double max_transits = 0.5;            // and at most: what happens within a transit is to be seen
-constexpr double rest_transits = 400;           // that a block may take to come to rest
-constexpr double tension_load = 0.2;            // axial stress from which on it is a load for the rate, of the tensile strength:
-constexpr double bending_load = 0.3;            // the same of the nominal bending stress
-constexpr double disc_load = 0.3;         // about a fifth of what the specimen may bear. A disc bears π/2 times the tensile
-constexpr double compression_load = 3.0;  // strength as load over diameter, a rectangle some fifteen times as much
+// All numbers of this list were chosen by trial and not varied since.
+constexpr double servo_transits = 4;            // time constant of the servo, transits
+constexpr double rows_to_max_strain = 8000;     // rows up to the strain limit
+constexpr std::int64_t min_steps_per_row = 20;  // fewest steps between two rows; a row costs about two steps
+constexpr double max_transits = 0.5;            // most transits between two rows, so that rows resolve events within a transit
+constexpr double rest_transits = 400;           // transits in which a block has to come to rest
+// Axial stress, over the tensile strength, from which on the rules of the rate apply. It is about a fifth of the
+// strength: a disc bears π/2 times the tensile strength as load over diameter, a rectangle about fifteen times it.
+constexpr double tension_load = 0.2;
+constexpr double bending_load = 0.3;  // of the nominal bending stress
+constexpr double disc_load = 0.3;
+constexpr double compression_load = 3.0;
 
 }  // namespace
 
@@ -44,8 +47,8 @@ double PlatenControl::settling_stress() const { return settling_load / compressi
 
 RateScales PlatenControl::rate_scales(bool apart) const {
     if (span_ > 0) {
-        // A beam whose lowest fibre has this stress: its deflection is stress/E S²/(6 H), its energy that of a bar under a
-        // third of the stress. It answers within waves along it rather than across.
+        // A beam with this stress in its lowest fibre deflects by stress/E S²/(6 H) and stores the energy of a bar under a third
+        // of the stress. Waves along the beam, not across it, determine how fast it responds.
         const double stress = bending_load * rock_.tensile_strength;
         const double slenderness = span_ / height_;
         return {height_, transit_time_ * slenderness, stress / rock_.young_modulus * slenderness * slenderness / 6,
@@ -89,7 +92,7 @@ double PlatenControl::servo_speed(double time, double duration) const {
 }
 
 PlatenSpeeds PlatenControl::next(const Feedback& feedback, double duration) {
-    // The servo answers to the stress of the last wave transit: the platens' springs ring too fast for it.
+    // The servo responds to the mean stress of the last wave transit, as the platens' springs oscillate too fast for it.
     mean_compression_ += std::min(1.0, duration / transit_time_) * (feedback.axial_compression - mean_compression_);
     const double begin = speed_;
     double sense = 1;
@@ -152,7 +155,7 @@ double PlatenControl::longest_time() const {
     double time = 0;
     constexpr int parts = 1000;
     for (int i = 0; i < parts; ++i) time += travel / parts / slowest_speed(max_strain_ * (i + 0.5) / parts);
-    return time + (std::isfinite(function_end()) ? function_end() : 0);  // the speed is lower until its function ends
+    return time + (std::isfinite(function_end()) ? function_end() : 0);  // the speed is lower before its function ends
 }
 
 }  // namespace graincrack

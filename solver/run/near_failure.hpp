@@ -1,4 +1,4 @@
-// How near the specimen is to failing as a whole: what the automatic rate slows down for (share/doc/loading.md).
+// Measures how near the specimen is to failing as a whole. The automatic loading rate slows down by it (share/doc/loading.md).
 #pragma once
 
 #include "solver/law/contact_law.hpp"
@@ -8,16 +8,16 @@
 
 namespace graincrack {
 
-/// How far failure involves a section of the specimen, 0 to 1; the larger of two ratios:
-/// - length of the longest chain of contacts that are near sliding or open, over half the width of the specimen: one joint that
-///   slides, or one crack that grows, lets the whole specimen move. Contacts count that have no cohesion, are closed and whose
-///   friction is between half its limit and the limit; so do node–edge contacts; and, of laws that soften in shear, those that
-///   lose their cohesion while open: what opens under another law counts once it has closed. What bears its limit already, or
-///   softens under friction that takes over, does not make failure sudden. Chains meet at vertices of the mesh, and their length
-///   is the diagonal of the rectangle that holds them in the reference.
-/// - number of intact points that would fail if their jumps grew by a quarter, over 6 % of all points (over half the root of
-///   their number, if that is more: fewer than 35 grains): fewer than that are scattered, and fail one by one.
-/// \param width of the specimen, m
+/// Returns how far failure involves a section of the specimen, from 0 to 1. It is the larger of two ratios:
+/// - The length of the longest chain of contacts near sliding or opening, over half the width of the specimen. One joint that
+///   slides, or one crack that grows, lets the whole specimen move. Closed contacts without cohesion and node–edge contacts
+///   count if their friction lies between half its limit and the limit. Contacts of laws that soften in shear also count while
+///   they are open and lose their cohesion. Contacts at their limit, and those whose cohesion friction replaces, do not count:
+///   they do not make failure sudden. Contacts join into a chain at common vertices of the mesh; the length of a chain is the
+///   diagonal of its bounding rectangle in the reference positions.
+/// - The number of intact points that would fail if their jumps grew by a quarter, over 6 % of all points (below 35 grains: over
+///   half the square root of the number of points). Fewer points are scattered over the specimen and fail one by one.
+/// The cost is linear in the number of contacts. \param width of the specimen, m
 double near_failure(const Assemblage& assemblage, const ContactLaws& laws, const State& state, double width, ThreadTeam& team);
 
 }  // namespace graincrack
