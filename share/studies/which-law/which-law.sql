@@ -1,5 +1,5 @@
 -- For --pivot: what new specimens of each model have, from targets.tsv and tests.tsv. Within the bound of the laboratory's value in bold, undecided
--- with a question mark.
+-- with a question mark; those quantities that README.md shows.
 WITH of_models AS (SELECT model, min(rowid) AS place FROM targets GROUP BY model),
 measured AS (
     SELECT targets.rowid AS nth, CASE target WHEN 'K_IC' THEN target ELSE replace(target, '_', ' ') END AS quantity, ifnull(text('{:.4g}', laboratory), '') AS laboratory, model,
@@ -25,4 +25,6 @@ rows AS (
     UNION ALL SELECT 0, 'ended', '', model, entries(ended) FROM targets GROUP BY model
 ),
 ordered AS (SELECT min(nth) AS first, quantity FROM rows GROUP BY quantity)
-SELECT quantity, rows.laboratory, model, entry FROM rows JOIN ordered USING (quantity) JOIN of_models USING (model) ORDER BY first, place
+SELECT quantity, rows.laboratory, model, entry FROM rows JOIN ordered USING (quantity) JOIN of_models USING (model)
+WHERE quantity IN ('ended', 'UCS', 'first peak at 8 MPa', 'first peak at 20 MPa', 'K_IC', 'drop behind the first peak at 8 MPa') OR first > 1000 AND quantity NOT IN ('first peaks at 8 MPa', 'crack initiation / UCS')
+ORDER BY first, place
