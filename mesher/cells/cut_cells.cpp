@@ -17,12 +17,12 @@ namespace {
 
 using PieceLoop = std::vector<int>;
 
-/// A part of a cell between lines, of some triangles.
+/// A part of a cell between lines; it consists of triangles.
 struct Piece {
     std::vector<std::size_t> triangles;
-    std::size_t cell = 0;  ///< of which it is, or most of it
+    std::size_t cell = 0;  ///< the cell that has it, or the largest part of it
     double area = 0;
-    double fraction = 0;  ///< of the requested area of its cells
+    double fraction = 0;  ///< its area over the requested area of its cell, summed over joined pieces
 };
 
 class PieceJoiner {
@@ -37,9 +37,9 @@ public:
         find_pieces();
     }
 
-    /// Joins the pieces of a zone until there are as many as areas, each of which is requested of one of them.
-    /// \param areas over the squares of the graded sizes where they were requested
-    /// \return whether they have room; if not, `no_room` is a place in a piece that is too many
+    /// Joins the pieces of a zone until their number is that of the areas, and gives each piece one of the areas.
+    /// \param areas requested areas over the squares of the graded sizes at their places
+    /// \return true if all have room; else `no_room` is a place in a piece that has none
     bool join(std::size_t zone, std::vector<double> areas, const std::vector<double>& area_of_cell, const SizeField& size,
               Point& no_room) {
         std::vector<std::size_t> left;
@@ -78,7 +78,7 @@ public:
         return true;
     }
 
-    /// The pieces that are left as cells, fixed points first.
+    /// Returns the pieces that are left as cells, with fixed points first.
     [[nodiscard]] CutCells cells() {
         drop_kinks();
         CutCells made;
@@ -136,7 +136,7 @@ private:
             own.begin(), own.end(), [&](std::size_t a, std::size_t b) { return area_of_triangle(a) < area_of_triangle(b); });
         return (1.0 / 3) * (at(triangles_[t][0]) + at(triangles_[t][1]) + at(triangles_[t][2]));
     }
-    /// The side on which an edge lies, `CellLines::extension` or `CellLines::no_wall`.
+    /// Number of the side on which an edge lies, else `CellLines::extension` or `CellLines::no_wall`.
     [[nodiscard]] int line(int p, int q) const {
         const auto found = lines_.side_of.find(edge_between(p, q));
         return found == lines_.side_of.end() ? CellLines::no_wall : found->second;
@@ -170,7 +170,7 @@ private:
         }
     }
 
-    /// The loop around triangles, unless it meets itself. Walls and extensions belong to it where they end within.
+    /// Returns the loop around triangles; empty if it meets itself. Walls and extensions that end within belong to the loop.
     [[nodiscard]] std::optional<PieceLoop> outline(const std::vector<std::size_t>& triangles) const {
         std::map<int, int> next;
         std::size_t n = 0;
@@ -196,8 +196,7 @@ private:
         return corners;
     }
 
-    /// Joins a piece to the neighbour with the longest common side, of those with which it makes a sound polygon if there are
-    /// any.
+    /// Joins a piece to the neighbour with the longest common side, preferably to one with which it forms a sound polygon.
     bool join_to_neighbour(std::size_t piece) {
         std::map<std::size_t, double> common;
         for (const std::size_t t : pieces_[piece].triangles) {
@@ -229,7 +228,7 @@ private:
         return false;
     }
 
-    /// Leaves out points that lie within one side of cells, if these stay sound.
+    /// Removes points that lie within one side of cells, if these remain sound.
     void drop_kinks() {
         std::map<int, std::vector<std::size_t>> cells_at;
         for (std::size_t cell = 0; cell < kept_.size(); ++cell) {
@@ -260,7 +259,7 @@ private:
     CellLines lines_;
     const Zones& zones_;
     std::vector<Triangle> triangles_;
-    std::map<Edge, std::size_t> triangle_left_;  ///< of a directed edge
+    std::map<Edge, std::size_t> triangle_left_;  ///< the triangle to the left of a directed edge
     std::vector<Piece> pieces_;
     std::vector<std::size_t> piece_of_;               ///< [triangles]
     std::vector<std::size_t> zone_of_;                ///< [pieces]
@@ -287,7 +286,7 @@ std::optional<CutCells> cut_cells(const PlaneCells& cells, const std::vector<dou
         return joiner.cells();
     } catch (const UsageError&) {
         no_room = walls.points.back();
-        return std::nullopt;  // lines that cross once more
+        return std::nullopt;  // lines cross after points were moved
     }
 }
 

@@ -1,4 +1,4 @@
-// The general search: which exposed nodes and edges are near each other.
+// Searches for exposed nodes and edges that are near each other.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,10 @@
 
 namespace graincrack {
 
-/// All pairs of an exposed node and an exposed edge of another grain it is not linked to, nearer than `margin` (m); ascending. Of
-/// nodes without a pair that acts on a node of this rank, none. Brings the displacements of other ranks' nodes that it needs.
+/// Returns, ascending, all pairs of an exposed node and an exposed edge of another grain that are nearer than `margin` (m) and
+/// not linked: no contact points that have not debonded link the node to the edge, or the contact of both is released. Nodes
+/// without a pair that acts on a node of this rank have none. Fetches the displacements of other ranks' nodes. The cost is O(n
+/// log n) in the numbers of exposed edges and pairs, plus one pass over all contacts and nodes.
 std::vector<CandidatePair> find_pairs(const Assemblage& assemblage, double margin, State& state);
 
 }  // namespace graincrack

@@ -1,20 +1,21 @@
-// Bridges: what still holds a contact point after its brittle opening, interlocked grains and ligaments, as a small stress over a
-// long opening (Sato, Hashida & Takahashi 1996; Swanson 1987 on granite). Laws with the integrity β of `cohesive_damage.hpp` have
-// them; σb = 0: none.
+// Bridges: interlocked grains and ligaments hold a contact point after its brittle opening with a small stress over a long
+// opening (Sato, Hashida & Takahashi 1996; Swanson 1987 on granite). Laws with the integrity β of `cohesive_damage.hpp` have
+// bridges; a bridging strength σb of 0 removes them.
 //
-// While open the whole integrity β + b, that of the brittle part and that of the bridge, follows the higher of two softenings:
+// While a point is open, the sum β + b of the integrities of brittle part and bridge follows the higher of two softening curves:
 //
 //   e λ (β + b) ≤ max(1 − D, ρ (1 − λ/λb)),   ρ = σb/tc,   λb = 2 Gb λ² e tc/(σb q)
 //
-// In pure opening the bridge is σb (1 − δn/δb), δb = 2 Gb/σb; λb gives every direction of opening the energy Gb. β is that of a
-// law without bridges, so b grows by what β loses until it is on its line, and only falls from then on.
+// In pure opening the stress of the bridge is σb (1 − δn/δb) with δb = 2 Gb/σb; λb gives every direction of opening the energy
+// Gb. β is that of a law without bridges. So b grows by the loss of β until β + b reaches the line of the bridge, and falls from
+// then on.
 //
-// While closed the bridge carries nothing: a second cohesion there would hide the fall of strength. It is torn by the sliding
-// that tears it while open. A point that opens again finds the bridge it had, unstrained: its shear starts from the slip at which
-// friction has left the point. Such a bridge does not grow: what β loses then is lost.
+// While a point is closed its bridge carries nothing, as a second cohesion would hide the fall of strength. The same sliding
+// tears it as while open. When the point opens again, the bridge is unstrained: its shear starts from the slip at which friction
+// has left the point. Such a bridge does not grow; a further loss of β is lost.
 //
-// Energy: ½ b (kt δn² + ks (δs − slip)²) while open, 0 while closed, so that the shear of a bridge whose point closes is
-// dissipated. β gives to b only where both have the same energy, slip = 0.
+// The stored energy is ½ b (kt δn² + ks (δs − slip)²) while open and 0 while closed, so that the shear of a bridge is dissipated
+// when its point closes. β passes to b only while both have the same energy (slip = 0).
 #pragma once
 
 #include <cmath>
@@ -25,17 +26,17 @@
 
 namespace graincrack::contact_law {
 
-/// A bridge after a motion.
+/// The response of a bridge to a motion.
 struct Bridge {
     double normal, shear;  ///< Pa
     double integrity;      ///< b
-    double fracture;       ///< dissipated, J/m²; negative where β gives to b
-    double remaining;      ///< share of tc that it can bear
+    double fracture;       ///< dissipated energy, J/m²; negative where β passes to b
+    double remaining;      ///< fraction of tc that the bridge can bear
 };
 
-/// λ of an open motion. \param opened ⟨δn⟩ \param slid δs from where the shear of the bridge starts
+/// λ of an open motion. \param opened ⟨δn⟩, m \param slid δs from the origin of the bridge's shear, m
 GRAINCRACK_INLINE double load_of_bridge(const ContactLaw& law, double opened, double slid) {
-    constexpr double nothing = 1e-30;  // of the square of a load
+    constexpr double nothing = 1e-30;  // lower bound of λ², against division by zero
     const double x = opened * law.inv_dct;
     const double y = slid * law.inv_dso;
     return std::sqrt(std::max(x * x + y * y, nothing));
@@ -44,13 +45,13 @@ GRAINCRACK_INLINE double load_of_bridge(const ContactLaw& law, double opened, do
 GRAINCRACK_INLINE double line_of_bridge(const ContactLaw& law, double load, double form) {
     return law.bridge - law.bridge_decay * form / load;
 }
-/// The same where e λ (β + b) = `scaled` is on the line, in a direction in which q = `stiffness` λ².
+/// The same at the point of the line with e λ (β + b) = `scaled`, in a direction in which q = `stiffness` λ².
 GRAINCRACK_INLINE double line_at_integrity(const ContactLaw& law, double scaled, double stiffness) {
     return law.bridge * scaled / (law.bridge_decay * stiffness + scaled);
 }
 
-/// Moves the bridge of a point past its peak on the side of δn = 0 that it is on.
-/// \param p its motion, with β before it \param integrity β after it \param bridge b before it
+/// Advances the bridge of a point past its peak; the motion stays on one side of δn = 0.
+/// \param p the motion, with β before it \param integrity β after it \param bridge b before it \param slip before it, m
 GRAINCRACK_INLINE Bridge advance_bridge(const ContactLaw& law, const MovedPoint& p, double integrity, double bridge,
                                         double slip) {
     constexpr double e = std::numbers::e;
@@ -63,17 +64,17 @@ GRAINCRACK_INLINE Bridge advance_bridge(const ContactLaw& law, const MovedPoint&
     const double given = closed || origin != 0 ? 0.0 : p.integrity - integrity;
     const double left = std::max(0.0, std::min(bridge + given, line_of_bridge(law, load, form) / (e * load) - integrity));
     const double mean_form = 0.5 * (cohesive_form(law, p.old_opening, p.old_sliding - origin) + form);
-    // 1 − D of its line in the direction of an open motion, or of pure opening
+    // 1 − D on its line, in the direction of the motion or, while closed, of pure opening
     const double stiffness = closed ? law.kt * law.dct * law.dct : form / (load * load);
     const double remaining = left > 0 ? line_at_integrity(law, e * (integrity + left), stiffness) : 0.0;
     return {closed ? 0.0 : left * law.kt * opened, closed ? 0.0 : left * law.ks * slid, left,
             closed ? 0.0 : 0.5 * mean_form * (bridge - left), remaining};
 }
-/// The slip of a point with the bridge `bridge` before its motion: a bridge begins unstrained at no sliding.
+/// The slip of a point with the bridge `bridge` before its motion: the shear of a new bridge starts from no sliding.
 GRAINCRACK_INLINE double slip_of_bridge(double opening, double bridge, double slip) {
     return opening >= 0 && bridge == 0 ? 0.0 : slip;
 }
-/// Remaining cohesion for `damage_levels`: the brittle part alone above one half, brittle part and bridge below.
+/// Remaining cohesion for `damage_levels`: that of the brittle part above one half, the larger of brittle part and bridge below.
 GRAINCRACK_INLINE double remaining_with_bridge(double brittle, double bridge) {
     constexpr double below_half = damage_levels[1] * (1 - std::numeric_limits<double>::epsilon());
     return std::max(brittle, std::min(bridge, below_half));
@@ -89,12 +90,12 @@ GRAINCRACK_INLINE void add_bridge(const ContactLaw& law, const MovedPoint& p, So
     r.remaining_cohesion = remaining_with_bridge(r.remaining_cohesion, bridge.remaining);
     r.bridge = bridge.integrity;
 }
-/// ½ b (kt δn² + ks (δs − slip)²) while open.
+/// The stored energy ½ b (kt δn² + ks (δs − slip)²) of a bridge, J/m²; 0 while closed.
 inline double bridge_energy(const ContactLaw& law, const ContactHistory& h) {
     const bool bears = h.motion.opening >= 0 && h.bridge > 0;
     return bears ? 0.5 * h.bridge * cohesive_form(law, h.motion.opening, h.motion.sliding - h.slip) : 0.0;
 }
-/// A point closes: friction starts from zero, and the shear of the bridge is lost.
+/// Closes a point: its friction starts from zero, and the energy of the bridge is dissipated.
 inline void close_bridge(const ContactLaw& law, ContactResponse& r) {
     r.dissipation.fracture += bridge_energy(law, r.history);
     r.history.slip = r.history.motion.sliding;

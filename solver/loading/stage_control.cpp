@@ -12,11 +12,11 @@
 namespace graincrack {
 namespace {
 
-constexpr double rows_of_longest_time = 8000;  // of the longest time
-constexpr std::int64_t min_steps_of_stage_row = 10;
-constexpr double max_transits_between_rows = 0.5;  // of an automatic change of the temperature; and of stages that are short
-
-/// Platens that go nowhere if it has none.
+// Chosen by trial:
+constexpr double rows_of_longest_time = 8000;        // rows in the longest time
+constexpr std::int64_t min_steps_of_stage_row = 10;  // fewest steps between two rows
+constexpr double max_transits_between_rows = 0.5;    // at an automatic change of the temperature, and in short stages
+/// The platens of a program; platens that do not move if it has none.
 ProgramPlatens platens_of(const Program& program) {
     if (program.platens) return *program.platens;
     ProgramPlatens none;
@@ -24,7 +24,7 @@ ProgramPlatens platens_of(const Program& program) {
     return none;
 }
 
-/// The value of a name; null if it is missing.
+/// The value of this name; null if there is none.
 const double* find_value(const NamedNumbers& numbers, const std::string& name) {
     const auto at = std::find(numbers.names.begin(), numbers.names.end(), name);
     return at == numbers.names.end() ? nullptr : &numbers.values[static_cast<std::size_t>(at - numbers.names.begin())];
@@ -277,7 +277,7 @@ std::int64_t StageController::interval_steps(double time_step) const {
         return std::max(min_steps_of_stage_row, static_cast<std::int64_t>(most));
     }
     if (by_platens || platens_.paces_rows()) return platens_.interval_steps(time_step);
-    // A long stage beside others does not part the rows of a short one, but rows are no closer than waves tell them apart.
+    // A short stage beside a long one has rows of its own, but no closer than `max_transits_between_rows`.
     const double of_stage = std::max(max_transits_between_rows * platens_.transit_time(),
                                      finished() ? longest_time : now().longest_time / rows_of_longest_time);
     const double interval = program_.row_interval.value_or(std::min(longest_time / rows_of_longest_time, of_stage));

@@ -1,5 +1,5 @@
-// Heating within the stages of a program: the temperature goes as fast as the measures allow, and what heat leaves in a specimen,
-// stored energy and cracks, does not count in the stages after it.
+// Controls heating within the stages of a program: the temperature changes at the automatic rate, and later stages do not count
+// the stored energy and the cracks that heat leaves in a specimen.
 #pragma once
 
 #include "share/file/peak.hpp"
@@ -17,37 +17,37 @@ public:
     /// \param difference of the free expansions of the minerals (`expansion_difference`), 1/K; 0 where nothing expands
     ThermalStage(const Program& program, const Specimen& specimen, const Rock& rock, double difference);
 
-    /// The specimen has, or had, a temperature. Nothing below matters to one that has not.
+    /// True if the specimen has, or had, a temperature. The rest of the class applies to such specimens only.
     [[nodiscard]] bool is_thermal() const { return is_thermal_; }
     void set_thermal() { is_thermal_ = true; }
 
-    /// A stage begins. \param amplitude of the temperature, if it has one
+    /// Begins a stage. \param amplitude of the temperature; null if there is none
     void begin(const Stage& stage, const Amplitude* amplitude, const Feedback& feedback, const History& history);
-    /// Continues after another program. \param locked_in the energy that counts no more, J; null if no platens have moved in it
+    /// Continues after another program. \param locked_in energy that no longer counts, J; null if no platens have moved in it
     void take_over(const double* locked_in) {
         is_thermal_ = true;
         has_moved_ = locked_in != nullptr;
         if (has_moved_) locked_in_ = *locked_in;
     }
-    /// Takes the control of a stage that resumes.
+    /// Restores the control of a stage that resumes.
     void resume(const Stage& stage) {
         if (stage.heating) control_ = control_of(*stage.heating);
         await_fall(stage);
     }
-    /// True while the measures decide how fast the temperature changes: it is not there yet.
+    /// True while the temperature changes at the automatic rate and has not reached its end.
     [[nodiscard]] bool heats() const { return heats_; }
-    /// The temperature of the next `duration` seconds. \return false once it is there
+    /// Sets the temperature of the next `duration` seconds. \return false once it has reached its end
     bool heat(const Feedback& feedback, double duration, Amplitude& temperature);
 
-    /// The unbalanced ratio; of a specimen that only its temperature loads over at least the least forces that count.
+    /// The unbalanced ratio; for a specimen with a temperature, with element forces of at least `HeatingScales::least_force`.
     [[nodiscard]] double unbalanced_ratio(const Feedback& feedback) const {
         return is_thermal_ ? scales_.loaded(feedback) : feedback.unbalanced_ratio;
     }
-    /// Contacts that failed before the stage.
+    /// Number of contacts that failed before the stage.
     [[nodiscard]] double cracks_before() const { return cracks_before_; }
-    /// Measures as the platens answer to them: over a load, and none once a peak is behind.
+    /// Measures that control the platens: relative to a load, and none after a peak.
     [[nodiscard]] Feedback of_load(Feedback feedback, const PlatenControl& platens);
-    /// About what a change of the temperature by so much takes where minerals crack, s.
+    /// Estimates the time of a change of the temperature (K) while minerals crack, s.
     [[nodiscard]] double usual_time(const AutomaticHeating& heating, double change) const {
         return control_of(heating).usual_time(change);
     }

@@ -1,4 +1,4 @@
-// Everything that changes during a run.
+// The state of a run: all quantities that change in steps.
 #pragma once
 
 #include <array>
@@ -17,16 +17,16 @@
 
 namespace graincrack {
 
-/// Events of a contact point, in this order if several things happen in one step.
+/// Events of a contact point, in their order if several happen in one step.
 enum class ContactEventKind : std::uint8_t {
-    failure,     ///< it passes its peak
-    damaged_10,  ///< it falls below the first of `damage_levels`
+    failure,     ///< the point passes its peak
+    damaged_10,  ///< its remaining cohesion falls below the first of `damage_levels`; the next two likewise
     damaged_50,
     broken,
-    separation  ///< it loses all tensile strength
+    separation  ///< the point loses all tensile strength
 };
 
-/// An event of a contact point in a step. All but `peak_traction` is of the end of this step.
+/// An event of a contact point in a step. All members but `peak_traction` are of the end of this step.
 struct ContactEvent {
     std::int64_t step = 0;
     std::int32_t contact = 0;
@@ -34,12 +34,12 @@ struct ContactEvent {
     ContactEventKind kind = ContactEventKind::failure;
     CrackMode mode = CrackMode::tensile;  ///< of the first failure
     ContactMotion motion;
-    ContactTraction peak_traction;  ///< of a failure: of the step before, the last one short of the peak
+    ContactTraction peak_traction;  ///< at a failure the traction of the step before, the last one below the peak
     Vector2 tangent;
-    Vector2 position;  ///< middle of the half-edge the point stands for
+    Vector2 position;  ///< middle of the half-edge of the point
 };
 
-/// Every event of a point happens once: a buffer of this size, reserved before the first step, never grows during one.
+/// Size of the buffer of events, reserved before the first step. It never grows in a step, as each event of a point occurs once.
 inline constexpr std::size_t max_events_per_chunk = 5UL * 2 * contacts_per_chunk;
 
 /// Energies summed over the contacts of a chunk since the start, J.
@@ -60,12 +60,13 @@ struct NodeSums {
     using IsSum = void;
 };
 
-/// Thermal work on a chunk of elements. Temperature acts as a generalised displacement; its conjugate force is ∂W/∂T.
+/// Thermal work on a chunk of elements. The temperature acts as a generalised displacement with the conjugate force ∂W/∂T, where
+/// W is the stored energy.
 struct ThermalState {
-    double temperature = 0;  ///< K
-    double force = 0;        ///< Σ V ∂W/∂T, of the stored energy W: −σ : ∂ε0/∂T and what is across the plane, J/K
-    double work = 0;         ///< of the temperature since the start, over the mean of the forces before and after a step, J
-    /// Goes to a temperature at which the force is another.
+    double temperature = 0;  ///< above the state without stress, K
+    double force = 0;  ///< Σ V ∂W/∂T, which is −σ : ∂ε0/∂T per volume in the plane, and the part across it, J/K
+    double work = 0;   ///< of the temperature since the start, with the mean force of each step, J
+    /// Moves to a temperature and to the force at it.
     void go_to(double new_temperature, double new_force) {
         work += 0.5 * (force + new_force) * (new_temperature - temperature);
         temperature = new_temperature;
@@ -73,8 +74,8 @@ struct ThermalState {
     }
 };
 
-/// Histories of contact points beyond what `State` keeps in arrays. They exist for chunks of contacts of which a point has needed
-/// the full law; all other points have the history of a new contact.
+/// The parts of the histories of contact points that `State` does not store in arrays. A chunk of contacts has histories once one
+/// of its points has needed the full law; all other points have the history of a new contact.
 class PointHistories {
 public:
     PointHistories() = default;
@@ -87,7 +88,7 @@ public:
         const auto& chunk = chunks_[point / points_per_chunk];
         return chunk.empty() ? new_contact_ : chunk[point % points_per_chunk];
     }
-    /// To be written to, by the thread that works on the chunk.
+    /// The history of a point to be changed, by the thread that works on its chunk.
     ContactHistory& of(std::size_t point) {
         auto& chunk = chunks_[point / points_per_chunk];
         if (chunk.empty()) chunk.resize(points_per_chunk);
@@ -113,33 +114,33 @@ struct State {
     std::vector<Vector2> damping_force;     ///< [n] N, scratch of integration with mass scaling and of measurements
     std::vector<std::uint8_t> near_platen;  ///< [n] 1 + the platen within `platen_reach` of it, else 0; scratch of the node stage
     std::vector<double> contact_force;      ///< slots (`slot_of`), N, at `time`
-    std::vector<double> element_force;      ///< slots (`element_slot_of`), N, at `time`; found anew wherever steps begin
-    std::vector<double> opening;            ///< [2 c] over the strength factor of the contact, m, at `time`; as all motions here
-    std::vector<double> sliding;            ///< [2 c] likewise
-    std::vector<double> integrity;          ///< [2 c] β of each point; stays 1 if the law has none
+    std::vector<double> element_force;      ///< slots (`element_slot_of`), N, at `time`; recomputed before the first step
+    std::vector<double> opening;            ///< [2 c] m at `time`; as all motions here, over the strength factor of the contact
+    std::vector<double> sliding;            ///< [2 c] m at `time`
+    std::vector<double> integrity;          ///< [2 c] β of each point; 1 throughout if the law has none
     std::vector<double> slip;               ///< [2 c] frictional slip of each point, m
     std::vector<std::uint8_t> failed;       ///< [2 c] 1 once the point has passed its peak
-    std::vector<std::uint8_t> residual;     ///< [2 c] 1 once nothing but friction is left (`is_residual`)
+    std::vector<std::uint8_t> residual;     ///< [2 c] 1 once the point has friction only (`is_residual`)
     std::vector<double> next_level;       ///< [2 c] the first of `damage_levels` that the point has not fallen below; 0 if broken
-    PointHistories points;                ///< [2 c] the rest of their histories; see `point_history`
-    std::vector<double> fracture_energy;  ///< [2 c] J dissipated by each point so far
+    PointHistories points;                ///< [2 c] the other parts of the histories of points; see `point_history`
+    std::vector<double> fracture_energy;  ///< [2 c] energy dissipated by each point so far, J
     ContactPairList contact_pairs;
-    std::vector<double> worn;  ///< [n] slip of the node–edge contacts of a node since the start, m; empty where no face wears
+    std::vector<double> worn;  ///< [n] slip of the node–edge contacts of a node since the start, m; empty if no face wears
     std::vector<PlatenPoint> platen_points;
     std::vector<NodeSums> node_sums;                ///< by chunk of nodes
     std::vector<ContactSums> contact_sums;          ///< by chunk of contacts
     std::vector<std::vector<ContactEvent>> events;  ///< by chunk of contacts, since last collected; see `max_events_per_chunk`
-    std::vector<ThermalState> thermal;              ///< by chunk of elements; none where there is no temperature
-    std::vector<double> strain_origin;  ///< strains of the three gauges from which they count: none, or since platens were placed
+    std::vector<ThermalState> thermal;              ///< by chunk of elements; empty without a temperature
+    std::vector<double> strain_origin;  ///< strains of the three gauges when platens were placed on a heated specimen; else empty
     std::vector<double> energy_origin;  ///< likewise the stored energy, the error of the balance and the external work, J
     StepLoading loading;                ///< at `time`
     ClusterState clusters;              ///< with mass scaling
     PrescribedState prescribed;
     DampingLoad damping_load;
-    std::shared_ptr<const GhostNodes> ghosts;  ///< nodes of other ranks that this one reads; none for a rank alone
+    std::shared_ptr<const GhostNodes> ghosts;  ///< nodes of other ranks that this rank reads; null for a single rank
 };
 
-/// What an array of a state has values of. Its length follows from it, and which rank's values count.
+/// The entities of which an array of a state has values. They determine its length and the ranks whose values count.
 enum class ArrayOf : std::uint8_t {
     nodes,
     points,  ///< of contacts, two each
@@ -147,20 +148,20 @@ enum class ArrayOf : std::uint8_t {
     element_slots,
     node_chunks,
     contact_chunks,
-    // Of a length that is found later:
+    // The length of these is known later:
     nodes_once_found,
     node_chunks_once_found,
     element_chunks,
     clusters,
     platen_points,
     pairs,      ///< of the contact pair list
-    everywhere  ///< every rank has them all
+    everywhere  ///< every rank has all values
 };
-/// The name of an array that is scratch, or found anew wherever steps begin: it is not saved.
+/// Name of an array that is not saved: it is scratch, or recomputed before the first step.
 inline constexpr const char* not_saved = "";
 
-/// Calls `visit(name, what it is of, array)` with each array of a state. From this list they are allocated, gathered from ranks,
-/// saved and restored, in this order. The thermal ones are those of a state that has a temperature.
+/// Calls `visit(name, entities, array)` with each array of a state. Arrays are allocated, gathered from ranks, saved and restored
+/// by this list and in its order. A state without a temperature has no thermal arrays.
 template <class AnyState, class Visit>
 void visit_arrays(AnyState& s, Visit&& visit) {
     using enum ArrayOf;
@@ -205,7 +206,7 @@ void visit_arrays(AnyState& s, Visit&& visit) {
     visit("energy_origin", everywhere, s.energy_origin);
 }
 
-/// Sends displacements and velocities to the ranks that read them; waits for those that this rank reads.
+/// Sends displacements and velocities to the ranks that read them; `receive_motion` waits for those that this rank reads.
 inline void send_motion(const State& s) {
     s.ghosts->start([&s](std::int32_t i) {
         return std::array{s.displacement[i].x, s.displacement[i].y, s.velocity[i].x, s.velocity[i].y};
@@ -218,7 +219,7 @@ inline void receive_motion(State& s) {
     });
 }
 
-/// Indices of the two points of the contact at a place.
+/// Indices of the two points of a contact.
 constexpr std::array<std::size_t, 2> points_of(std::int32_t contact) {
     return {2 * static_cast<std::size_t>(contact), 2 * static_cast<std::size_t>(contact) + 1};
 }
@@ -228,7 +229,7 @@ inline double time_of(const State& state, std::int64_t step, double time_step) {
     return state.origin_time + static_cast<double>(step - state.origin_step) * time_step;
 }
 
-/// History of contact point 2 c + p. (Inlined always, as `store_point`: both are called for every point that takes the full law.)
+/// History of contact point 2 c + p. It is always inlined, as is `store_point`: both run for every point that needs the full law.
 GRAINCRACK_INLINE ContactHistory point_history(const State& state, std::size_t point) {
     ContactHistory history = state.points[point];
     history.motion = {state.opening[point], state.sliding[point]};
@@ -236,7 +237,7 @@ GRAINCRACK_INLINE ContactHistory point_history(const State& state, std::size_t p
     history.slip = state.slip[point];
     return history;
 }
-/// Makes `history` that of contact point 2 c + p. \param is_residual what its law says of it
+/// Stores the history of contact point 2 c + p. \param is_residual the result of its law's `is_residual`
 GRAINCRACK_INLINE void store_point(const ContactHistory& history, bool is_residual, std::size_t point, State& state) {
     state.points.of(point) = history;
     state.opening[point] = history.motion.opening;
@@ -247,10 +248,10 @@ GRAINCRACK_INLINE void store_point(const ContactHistory& history, bool is_residu
     state.residual[point] = is_residual ? 1 : 0;
 }
 
-/// The state at rest; pre-existing cracks start broken.
+/// Returns the state at rest, in which pre-existing cracks are broken.
 State make_state(const Assemblage& assemblage, const Boundary& boundary, const Specimen& specimen);
 
-/// Gives a specimen a temperature, that of the state without stress unless it has one.
+/// Gives a state a temperature, 0 K above the state without stress unless it has one already.
 inline void take_temperature(const Assemblage& a, State& s) { s.thermal.resize(a.element_chunks.size()); }
 
 /// Strain and stress of an element at the present displacements, without a temperature.
@@ -259,7 +260,7 @@ inline TriangleState cold_element_state(const Assemblage& a, std::size_t e, cons
     return triangle_state(a.element_geometry[e], a.elasticity[e], s.displacement[n1] - s.displacement[n0],
                           s.displacement[n2] - s.displacement[n0]);
 }
-/// The same at the present temperature.
+/// Strain and stress of an element at the present displacements and temperature.
 inline TriangleState element_state(const Assemblage& a, std::size_t e, const State& s) {
     if (s.thermal.empty()) return cold_element_state(a, e, s);
     const auto [n0, n1, n2] = a.element_nodes[e];
@@ -268,7 +269,7 @@ inline TriangleState element_state(const Assemblage& a, std::size_t e, const Sta
                           s.displacement[n1] - s.displacement[n0], s.displacement[n2] - s.displacement[n0],
                           free_strain(warmth.across, warmth.more_along, a.expansion.axis[e]));
 }
-/// Stress in the present directions: xx yy xy zz, Pa.
+/// Stress of an element in the present directions: xx yy xy zz, Pa.
 inline std::array<double, 4> element_stress(const Assemblage& a, std::size_t e, const State& s) {
     std::array<double, 4> stress = triangle_stress(a.elasticity[e], element_state(a, e, s));
     if (!s.thermal.empty()) stress[3] -= a.expansion.of_element(e, s.loading.temperature).stress_zz;

@@ -10,11 +10,11 @@ namespace {
 static_assert(2 * nodes_per_chunk % sum_lanes == 0);
 static_assert(sizeof(Vector2) == 2 * sizeof(double));
 
-/// Components of vectors that follow each other, x and y in turn.
+/// The components of successive vectors, x and y in turn.
 const double* components(const Vector2& first) { return &first.x; }
 double* components(Vector2& first) { return &first.x; }
 
-/// The nodes of a chunk, x and y in turn.
+/// Arrays of the nodes of a chunk, x and y in turn.
 struct Nodes {
     const double *force, *last_force, *velocity, *mass, *inverse_mass;
 };
@@ -33,15 +33,15 @@ struct Means {
     alignas(64) double relative[size];  ///< mean of the damping forces of the relative motion, per mass
 };
 
-/// The values found for each node of a chunk, x and y in turn.
+/// Results for the nodes of a chunk, x and y in turn.
 struct NodeLanes {
     static constexpr std::int32_t size = 2 * nodes_per_chunk;
     alignas(64) double relative_damping[size];  ///< damping force of the relative motion, of which the mean is to be subtracted
     alignas(64) double new_velocity[size];
-    alignas(64) double power[size];  ///< twice that of damping, W
+    alignas(64) double power[size];  ///< twice the power of damping, W
 };
 
-/// The rows of a chunk, of components counted from its first.
+/// The rows of a chunk, as ranges of components counted from the first of the chunk.
 struct Rows {
     const Range* rows;
     std::int32_t count, first_node;
@@ -67,7 +67,7 @@ GRAINCRACK_INLINE void add_motions(std::int32_t size, const double* force, const
     }
 }
 
-/// Mean acceleration, its change and mean velocity of clusters.
+/// Computes the mean acceleration of clusters, its change in a step, and their mean velocity.
 GRAINCRACK_INLINE void find_means(const Rows& rows, const Nodes& of_chunk, std::int32_t count, Means& means) {
     const Nodes nodes = of_chunk;  // a copy that no store can change
     for (std::int32_t k = 0; k < count; ++k) means.acceleration[k] = means.change[k] = means.velocity[k] = 0;
@@ -95,7 +95,7 @@ GRAINCRACK_INLINE void damp_relative_motion(std::int32_t size, const Damping& da
     }
 }
 
-/// Damping forces of the mean motions of clusters and of the relative motions of their nodes.
+/// Computes the damping forces of the mean motions of clusters and of the relative motions of their nodes.
 GRAINCRACK_INLINE void find_damping_forces(const Rows& rows, const Nodes& of_chunk, const Damping& shares, std::int32_t count,
                                            Means& means, NodeLanes& b) {
     const Nodes nodes = of_chunk;
@@ -112,7 +112,7 @@ GRAINCRACK_INLINE void find_damping_forces(const Rows& rows, const Nodes& of_chu
     }
 }
 
-/// The damping force of a component of a node: of the mean motion and of the relative one.
+/// The damping force on a component of a node, of the mean and of the relative motion.
 GRAINCRACK_INLINE double whole_damping(const Means& means, std::int32_t k, double mass, double relative_damping) {
     return relative_damping + mass * (means.damping[k] - means.relative[k]);
 }
@@ -122,8 +122,8 @@ void set_mean(double* values, std::int32_t cluster, const Vector2& mean) {
     values[2 * cluster + 1] = mean.y;
 }
 
-/// Damping forces and mean motions of a chunk. The mean motion of a cluster that a platen constrains is the platen's, and is not
-/// damped.
+/// Computes damping forces and mean motions of a chunk. A cluster that a platen constrains has the mean motion of the platen,
+/// which is not damped.
 void damp(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index, const State& s,
           Means& means, NodeLanes& b) {
     const NodeChunk& chunk = a.node_chunks[index];
@@ -166,7 +166,7 @@ GRAINCRACK_INLINE double accelerate(const Rows& rows, const Nodes& of_chunk, dou
     return -sum_values_by_lanes(n_components, b.power);
 }
 
-/// v and F of the step become those of the step before, u += Δt v.
+/// Stores the new velocities and the forces of the step, and moves the nodes: u += Δt v.
 GRAINCRACK_INLINE void move(const double* force, const NodeLanes& b, double time_step, std::int32_t n_components,
                             double* __restrict last_force, double* __restrict velocity, double* __restrict displacement) {
     for (std::int32_t i = 0; i < n_components; ++i) {

@@ -1,4 +1,4 @@
-// The cluster stage of a step with mass scaling: damping and integration.
+// Damps and integrates clusters of nodes in a step with mass scaling.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace graincrack {
 
-/// Damping of the clusters of a chunk, into `state.damping_force`: of the mean motion of each cluster by the force
-/// on the whole cluster, and of the relative motion of each node by the rest of its force. (Contact forces are large against
-/// the force on the cluster; if every node were damped by its own force they would disturb the mean motion.)
+/// Computes the damping forces of the clusters of a chunk into `state.damping_force` (N). The mean motion of a cluster is damped
+/// by the force on the whole cluster, the relative motion of each node by the rest of its force. Contact forces are large against
+/// the force on the cluster and would disturb its mean motion if every node were damped by its own force.
 void damp_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading, std::int32_t chunk,
                    State& state);
 
-/// Damps and integrates the nodes of a chunk: v += Δt M'⁻¹ (F + Fd), u += Δt v.
+/// Damps and integrates the nodes of a chunk: v += Δt M'⁻¹ (F + Fd), u += Δt v, where M' is the scaled mass matrix and Fd are the
+/// damping forces. Adds the energy that damping absorbs and the work of platens on added mass to the sums of the chunk.
 void integrate_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
                         std::int32_t chunk, State& state);
 
