@@ -34,8 +34,8 @@ constexpr std::size_t last_areas = 8;  ///< of each zone: they fill what the oth
 
 constexpr std::int64_t max_crystals = 1'000'000;
 constexpr double max_elements = 15e6;
-/// Default side of elements over the edge of crystals. Chosen by trial (after 0.5 and 0.38): a crystal has about seven elements,
-/// eight at a spread of 0.6.
+/// Default side of elements over the edge of crystals. Chosen by trial (after 0.5, 0.38): about seven elements a crystal, eight
+/// at spread 0.6.
 constexpr double element_over_edge = 0.36;
 
 constexpr int most_attempts = 12;  ///< at cells between walls

@@ -1,5 +1,5 @@
-// The decisions of a calibration: a pure function of targets, parameters and finished runs. Called again when the runs that it
-// requested are finished, it takes the same decisions and goes on; nothing is remembered but runs.
+// Takes the decisions of a calibration as a pure function of targets, parameters and finished runs. When the requested runs are
+// finished, the next call repeats the same decisions and continues; no state is stored besides the runs.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace graincrack::calibrate {
 
-/// A decision and the numbers that it used, for the report.
+/// A decision with the numbers that it used, for the report.
 struct Step {
     std::string stage;
     std::string what;
@@ -20,8 +20,8 @@ struct Step {
 };
 
 struct Decision : Ended {
-    std::vector<RequestedRun> requested;  ///< none twice, none that is finished
-    Point point;                          ///< calibrated, else the nearest so far
+    std::vector<RequestedRun> requested;  ///< runs that are missing, each once
+    Point point;                          ///< the calibrated point, else the nearest so far
     std::optional<Fit> fit;
     std::vector<Outcome> outcomes;
     std::vector<Step> steps;
@@ -32,12 +32,14 @@ struct Problem {
     std::vector<Target> targets;
     std::vector<Parameter> parameters;
     Study study;
-    double young_modulus = 0;  ///< of the rock, Pa: first guess of that of the grains
-    double poisson_ratio = 0;
-    std::shared_ptr<const KindSurface> kind = {};  ///< of the rock; null: designs of its own are needed
-    Material rock = {};                            ///< whose contacts the parameters change
+    double young_modulus = 0;  ///< of the rock, Pa; the first guess for the grains
+    double poisson_ratio = 0;  ///< of the rock; the first guess for the grains
+    std::shared_ptr<const KindSurface> kind =
+        {};              ///< response surface of the rock type; null if the rock needs designs of its own
+    Material rock = {};  ///< the parameters change its contacts
 };
 
+/// Decides which runs are needed next or how the calibration ends. \param find finished runs
 Decision decide(const Problem& problem, const FindRun& find);
 
 }  // namespace graincrack::calibrate

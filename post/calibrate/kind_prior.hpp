@@ -1,4 +1,4 @@
-// Surfaces of a kind of rock over the parameters of a calibration.
+// The response surfaces of a rock type, as functions of the parameters of a calibration.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,20 @@
 
 namespace graincrack::calibrate {
 
-/// What a kind says of the responses of a rock whose contacts some parameters change.
+/// The prior that a rock type gives for the responses of a rock whose contacts some parameters change.
 class KindPrior {
 public:
-    /// \param kind null: there is none
+    /// \param kind surface of the rock type; null if there is none
     KindPrior(std::shared_ptr<const KindSurface> kind, const Material& rock, const std::vector<Parameter>& parameters,
               const Study& study);
 
-    /// Why the kind does not tell all fitted targets; "" if it does.
+    /// Says why the rock type does not predict all fitted targets; "" if it does.
     [[nodiscard]] std::string lacks(const std::vector<Target>& targets) const;
-    /// Empty if the kind has no model of the target, or none of its specimen.
+    /// The surface of a target; empty if the rock type has no model of it for the specimens of the study.
     [[nodiscard]] std::optional<LocalSurface> surface(const Target& target) const;
-    /// The limits of parameters within which the kind is known. \pre `lacks` nothing
+    /// The parameters within the design of the rock type. \pre `lacks` is ""
     [[nodiscard]] const Box& box() const { return box_; }
-    /// True if a coordinate at an edge of the box could go on, were the kind known there.
+    /// True if a coordinate lies at an edge of the box that the design sets, not the limits of the parameter.
     [[nodiscard]] bool ends_at(const DesignPoint& point) const;
 
 private:
@@ -35,10 +35,10 @@ private:
     std::shared_ptr<const KindSurface> kind_;
     const Study& study_;
     std::shared_ptr<Changed> changed_;
-    std::string unknown_;  ///< the first parameter that the kind does not know
+    std::string unknown_;  ///< the first parameter that the surface does not have
     Box box_;
     Box limits_;
-    KindCoordinates first_;  ///< of the first guess
+    KindCoordinates first_;  ///< coordinates of the first guess
 };
 
 }  // namespace graincrack::calibrate

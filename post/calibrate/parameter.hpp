@@ -1,4 +1,4 @@
-// Calibration parameters: what a calibration may change of a material, each with its box, first guess and source.
+// Calibration parameters: the values of a material that a calibration may change, each with its box, first guess and source.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +13,12 @@
 
 namespace graincrack::calibrate {
 
-/// A coordinate for each parameter, 0 in the middle and ±1 at the edges of the first box, so that coordinates stay the same when
-/// a box moves or becomes smaller.
+/// One coordinate per parameter, 0 at the centre and ±1 at the edges of the first box. A box that moves or shrinks keeps them.
 using DesignPoint = Eigen::VectorXd;
 
 struct Box {
     DesignPoint centre;
-    DesignPoint half;  ///< of the widths
+    DesignPoint half;  ///< half of the widths
 
     [[nodiscard]] Eigen::Index size() const { return centre.size(); }
     /// Coordinates that are ±1 at the edges of this box.
@@ -28,16 +27,16 @@ struct Box {
     [[nodiscard]] DesignPoint nearest(const DesignPoint& point) const {
         return point.cwiseMax(centre - half).cwiseMin(centre + half);
     }
-    /// The box about another centre, so many times as wide, moved or cut where it would leave the limits.
+    /// A box about another centre, `times` as wide, moved or cut where it would leave the limits.
     [[nodiscard]] Box about(const DesignPoint& at, double times, const Box& limits) const;
 };
 
-/// The box that both corners span.
+/// The box with these opposite corners.
 Box box_between(const DesignPoint& low, const DesignPoint& high);
 /// The smallest box that holds two boxes.
 Box hull(const Box& a, const Box& b);
 
-/// Points first, first + 1, … of the sequence of Sobol' in a box. They fill it evenly, however many there are.
+/// Points first, first + 1, … of the sequence of Sobol' in a box, which any number of points fill evenly.
 /// \pre at most 40 parameters
 std::vector<DesignPoint> sobol_points(const Box& box, std::size_t first, std::size_t n);
 
@@ -49,42 +48,41 @@ struct Parameter {
     bool logarithmic = true;
     double low = 0;  ///< edges of the first box, SI
     double high = 0;
-    double least = 0;  ///< limits of boxes that move
+    double least = 0;  ///< limits of boxes that move, SI
     double most = 0;
-    double first = 0;         ///< guess
-    std::string source = {};  ///< of first guess and box, in words
+    double first = 0;         ///< first guess, SI
+    std::string source = {};  ///< source of first guess and box, in words
 
     [[nodiscard]] double coordinate(double value) const;
     [[nodiscard]] double value(double coordinate) const;
-    /// d coordinate / d ln value.
+    /// The derivative d coordinate / d ln value.
     [[nodiscard]] double coordinate_by_log(double value) const;
 };
 
-/// The rows of [parameters]; without that table those that the law of the material has by default. Crystals that break whose
-/// cohesion is by [ratios] have that ratio instead of the cohesion. A key of a material that has no default box needs low and
-/// high. \param edge mean grain edge, m
-/// \throws InputError naming file and key of what is wrong
+/// Reads the rows of [parameters]; without that table, the default parameters of the material's law. If crystals can break and
+/// [ratios] sets their cohesion, its ratio is the parameter instead. A key without a default box needs low and high.
+/// \param edge mean grain edge, m \throws InputError that names file and key of what is wrong
 std::vector<Parameter> parameters_of(const Material& rock, const TomlFile& file, double edge);
 
-/// The limits of all boxes, the first guess, and the values at a design point.
+/// The limits of all boxes, the first guess, and the values at a design point (SI).
 Box limits_of(const std::vector<Parameter>& parameters);
 DesignPoint first_guess(const std::vector<Parameter>& parameters);
 Point point_at(const std::vector<Parameter>& parameters, const DesignPoint& at);
 
-/// The unit in which files and reports show the values of a key, and its value in SI.
+/// The unit of a key in files and reports, and its value in SI.
 struct DisplayUnit {
     const char* symbol;
     double si;
 };
 DisplayUnit display_unit(const std::string& key);
-/// A value in that unit, to six digits: "38.2MPa", "38.2 MPa" with a space between.
+/// A value (SI) in that unit, with six digits: "38.2MPa", or "38.2 MPa" with a space between.
 std::string value_text(const std::string& key, double value, const char* between = "");
-/// A value in that unit, and the name of its column in tables: "contact.cohesion_MPa".
+/// A value (SI) as a number in that unit, and the name of its column in tables: "contact.cohesion_MPa".
 double in_unit(const std::string& key, double value);
 std::string column_of(const std::string& key);
 /// The settings of a material file for a point.
 std::vector<MaterialSetting> settings_of(const Point& point);
-/// "contact.cohesion 38.2 MPa, …"
+/// A point in words: "contact.cohesion 38.2 MPa, …".
 std::string label_of(const Point& point);
 
 }  // namespace graincrack::calibrate

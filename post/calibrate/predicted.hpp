@@ -1,4 +1,4 @@
-// [predicted] of a calibrated material: what new specimens have by its kind and by the runs of its calibration.
+// The table [predicted] of a calibrated material: predictions for new specimens from rock type and calibration runs.
 #pragma once
 
 #include <map>
@@ -11,11 +11,11 @@
 
 namespace graincrack::calibrate {
 
-/// The text of a material file with predictions in place of earlier ones. \param at the material that the file has
+/// Returns the text of a material file with these predictions in place of earlier ones. \param at the material of the file
 std::string with_predictions(const std::string& text, const Material& at, const std::vector<Prediction>& predictions);
 
-/// Predictions of new specimens that the file of a material has, by the name of their target, without `mean_deviation`; none if
-/// contacts or grains are others by now.
+/// Returns the predictions for new specimens in the file of a material, by the names of their targets; `mean_deviation` is not
+/// set. Empty if contacts or grains have changed since the calibration.
 std::map<std::string, KindPrediction> predictions_in(const Material& material);
 
 }  // namespace graincrack::calibrate

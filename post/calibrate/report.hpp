@@ -1,4 +1,4 @@
-// What a calibration has come to: report.md, its tables, and for programs outcome.json (share/doc/tables.md).
+// Writes the results of a calibration: report.md, its tables, and outcome.json for programs (share/doc/tables.md).
 #pragma once
 
 #include <cstddef>
@@ -17,37 +17,38 @@ struct Sensitivity {
     Estimate exponent;      ///< at the optimum, with its 95 % interval
 };
 
-/// What kind and runs expect of a response, SI.
+/// The prediction of a response by rock type and runs, SI.
 struct Prediction {
     Target target;
-    Estimate half_of_specimens;  ///< of new specimens at the values found, 50 %
-    Estimate specimen;           ///< the same, 95 %
-    Estimate rock;               ///< of the mean of the rock, whose values are not known better than the targets tell, 95 %
+    Estimate half_of_specimens;  ///< 50 % interval of new specimens at the calibrated values
+    Estimate specimen;           ///< 95 % interval of the same
+    Estimate rock;               ///< 95 % interval of the mean of the rock, with the uncertainty of its values given the targets
 };
 std::vector<Prediction> predictions_of(const Fit& fit, const Draws& draws);
 
-/// All that is told of a calibration.
+/// The contents of all reports of a calibration.
 struct Findings {
-    const Material& rock;  ///< as it was given
+    const Material& rock;  ///< the material that was given
     const Problem& problem;
     const Decision& decision;
-    std::size_t n_runs = 0;                       ///< that are finished
-    std::vector<Sensitivity> sensitivities = {};  ///< of all pairs that have a surface, response by response; in the end
-    std::optional<Draws> draws = {};              ///< 400 of the values and of all responses that the kind knows; in the end
-    std::vector<Prediction> predictions = {};     ///< by these
+    std::size_t n_runs = 0;                       ///< number of finished runs
+    std::vector<Sensitivity> sensitivities = {};  ///< of all pairs with a surface, by response; empty until the end
+    std::optional<Draws> draws = {};              ///< 400 posterior samples of values and responses; empty until the end
+    std::vector<Prediction> predictions = {};     ///< from the posterior samples
 };
 Findings findings_of(const Material& rock, const Problem& problem, const Decision& decision, std::size_t n_runs);
 
 /// The table identify.tsv: response, parameter, exponent, exponent_low, exponent_high.
 std::string identify_table(const std::vector<Sensitivity>& sensitivities);
-/// The table draws.tsv: a row a draw, with values in the units of reports and the mean of each property. \pre draws
+/// The table draws.tsv: one row per posterior sample, with values in the units of reports and the mean of each property.
+/// \pre the findings have draws
 std::string draws_table(const Findings& findings);
-/// \param at the rock with the values found, if there are any
+/// The text of report.md. \param at the rock with the calibrated values, if there are any
 std::string report_text(const Findings& findings, const std::optional<Material>& at);
-/// \param files the names of the files written beside it, by what they are
+/// The text of outcome.json. \param files names of the other files, by their subjects
 std::string outcome_text(const Findings& findings, const std::map<std::string, std::string>& files);
 
-/// "25.8 (25.5 to 26.1)"
+/// An estimate with its interval in a unit of this value in SI: "25.8 (25.5 to 26.1)".
 std::string with_interval(const Estimate& estimate, double si);
 
 }  // namespace graincrack::calibrate

@@ -1,4 +1,4 @@
-// The section of a report that compares its runs with the laboratory.
+// Writes the section of a report that compares its runs with the laboratory.
 #pragma once
 
 #include <string>
@@ -9,15 +9,13 @@
 
 namespace graincrack {
 
-/// The table property, laboratory, computed, difference, agreement, origin, kind; a row for each group of runs that has the
-/// property. Properties of the laboratory without a test among the runs are "not tested". Below,
-/// [fitted] of the material. \param envelopes of the fabrics that have one \param caveats paragraphs for below
-/// the table
+/// Returns a table with the columns property, laboratory, computed, difference, agreement, origin and kind, and one row per group
+/// of runs that has the property. Laboratory properties without a test among the runs are "not tested". The table [fitted] of the
+/// material follows. \param envelopes those of the fabrics, if they have one \param caveats paragraphs below the table
 std::string comparison(const std::vector<SeedGroup>& groups, const std::vector<FabricEnvelope>& envelopes,
                        const std::optional<Material>& material, const std::string& caveats = "");
 
-/// [fitted] as a table: property, fitted to, computed on new specimens, 95 % interval, number of specimens. Empty without
-/// [fitted].
+/// Returns [fitted] as a table: property, fitted to, computed on new specimens, 95 % interval, specimens; "" without it.
 std::string fitted_table(const std::optional<Material>& material);
 
 }  // namespace graincrack

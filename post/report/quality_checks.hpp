@@ -1,4 +1,4 @@
-// The quality checks of a report: whether the strengths of its runs can be relied on.
+// Writes the quality checks of a report, which tell whether the strengths of its runs are reliable.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace graincrack {
 
-/// Checks of each run side by side, of many runs by test with the range over its seeds, and what holds for all as text.
+/// Returns a table with the checks of each run side by side or, for many runs, of each test with the range over its seeds. Checks
+/// with one result for all runs are text.
 std::string quality_checks(const std::vector<TestReport>& tests);
 
 }  // namespace graincrack

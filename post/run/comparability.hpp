@@ -73,7 +73,7 @@ void require_comparable(const std::vector<RunData>& runs, const std::string& wha
 /// True if two files are of one test of one specimen: all settings that determine results agree, with seeds and ends.
 bool is_same_run(const RunData& a, const RunData& b);
 /// The indices of the runs with each test of a specimen once, from the file that followed it furthest. \param diagnostics gets a
-/// line for each file that is left out
+/// line per file left out
 std::vector<std::size_t> once_each(const RunList& runs, const std::string& command, std::ostream& diagnostics);
 /// Reads runs, each test of a specimen once. \throws InputError if a file cannot be read
 std::vector<RunData> read_once_each(const std::vector<std::string>& paths, const std::string& command, std::ostream& diagnostics);

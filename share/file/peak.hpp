@@ -49,8 +49,8 @@ inline constexpr double smoothing_strain = 5e-5;
 /// Fall behind a maximum, as a fraction of σ1 − σ3 there, that makes it a peak. Chosen by trial; not varied since.
 inline constexpr double peak_fall = 0.05;
 
-/// Axial stress, over the tensile strength, up to which a specimen that heat has cracked may settle between the platens. Chosen
-/// by trial; not varied since.
+/// Axial stress, over the tensile strength, up to which a heated specimen may settle between platens. Chosen by trial; not varied
+/// since.
 inline constexpr double settling_load = 0.3;
 /// While the cracks of a heated specimen close and its rough faces settle, the stress falls and then rises beyond its former
 /// value. Measured: a fall of 23 % that was exceeded within 1.21 times the strain (100 crystals at 250 K, temperature.md). The

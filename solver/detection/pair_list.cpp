@@ -119,8 +119,7 @@ void search(const Assemblage& a, const ContactLaws& laws, State& s) {
     list.displacement_at_search = s.displacement;
 }
 
-/// Distance that a node has to move along an edge to lie over it, but for `inset` (of its length) at either end, m; at most 0 if
-/// it lies there.
+/// Distance that a node has to move along an edge to lie over it but for `inset` (of its length) at its ends, m; at most 0 there.
 double distance_along(const PairGeometry& g, double inset) {
     return std::max(inset - g.place, g.place - (1 - inset)) / g.inv_length;
 }
@@ -271,8 +270,8 @@ void transfer_to_pairs(const Assemblage& a, const ContactLaws& laws, const std::
     for (const ReleasedContact& h : carried) {
         const ContactGeometry& contact = a.contacts[h.contact];
         if (!a.part.owns(contact.nodes[h.point]) && !a.part.owns(contact.nodes[2 + h.point])) continue;
-        // Of the two nodes of the point, the one over the edge of the other grain is chosen; if both are, the one farther from
-        // the ends of its edge.
+        // Of the two nodes of the point, the one over the edge of the other grain is chosen; of both, the one farther from the
+        // ends.
         std::ptrdiff_t best = -1;
         double inside = -std::numeric_limits<double>::max();
         double depth = 0, place = 0;

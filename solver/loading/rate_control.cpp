@@ -15,8 +15,7 @@ constexpr double max_inertia = 0.1;        // largest limit of the first two mea
 // Largest relative rise of the strain in a transit near failure. Fitted: first peaks at 8 MPa of six specimens were 1.0 ± 0.8 %
 // too high against a quarter of the speed, with 0.06 throughout 4.3 ± 1.0 % (share/studies/equilibrium).
 constexpr double damage_rise = 0.015;
-// The same while failure involves little of the section. Measured: it changes those first peaks by +0.1 ± 0.3 %, saves 15 to 35 %
-// of the steps.
+// The same while failure involves little of the section. Measured: first peaks change by +0.1 ± 0.3 %, steps by −15 to −35 %.
 constexpr double elastic_rise = 0.06;
 constexpr double first_damage = 0.1;   // from this `near_failure` on `damage_rise` holds
 constexpr double follow_transits = 4;  // transits in which the speed changes at most e-fold

@@ -97,8 +97,8 @@ struct HeatingScales {
     double least_change = 0;  ///< lower bound of the change in all rules, as thermal stress is negligible below it, K
     double least_force = 0;   ///< Σ |force of the elements on a node| at `least_change`, N
     double least_energy = 1;  ///< stored energy at `least_change`, J
-    /// The unbalanced ratio with element forces of at least `least_force`: a single mineral that expands freely has the forces
-    /// of waves only.
+    /// The unbalanced ratio with element forces of at least `least_force`: a mineral that expands freely has forces of waves
+    /// only.
     [[nodiscard]] double loaded(const Feedback& now) const {
         return now.unbalanced_ratio * std::min(1.0, now.element_force / least_force);
     }

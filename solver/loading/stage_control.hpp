@@ -56,8 +56,7 @@ public:
 
     /// Begins the program, with its first row.
     void begin(const Feedback& feedback);
-    /// Takes a new row and ends the stage if a condition for its end holds. \throws NumericalError if the stage must end by
-    /// another
+    /// Takes a new row and ends the stage if a condition for its end holds. \throws NumericalError for a wrong end
     void check_stage_end(const Feedback& feedback, const Rows& rows);
     /// Starts the next stage, if there is one. It is called once the platens are at their places in that stage.
     void start_next(const Rows& rows);
@@ -90,8 +89,8 @@ public:
 private:
     /// Place of the program that sets the present function of an amplitude: the number of a stage, the start, or none.
     static constexpr int nowhere = -2, at_start = -1;
-    /// Calls `act(condition, action, amplitude)` with the indices of each amplitude. The temperature comes last; its condition
-    /// has the index after all others.
+    /// Calls `act(condition, action, amplitude)` with the indices of each amplitude. The temperature comes last, with the last
+    /// condition.
     template <class Act>
     void for_each_amplitude(Act&& act) const;
     template <class Self, class Visit>

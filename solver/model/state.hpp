@@ -60,8 +60,8 @@ struct NodeSums {
     using IsSum = void;
 };
 
-/// Thermal work on a chunk of elements. The temperature acts as a generalised displacement with the conjugate force ∂W/∂T, where
-/// W is the stored energy.
+/// Thermal work on a chunk of elements. The temperature acts as a generalised displacement; its conjugate force is ∂W/∂T of the
+/// stored energy W.
 struct ThermalState {
     double temperature = 0;  ///< above the state without stress, K
     double force = 0;  ///< Σ V ∂W/∂T, which is −σ : ∂ε0/∂T per volume in the plane, and the part across it, J/K

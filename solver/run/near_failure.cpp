@@ -22,8 +22,7 @@ constexpr double scattered_fraction = 0.06;
 constexpr double involving_share = 0.5;
 
 /// True if the friction of a point without cohesion lies between half its limit and the limit. At the limit the point bears all
-/// that it can. Both bounds were chosen by trial; with them joints slide at 0.1 to 0.5 % above Jaeger's strength
-/// (share/studies/equilibrium).
+/// that it can. Both bounds were chosen by trial; with them joints slide at 0.1 to 0.5 % above Jaeger's strength.
 bool is_near_sliding(double shear, double limit) { return std::abs(shear) >= 0.5 * limit && std::abs(shear) < 0.999 * limit; }
 
 /// Chains of vertex clusters that contacts near sliding join, each with its bounding rectangle.

@@ -122,8 +122,7 @@ void set_mean(double* values, std::int32_t cluster, const Vector2& mean) {
     values[2 * cluster + 1] = mean.y;
 }
 
-/// Computes damping forces and mean motions of a chunk. A cluster that a platen constrains has the mean motion of the platen,
-/// which is not damped.
+/// Computes damping forces and mean motions of a chunk. Clusters that platens constrain have their motion, which is not damped.
 void damp(const Assemblage& a, const StepParameters& parameters, const StepLoading& loading, std::int32_t index, const State& s,
           Means& means, NodeLanes& b) {
     const NodeChunk& chunk = a.node_chunks[index];
