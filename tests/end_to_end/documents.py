@@ -30,6 +30,7 @@ NOT_HERE = {
     "tests/layout": "is part of tests/rules",
     "tests/benchmark/": "needs a machine that does nothing else",
     "tests/verification_table": "needs the rows of tests/run --all",
+    "make -C share/packaging": "builds the programs a second time: tests/python/wheel_test.py",
     "share/studies/job-array": "needs Slurm: tests/slurm/run",
     "share/studies/large-run": "needs Slurm: tests/slurm/run",
     "sbatch": "needs Slurm: tests/slurm/run",

@@ -23,8 +23,8 @@ void verify(const std::string& name, double measured, double expected, double to
 void verify_between(const std::string& name, double measured, double low, double high, const std::string& source,
                     const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
-/// Writes columns of one length to NAME.csv in the folder named by $GRAINCRACK_VERIFICATION, for the figures of the pages in
-/// share/doc/verification; nothing where the variable is not set.
+/// Writes columns of one length to NAME.csv in the folder named by $GRAINCRACK_VERIFICATION, for the figures of the pages
+/// of share/studies/known-answers; nothing where the variable is not set.
 void record_curves(const std::string& name, const std::vector<std::pair<std::string, std::vector<double>>>& columns);
 
 }  // namespace graincrack::test

@@ -1,22 +1,19 @@
 #!/usr/bin/python3
 """Usage: pages.py [--tests FOLDER] --rows FOLDER --doc FOLDER [PROBLEM...]
+       pages.py --index FILE
 
 Writes the pages of problems.toml, all or those named, to the folder --doc. With --tests it first runs their tests by the programs in that
-folder; their rows and curves go to the folder --rows. Without --tests a page whose tests left no rows there stays as it is.
+folder; their rows and curves go to the folder --rows. Without --tests a page whose tests left no rows there stays as it is. --index writes the
+table of problems anew into the document FILE.
 """
 import argparse
 import csv
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tomllib
-
-import matplotlib
-
-matplotlib.use("Agg")
-sys.dont_write_bytecode = True
-import figures
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -60,11 +57,28 @@ def page(name, problem, rows):
     return "\n".join(lines)
 
 
-def index(problems):
-    lines = ["# Problems with known answers", "", "Each page states a problem and its closed form, shows both and says what the comparison would miss. [Verification](../verification.md)",
-             "has the worst check of each test.", "", "| problem | tests |", "|---|---|"]
-    lines += [f"| [{problem['title']}]({name}.md) | {', '.join(f'`{test}`' for test in problem['tests'])} |" for name, problem in problems.items()]
+def table(problems, link):
+    """Problems with the first formula of each that stands in a line of its own, without spaces that TeX does not need."""
+    lines = ["| problem | closed form | source |", "|---|---|---|"]
+    for name, problem in problems.items():
+        formula = re.search(r"\$\$(.*?)[.,;]?\$\$", problem["theory"], re.S)[1]
+        formula = re.sub(r"(?<![A-Za-z])\s+|\s+(?![A-Za-z])", "", formula)
+        lines.append(f"| {link(name, problem['title'])} | ${formula}$ | {problem['source'].strip().rstrip('.')} |")
     return "\n".join(lines) + "\n"
+
+
+def write_index(problems, document):
+    text = document.read_text()
+    document.write_text(re.sub(r"(^\|.*\n)+", lambda _: table(problems, lambda name, title: f"{title}, `{name}`"), text, count=1, flags=re.M))
+
+
+def draw(name, path, rows, folder):
+    """The figure of a page; an index is made where matplotlib is not installed too."""
+    sys.dont_write_bytecode = True
+    import matplotlib
+    matplotlib.use("Agg")
+    import figures
+    figures.draw(name, path, rows, lambda curve: curves_of(folder, curve))
 
 
 def main():
@@ -73,12 +87,16 @@ def main():
     parser.add_argument("--tests", type=pathlib.Path)
     parser.add_argument("--rows", type=pathlib.Path)
     parser.add_argument("--doc", type=pathlib.Path)
+    parser.add_argument("--index", type=pathlib.Path)
     parser.add_argument("problems", nargs="*")
     options = parser.parse_args()
-    if options.help or not options.rows or not options.doc:
+    if options.help or not options.index and not (options.rows and options.doc):
         print(__doc__.strip(), file=sys.stdout if options.help else sys.stderr)
         return 0 if options.help else 2
     problems = tomllib.loads((HERE / "problems.toml").read_text())
+    if options.index:
+        write_index(problems, options.index)
+        return 0
     for name in options.problems or problems:
         if name not in problems: sys.exit(f"pages: {name}: problems.toml has {', '.join(problems)}")
         problem = problems[name]
@@ -87,10 +105,11 @@ def main():
         if not rows and name in options.problems: sys.exit(f"pages: no rows of {problem['tests']}; run them by --tests, or by tests/run --all")
         if not rows: continue
         options.doc.mkdir(parents=True, exist_ok=True)
-        figures.draw(name, options.doc / f"{name}.png", rows, lambda curve: curves_of(options.rows, curve))
+        draw(name, options.doc / f"{name}.png", rows, options.rows)
         (options.doc / f"{name}.md").write_text(page(name, problem, rows))
         print(options.doc / f"{name}.md")
-    (options.doc / "index.md").write_text(index(problems))
+    head = "# Problems with known answers\n\nEach page states a problem and its closed form, shows both and says what the comparison would miss.\n\n"
+    (options.doc / "index.md").write_text(head + table(problems, lambda name, title: f"[{title}]({name}.md)"))
     return 0
 
 
