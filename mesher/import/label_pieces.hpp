@@ -1,4 +1,4 @@
-// Connected pieces of the pixels of a picture; those too small for a grain join a neighbour.
+// Divides the pixels of a picture into connected pieces; pieces too small for a grain join a neighbour.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@ struct LabelPieces {
     std::vector<int> piece_of_pixel;
     std::vector<int> label_of_piece;
     std::vector<int> pixels_of_piece;
-    int joined = 0;            ///< pieces that were too small
-    int labels_in_pieces = 0;  ///< labels of several pieces
-    int added_by_pieces = 0;   ///< pieces above one a label
+    int joined = 0;            ///< number of pieces that were too small
+    int labels_in_pieces = 0;  ///< number of labels with several pieces
+    int added_by_pieces = 0;   ///< number of pieces beyond one per label
 
     [[nodiscard]] std::size_t size() const { return label_of_piece.size(); }
-    /// The piece of a pixel, −1 outside of the picture.
+    /// The piece of a pixel; −1 outside of the picture.
     [[nodiscard]] int at(int column, int row) const {
         if (column < 0 || row < 0 || column >= width || row >= height) return -1;
         return piece_of_pixel[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
@@ -30,10 +30,10 @@ struct LabelPieces {
 
 inline constexpr std::size_t most_grains = 1'000'000;
 
-/// Divides a picture into pieces of one label. Those of fewer pixels than `smallest_piece` join the neighbour with which they
-/// share most sides of pixels, the smallest first; of several such neighbours the larger, then the one that comes first in the
-/// picture. \throws InputError for a photo, most of whose pixels are in such small pieces of a colour, if more than `most_grains`
-/// are left, or ten times as many are there at first
+/// Divides a picture into pieces of one label. Pieces of fewer than `smallest_piece` pixels join the neighbour with which they
+/// share most sides of pixels, the smallest piece first; of several such neighbours the larger, then the first in the picture.
+/// \throws InputError for a photo, most of whose pixels lie in such small pieces; also if more than `most_grains` pieces are
+/// left, or ten times as many exist at first
 LabelPieces label_pieces(const LabelImage& image, int smallest_piece, const std::string& name);
 
 }  // namespace graincrack::mesher

@@ -1,4 +1,4 @@
-// What a run measured from step to step: /history of a run file.
+// The history of a run: the measures of its rows, stored as /history of a run file.
 #pragma once
 
 #include <array>
@@ -50,20 +50,20 @@ struct HistoryDataset {
 };
 extern const std::array<HistoryDataset, static_cast<std::size_t>(HistoryColumn::count)> history_datasets;
 
-/// The history: equally long columns. Tension and elongation positive. Crack columns count contacts (points ÷ 2).
+/// A history has columns of equal length. Tension and elongation are positive. Crack columns count contacts (half of the points).
 struct History {
     std::array<std::vector<double>, static_cast<std::size_t>(HistoryColumn::count)> columns;
-    bool has_temperature = false;  ///< files have the column of it only then; else it is 0
+    bool has_temperature = false;  ///< if false, the temperature is 0 and files do not have its column
     [[nodiscard]] const std::vector<double>& operator[](HistoryColumn c) const { return columns[static_cast<std::size_t>(c)]; }
     [[nodiscard]] std::vector<double>& operator[](HistoryColumn c) { return columns[static_cast<std::size_t>(c)]; }
-    /// Of a file or table: the temperature, the last of them, may be missing.
+    /// Number of columns in a file or table, which may lack the last one, the temperature.
     [[nodiscard]] std::size_t n_columns() const { return columns.size() - (has_temperature ? 0 : 1); }
     [[nodiscard]] std::size_t size() const { return columns[0].size(); }
 };
 
-/// Appends the rows from `first` on. \param file of a run
+/// Appends the rows from `first` on to the file of a run.
 void append_rows(H5Output& file, const History& history, std::size_t first);
-/// Reads /history of a run, finished or not. \throws InputError
+/// Reads /history of a finished or unfinished run. \throws InputError if it is missing or damaged
 History read_history(const H5Input& file);
 
 }  // namespace graincrack

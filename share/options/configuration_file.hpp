@@ -1,4 +1,5 @@
-// Configuration files of the command line: TOML with the names of options as keys, by the rules of command_line.hpp.
+// Reads and writes configuration files of the command line: TOML with the names of options as keys, by the rules of
+// command_line.hpp.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,30 +15,30 @@
 
 namespace graincrack {
 
-/// Reads configuration files for CLI11, and keeps what CLI11 does not of the options: how values are read, between which bounds.
+/// Reads configuration files for CLI11, and stores what CLI11 does not have of options: how values are read, and their bounds.
 class ConfigurationFile : public CLI::Config {
 public:
     struct Value {
         std::function<void(const std::string&)> read;
-        std::optional<Quantity> bounds = {};       ///< of a quantity or a whole number
-        std::vector<std::string> endings = {};     ///< of the name of a file
-        std::function<SettingValue()> value = {};  ///< that is effective
-        std::optional<SettingGroup> group = {};    ///< of a setting of files
+        std::optional<Quantity> bounds = {};       ///< bounds of a quantity or a whole number
+        std::vector<std::string> endings = {};     ///< allowed endings of the name of a file
+        std::function<SettingValue()> value = {};  ///< returns the effective value
+        std::optional<SettingGroup> group = {};    ///< group of an option that is a setting of files
     };
     explicit ConfigurationFile(CLI::App& app) : app_(app) {}
 
     std::vector<CLI::ConfigItem> from_config(std::istream& stream) const override;
     std::string to_config(const CLI::App*, bool, bool, std::string) const override;
 
-    /// "file, line n" of an option whose value a configuration file gave, else "".
+    /// "file, line n" if a configuration file set the option, else "".
     [[nodiscard]] std::string origin(const CLI::Option* option) const;
 
-    /// Keeps the function that reads the value of an option: its default is applied once it is known which subcommand runs.
+    /// Stores how the value of an option is read. Its default is applied once it is known which subcommand runs.
     void remember(const CLI::Option* option, const Value& value) { values_[option] = value; }
     void apply_default(const CLI::Option* option) const;
-    /// What is kept of an option.
+    /// The stored properties of an option.
     [[nodiscard]] Value value(const CLI::Option* option) const;
-    /// Makes the effective value of an option a setting. \param value in place of that of its target, unless empty
+    /// Makes the effective value of an option a setting. \param value replaces the value of the option's target, unless empty
     void make_setting(const CLI::Option* option, SettingGroup group, const std::function<SettingValue()>& value);
     /// The settings of the commands that run.
     [[nodiscard]] Settings settings() const;
@@ -55,10 +56,10 @@ private:
 /// The configuration file of an application; nullptr if it has none.
 ConfigurationFile* configuration_file(const CLI::App& app);
 
-/// The effective options as TOML, as `CommandLine` has them.
+/// The effective options of an application as TOML.
 std::string effective_configuration(const CLI::App& app);
 
-/// The groups of options of `OptionSet::usual` and `OptionSet::seldom`.
+/// Headings of the options of `OptionSet::usual` and `OptionSet::seldom` in help texts.
 inline constexpr const char *usual_options = "Usual options", *seldom_options = "Further options";
 
 /// The name of an option in a configuration file: "edge" of "-e,--edge".
@@ -68,7 +69,7 @@ inline std::string key_of(const CLI::Option& option) {
     return option.get_snames().front();
 }
 
-/// The application and the subcommands that were called, from the top.
+/// The application and the subcommands that were called, outermost first.
 template <class App>
 std::vector<App*> running(App& app) {
     std::vector<App*> chain{&app};

@@ -1,14 +1,14 @@
 // `coulomb-slip` (share/doc/laws.md): the Coulomb slip model of joints with residual strength of UDEC (Itasca), without dilation.
 //
-//   σn = kt δn,  τ = ks (δs − slip)             linear, the same on both sides of δn = 0; σn is stiffer where a
-//                                               joint is shut (joint.hpp)
-//   fails if  σn > T  or  |τ| > c − σn tan φ    the Coulomb line continues into tension, where it ends at zero
+//   σn = kt δn,  τ = ks (δs − slip)             linear, the same on both sides of δn = 0; a shut joint has a
+//                                               stiffer σn (joint.hpp)
+//   fails if  σn > T  or  |τ| > c − σn tan φ    the Coulomb line continues into tension until it reaches zero
 //
-// A failed point has the residual values T_r, c_r, φ_r. One that is pulled above T_r separates: it carries nothing while open,
-// compression and friction while closed.
+// A failed point has the residual values T_r, c_r and φ_r. A point pulled above T_r separates: it then carries nothing while
+// open, and compression and friction while closed.
 //
-// Energy: ½ kt δn² + ½ ks (δs − slip)², zero while open and separated. The fall from the peak is fracture; slip, and the shear
-// that a point carried by c_r when it separates, is friction.
+// The stored energy is ½ kt δn² + ½ ks (δs − slip)², or 0 while open and separated. The fall from the peak is fracture energy;
+// slip dissipates friction, and so does the shear that c_r carried when a point separates.
 #pragma once
 
 #include <cmath>
@@ -36,7 +36,7 @@ struct CoulombSlip {
         return std::max(0.0, cohesion - normal * tan_phi);
     }
 
-    /// Both branches: until it has separated a point behaves the same on both sides of δn = 0.
+    /// Advances a point on either branch. Until it separates it behaves the same on both sides of δn = 0.
     static void advance(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
         if (is_residual(law, h)) {
@@ -58,7 +58,7 @@ struct CoulombSlip {
         slide(law, to, bears ? shear_limit(law.residual_cc, law.residual_tan_phi, normal) : 0.0, r);
         h.motion = to;
     }
-    /// The shear spring of a point that has separated starts anew; that of another continues.
+    /// Closes a point. The shear spring of a separated point starts from zero; that of any other point continues.
     static void close(const ContactLaw& /*law*/, ContactResponse& r) {
         if (r.history.separated) r.history.slip = r.history.motion.sliding;
     }
@@ -69,8 +69,8 @@ struct CoulombSlip {
         return joint_energy(law, h.motion.opening) + 0.5 * law.ks * elastic * elastic;
     }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() ? 1 : 0; }
-    /// With a residual cohesion a point that opens has shear to relax, which the residual response knows nothing of, as of
-    /// joints that are shut.
+    /// False with a residual cohesion, as an opening point then has shear to relax, and for joints that can shut: the residual
+    /// response has neither.
     static bool is_residual(const ContactLaw& law, const ContactHistory& h) {
         return h.separated && law.residual_cc == 0 && std::isinf(law.maximum_closure);
     }
@@ -82,7 +82,7 @@ struct CoulombSlip {
     }
 
 private:
-    /// From the elastic state at `to` to the residual one: the energy that the springs lose is fracture energy.
+    /// Moves a point from the elastic state at `to` to the residual state; the energy that the springs lose is fracture energy.
     static void fail(const ContactLaw& law, const ContactMotion& to, ContactResponse& r) {
         ContactHistory& h = r.history;
         const double normal = joint_traction(law, to.opening);

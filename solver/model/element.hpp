@@ -1,4 +1,4 @@
-// The constant-strain triangle: displacements in, Biot strain, stress and nodal forces out; free of rigid rotation.
+// The constant-strain triangle: computes Biot strain, stress and nodal forces from displacements; a rigid rotation has no strain.
 #pragma once
 
 #include <array>
@@ -24,18 +24,18 @@ inline PlaneElasticity make_plane_elasticity(double young_modulus, double poisso
     return {lambda + 2 * mu, lambda, mu, plane == PlaneCondition::strain ? poisson_ratio : 0.0};
 }
 
-/// What a temperature T does to the elements of a phase whose crystals expand by A(T) = ∫a dT along their axis, which lies in the
-/// plane, and by B(T) = ∫b dT across it; their modulus becomes f(T) E.
+/// The state of the elements of a phase at a temperature T. Free crystals expand by A(T) = ∫a dT along their axis, which lies in
+/// the plane, and by B(T) = ∫b dT across it. The modulus factor f(T) = E(T)/E0 scales their modulus.
 struct PlaneWarmth {
     double across;       ///< free strain across the axis: (1 + ν) B in plane strain, B in plane stress
-    double more_along;   ///< free strain along it less that: A − B
-    double across_rate;  ///< what T changes of these, 1/K
+    double more_along;   ///< free strain along the axis less that across it: A − B
+    double across_rate;  ///< derivatives of both with respect to T, 1/K
     double more_along_rate;
-    double stress_zz;       ///< f E B in plane strain, 0 in plane stress: σzz = czz (σxx + σyy) − f E B
-    double energy_zz;       ///< ½ f E B² likewise, stored besides ½ T : (U − I − ε0), J/m³
-    double energy_zz_rate;  ///< f E B b + ½ f' E B², J/(m³ K)
-    double softening;       ///< f
-    double softening_rate;  ///< f'/f, 1/K: what T changes of the energy stored in the plane, over it
+    double stress_zz;       ///< f E B in plane strain, 0 in plane stress: σzz = czz (σxx + σyy) − f E B, Pa
+    double energy_zz;       ///< ½ f E B² in plane strain, stored besides ½ T : (U − I − ε0), J/m³
+    double energy_zz_rate;  ///< its derivative f E B b + ½ f' E B², J/(m³ K)
+    double softening;       ///< modulus factor f
+    double softening_rate;  ///< f'/f, the relative derivative of the energy stored in the plane, 1/K
 };
 inline PlaneWarmth plane_warmth(const Phase& phase, PlaneCondition plane, double temperature) {
     const bool is_held = plane == PlaneCondition::strain;
@@ -59,7 +59,7 @@ inline PlaneWarmth plane_warmth(const Phase& phase, PlaneCondition plane, double
             f.value,
             softening_rate};
 }
-/// Elasticity of a phase that has become softer.
+/// Elasticity of a phase with a modulus factor.
 inline PlaneElasticity softened(const PlaneElasticity& c, double softening) {
     return {softening * c.c11, softening * c.c12, softening * c.mu, c.czz};
 }
@@ -73,7 +73,7 @@ inline CrystalAxis make_crystal_axis(double angle) {
     return {cosine * cosine, cosine * std::sin(angle)};
 }
 
-/// Strain in the plane without stress, ε0.
+/// The strain ε0 in the plane without stress.
 struct FreeStrain {
     double xx = 0, yy = 0, xy = 0;
 };
@@ -82,7 +82,7 @@ inline FreeStrain free_strain(double across, double more_along, const CrystalAxi
             more_along * axis.cosine_sine};
 }
 
-/// Reference geometry: rows of the inverse edge matrix are the gradients of the shape functions of nodes 1 and 2.
+/// Reference geometry. The rows of the inverse edge matrix are the gradients of the shape functions of nodes 1 and 2.
 struct TriangleGeometry {
     Vector2 gradient1, gradient2;  ///< 1/m; that of node 0 is −(gradient1 + gradient2)
     double area = 0;               ///< m²
@@ -100,8 +100,8 @@ struct TriangleState {
     double exx, eyy, exy;  ///< Biot strain U − I less the free strain ε0
     double txx, tyy, txy;  ///< Biot stress in the unrotated frame, Pa
 };
-/// \param a,b displacements of nodes 1 and 2 less that of node 0, m
-/// \param free ε0
+/// Computes the state of a triangle. \param a,b displacements of nodes 1 and 2 less that of node 0, m
+/// \param free strain ε0
 inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasticity& c, const Vector2& a, const Vector2& b,
                                     const FreeStrain& free = {}) {
     // H = ∇u = F − I
@@ -109,13 +109,13 @@ inline TriangleState triangle_state(const TriangleGeometry& g, const PlaneElasti
     const double hxy = a.x * g.gradient1.y + b.x * g.gradient2.y;
     const double hyx = a.y * g.gradient1.x + b.y * g.gradient2.x;
     const double hyy = a.y * g.gradient1.y + b.y * g.gradient2.y;
-    // R from the part of F that is a rotation times a stretch: tan θ = (Fyx − Fxy)/(Fxx + Fyy).
+    // R follows from tan θ = (Fyx − Fxy)/(Fxx + Fyy), by which Rᵀ F is symmetric.
     const double p = 2 + hxx + hyy;
     const double q = hyx - hxy;
     const double inv = 1 / std::sqrt(p * p + q * q);
     const double cosine = p * inv;
     const double sine = q * inv;
-    // cos θ − 1 without cancellation for small rotations.
+    // This is cos θ − 1 without cancellation at small rotations.
     const double cosine_less_1 = p > 0 ? -sine * sine / (1 + cosine) : cosine - 1;
     TriangleState s{cosine, sine, 0, 0, 0, 0, 0, 0};
     s.exx = cosine_less_1 + cosine * hxx + sine * hyx - free.xx;

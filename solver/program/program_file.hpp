@@ -1,4 +1,4 @@
-// Reading and writing of loading programs.
+// Reads and writes loading programs.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace graincrack {
 
-/// Reads a program. \throws InputError naming file, line and key, what is wrong, and what would be right
+/// Reads a program from a file. \throws InputError that names file, line and key, the error, and what is allowed
 Program read_program(const std::string& file);
-/// The same from text; `name` stands for the file in messages.
+/// Reads a program from text. \param name of the file in messages \throws InputError as `read_program`
 Program parse_program(const std::string& text, const std::string& name);
-/// The program as its file: reading that gives the same program, number by number. Values are in SI units.
+/// The text of a program file, in SI units. Reading it gives the same program with equal numbers.
 std::string program_text(const Program& program);
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-// Normal numbers that are the same everywhere: the standard does not fix those of std::normal_distribution.
+// Normal random numbers that are equal on all machines; the standard does not determine those of std::normal_distribution.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace graincrack::test {
 
-/// Mean 0, deviation 1, by Box & Muller.
+/// Normal numbers with mean 0 and standard deviation 1 (Box & Muller 1958).
 class Normal {
 public:
     explicit Normal(std::uint32_t seed) : engine_(seed) {}
@@ -16,7 +16,7 @@ public:
         const double u = uniform();
         return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * uniform());
     }
-    /// In (0, 1].
+    /// A uniform number in (0, 1].
     double uniform() { return (static_cast<double>(engine_()) + 1) / 4294967296.0; }
 
 private:

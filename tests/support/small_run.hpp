@@ -18,7 +18,7 @@
 
 namespace graincrack::test {
 
-/// No platen within reach, no pressure.
+/// A boundary without a platen within reach and without pressure.
 inline Boundary no_boundary(const Assemblage& a, const Specimen& s) {
     std::vector<Platen> platens(2);
     platens[bottom_platen].motion = bottom_platen;
@@ -31,7 +31,7 @@ inline Boundary no_boundary(const Assemblage& a, const Specimen& s) {
 /// Platens and membrane of a standard test.
 inline Boundary boundary_of_test(const Assemblage& a, const Specimen& s, const LoadingRequest& request,
                                  const ContactParameters& contact) {
-    constexpr double peak_drop = 0.3;  // no matter of the boundary
+    constexpr double peak_drop = 0.3;  // does not influence the boundary
     return make_program_boundary(a, s, standard_test(request, peak_drop, s, augig_granite().rock), contact,
                                  request.platen_friction);
 }
@@ -53,7 +53,7 @@ inline Boundary with_pressure(Boundary boundary, const std::vector<BoundaryPart>
     return boundary;
 }
 
-/// Platens as a standard test at a fixed rate moves them.
+/// Platens with the motion of a standard test at a fixed rate.
 class TestPlatens {
 public:
     TestPlatens(const LoadingRequest& request, const Specimen& specimen)
@@ -72,12 +72,12 @@ private:
     PlatenControl platens_;
 };
 
-/// A pressure that grows and falls linearly, as amplitude 0.
+/// A pressure that rises and falls linearly, as amplitude 0.
 class LinearPressure {
 public:
     [[nodiscard]] double present() const { return present_; }
     void set(double value) { present_ = value; }
-    /// Loading of the next steps of a run, over which the pressure goes to `end`. Lives as long as the pressure.
+    /// Loading of the next steps of a run, in which the pressure changes to `end`. It is valid as long as this object.
     IntervalLoading to(double end, double time, double duration) {
         TimeFunction line;
         line.kind = TimeFunction::Kind::table;
@@ -95,7 +95,7 @@ private:
     std::vector<Amplitude> amplitudes_;
 };
 
-/// Contacts alike, of whatever phases.
+/// Equal contacts between all phases.
 inline ContactLaws same_of_every_class(const ContactLaw& law, std::size_t n_phases) {
     ContactLaws laws;
     laws.of_class.assign(n_contact_classes(n_phases), law);
@@ -109,7 +109,7 @@ struct SmallRun {
     StepParameters parameters;
     State state;
 
-    /// Without supports and damping, at `fraction` of the stable time step.
+    /// A run without supports and damping, with `fraction` of the stable time step.
     SmallRun(Specimen s, const ContactLaw& law, PlaneCondition plane = PlaneCondition::strain, double fraction = 0.5,
              const Rock& rock = augig_granite().rock)
         : specimen(std::move(s)),
@@ -133,7 +133,7 @@ struct SmallRun {
         parameters.time_step = fraction * stable_time_step(assemblage, boundary, parameters.laws, parameters.mass_scaling.factor);
         state = make_state(assemblage, boundary, specimen);
     }
-    /// Makes this the part of a rank; to be called before `begin`.
+    /// Makes this run the part of a rank. It is called before `begin`.
     void share(const Ranks& ranks) { assemblage.part = make_part(assemblage, boundary.prescribed, ranks); }
     /// Sets velocities as a function of the reference position.
     template <class Field>
@@ -145,7 +145,7 @@ struct SmallRun {
         ThreadTeam team(threads);
         advance(assemblage, boundary, parameters, loading, n, team, state);
     }
-    /// Steps over which a pressure goes linearly to another.
+    /// Runs steps in which a pressure changes linearly to another.
     void steps_under(LinearPressure& pressure, double end, std::int64_t n) {
         steps(n, pressure.to(end, state.time, static_cast<double>(n) * parameters.time_step));
     }
@@ -171,7 +171,7 @@ struct SmallRun {
         for (const double m : assemblage.mass) sum += m;
         return sum;
     }
-    /// Mean of a nodal field, by mass.
+    /// Mean of a nodal field, weighted by mass.
     [[nodiscard]] Vector2 mean(const std::vector<Vector2>& field) const {
         Vector2 sum;
         for (std::size_t i = 0; i < field.size(); ++i) sum += assemblage.mass[i] * field[i];
@@ -200,7 +200,7 @@ inline Momenta momenta_of(const SmallRun& run) {
     return m;
 }
 
-/// The vector units this machine has.
+/// The vector units that this machine has.
 inline std::vector<VectorTarget> available_vector_targets() {
     std::vector<VectorTarget> targets;
     for (const VectorTarget target : {VectorTarget::plain, VectorTarget::avx2, VectorTarget::avx512}) {

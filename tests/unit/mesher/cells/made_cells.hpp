@@ -1,4 +1,4 @@
-// Cells from lists of their points, and squares as cells.
+// Makes cells from lists of points, and cells that are squares.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace graincrack::mesher {
 
-/// Cells with loops of points, counter-clockwise.
+/// Cells with counter-clockwise loops of points.
 inline PlaneCells cells_of(std::vector<Point> points, const std::vector<std::vector<int>>& loops, std::vector<Side> sides = {}) {
     PlaneCells cells;
     cells.points = std::move(points);
@@ -24,7 +24,7 @@ inline PlaneCells cells_of(std::vector<Point> points, const std::vector<std::vec
     return cells;
 }
 
-/// A square of side 2 in a left and a right half.
+/// A square of side 2, divided into a left and a right half.
 inline PlaneCells halves_of_square() {
     return cells_of({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}}, {{0, 4, 5, 3}, {4, 1, 2, 5}},
                     {{0, 4, 0, {}}, {4, 1, 0, {}}, {1, 2, 1, {}}, {2, 5, 2, {}}, {5, 3, 2, {}}, {3, 0, 3, {}}});
@@ -39,7 +39,7 @@ struct Squares {
     Squares(int width, int height) {
         const int row = width + 1;
         const std::vector<int> corners{0, width, row * (height + 1) - 1, row * height};
-        std::vector<int> order = corners;  // points in rows from below, but corners first
+        std::vector<int> order = corners;  // points in rows from below, after the corners
         for (int k = 0; k < row * (height + 1); ++k) {
             if (std::find(corners.begin(), corners.end(), k) == corners.end()) order.push_back(k);
         }
