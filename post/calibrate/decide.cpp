@@ -19,16 +19,16 @@ namespace {
 
 constexpr const char* grain_modulus = "rock.young_modulus";
 constexpr const char* grain_ratio = "rock.poisson_ratio";
-/// Half of the width of the first boxes: one standard deviation of the values of rocks of a kind. Where targets are missed by it,
-/// a rock is an unusual one: then it is twice as much, and where many specimens still miss one four times.
+/// Prior standard deviation of a coordinate, which is half of the width of the first boxes. It describes the rocks of a type. An
+/// unusual rock, which misses targets with it, has twice as much, and four times if many specimens still miss one.
 constexpr double usual_prior = 1;
-/// Fall of the sum of squared deviations that is worth other specimens: half a standard deviation of one target.
+/// Smallest decrease of the sum of squared residuals that is worth further specimens: half a standard deviation of one target.
 constexpr double pointless = 0.25;
 
-/// Thrown where runs are missing: no later decision can be taken. Caught in `decide` only.
+/// Thrown if runs are missing, so that no later decision can be taken. Only `decide` catches it.
 struct RunsMissing {};
 
-/// Tests of each purpose have specimens of their own: tens of thousands by the test, then these.
+/// Seeds of specimens. Each purpose has seeds of its own: the test gives the tens of thousands, and these numbers the rest.
 namespace seeds {
 constexpr std::int64_t of_test = 10000;
 constexpr std::int64_t elastic = 1;
@@ -79,17 +79,17 @@ private:
     const Problem& problem_;
     const FindRun& find_;
     KindPrior kind_;
-    std::vector<Test> tests_;      ///< of the designs
-    std::vector<Test> confirmed_;  ///< of all targets
+    std::vector<Test> tests_;      ///< tests of the designs
+    std::vector<Test> confirmed_;  ///< tests of all targets
     double grain_modulus_ = 0;
     double grain_ratio_ = 0;
     std::size_t designs_ = 0;
     std::size_t moves_ = 0;
     std::size_t corrections_ = 0;  ///< since the last design
     std::size_t confirmations_ = 0;
-    std::string first_guess_;  ///< its strengths, as long as nothing else is known
+    std::string first_guess_;  ///< strengths of the first guess, in words, while no others are known
     double widest_prior_ = 2;
-    Box all_;  ///< holds the boxes of all designs
+    Box all_;  ///< the hull of the boxes of all designs
     Fit fit_;
     std::vector<std::pair<Test, std::vector<const Measures*>>> confirmed_runs_;  ///< of the last confirmation
 };
@@ -117,15 +117,15 @@ Point Calibration::with_grains(Point point, double modulus, double ratio) {
     return point;
 }
 
-/// E within 1 %, ν within 0.0075: half of the usual bounds. Contacts take some per cent of the stiffness, so that to scale by
-/// what is off converges by a factor of ten or more a time.
+/// Finds E within 1 % and ν within 0.0075, which is half of the usual bounds. Contacts lower the stiffness by some per cent, so
+/// that scaling by the ratio of target and result reduces the error by a factor of ten or more each time.
 void Calibration::find_elasticity(const Point& contacts) {
     const Target* e = target("young_modulus");
     const Target* nu = target("poisson_ratio");
     if (e == nullptr && nu == nullptr) return;
     const Target* ucs = target("uniaxial");
-    // Contacts soften from the start, so that the chord must end where the rock's does, at half its UCS: the strain limit is that
-    // of an elastic specimen at its UCS.
+    // Contacts soften from the start, so that the chord must end at half the UCS, as for the rock. An elastic specimen at its UCS
+    // gives the strain limit.
     const std::optional<double> limit =
         ucs != nullptr ? std::optional(rounded(ucs->value * (1 - grain_ratio_ * grain_ratio_) / grain_modulus_, 5))
                        : std::nullopt;
@@ -168,8 +168,8 @@ void Calibration::find_elasticity(const Point& contacts) {
     }
 }
 
-/// Adds the points of one more design: a specimen of each test at each design point, three discs. The first point is made before
-/// the others, so that a rock that is far from its laboratory values shows early.
+/// Adds the points of one more design, with one specimen of each test at each design point but three discs. The first point runs
+/// before the others, so that a rock far from its laboratory values is noticed early.
 void Calibration::make_design(const Box& box) {
     const auto p = static_cast<std::size_t>(box.size());
     const std::size_t n = study().points > 0 ? study().points : 4 * (p + 2);
@@ -194,13 +194,13 @@ void Calibration::make_design(const Box& box) {
         first_guess_ = expected_text();
     }
     fit_.points.insert(fit_.points.end(), points.begin(), points.end());
-    for (Response& response : fit_.responses) response.values.resize(fit_.points.size(), NAN);  // what the kind knows besides
+    for (Response& response : fit_.responses) response.values.resize(fit_.points.size(), NAN);  // responses of the rock type only
     require_all();
     first_guess_.clear();
 }
 
-/// The fitted targets where the search begins: "; the middle of the ranges has UCS 134 MPa (target 285 MPa), no first peak at 8
-/// MPa", or what the kind expects.
+/// The fitted targets at the start of the search, in words: "; the middle of the ranges has UCS 134 MPa (target 285 MPa), no
+/// first peak at 8 MPa", or the predictions of the rock type.
 std::string Calibration::expected_text() const {
     std::vector<std::string> values;
     const bool has_design = designs_ > 0;
@@ -217,7 +217,7 @@ std::string Calibration::expected_text() const {
     return fmt::format("; {} {}", who, fmt::join(values, ", "));
 }
 
-/// Surfaces of the kind, for all that it knows; the optimum where they meet the targets is the first guess.
+/// Takes all response surfaces of the rock type. The optimum at which they meet the targets is the first guess.
 void Calibration::begin_with_kind() {
     fit_.box = all_ = kind_.box();
     for (Response& response : fit_.responses) response.surface = kind_.surface(response.target);
@@ -226,7 +226,7 @@ void Calibration::begin_with_kind() {
     record("kind", "surfaces of the kind " + problem_.kind->kind(), label_of(point_at(problem_.parameters, fit_.optimum.point)));
 }
 
-/// One more design, and surfaces through all points that lie in its box.
+/// Makes one more design, and fits surfaces to all points that lie in its box.
 void Calibration::begin_design(const Box& box) {
     fit_.box = box;
     corrections_ = 0;
@@ -236,7 +236,7 @@ void Calibration::begin_design(const Box& box) {
     record("fit", fmt::format("{} points of {} designs in the box", inside, designs_), "surfaces");
 }
 
-/// The design point where the surfaces meet the targets best.
+/// Finds the design point at which the surfaces meet the targets best.
 void Calibration::optimise() {
     std::vector<ProbabilityConstraint> constraints;
     for (const Logistic& share : fit_.shares) constraints.push_back({&share, study().first_peak_fraction});
@@ -254,15 +254,14 @@ void Calibration::optimise() {
     decision.fit = fit_;
 }
 
-/// True if the surfaces expect every target at the optimum, each within so many of its deviations.
+/// True if the surfaces predict every target at the optimum within this multiple of its deviation.
 bool Calibration::meets_targets(double deviations) const {
     const std::vector<double>& off = fit_.optimum.deviations;
     return std::ranges::all_of(off, [&](double deviation) { return std::abs(deviation) <= deviations; });
 }
 
-/// Another design, where the optimum lies at an edge of what is known and a target is missed there: of the last box, which moves,
-/// or of the kind before any specimen is made.
-/// \return false: there was none
+/// Makes another design if the optimum lies at an edge of the last box, which then moves, or of the rock type's design before any
+/// specimen exists, and a target is missed there. \return false if it makes none
 bool Calibration::leave_edge() {
     if (meets_targets(designs_ > 0 ? 0.25 : 1)) return false;
     const DesignPoint at = fit_.optimum.point;
@@ -276,7 +275,7 @@ bool Calibration::leave_edge() {
     const Box moved = fit_.box.about(at, 1, limits);
     std::string moving;
     for (Eigen::Index k = 0; k < at.size(); ++k) {
-        // At an edge: so near that the box would move by nearly half of its width. What the data do not determine moves no box.
+        // At an edge the box would move by nearly half of its width. Undetermined coordinates move no box.
         const bool at_edge =
             std::abs(fit_.box.local(at)(k)) > 0.98 && std::abs(moved.centre(k) - fit_.box.centre(k)) > 0.1 * fit_.box.half(k);
         if (at_edge && !fit_.optimum.is_undetermined(k)) {
@@ -291,9 +290,9 @@ bool Calibration::leave_edge() {
     return moves;
 }
 
-/// From the surfaces of the kind, else of a design, to a point where new specimens are within every bound. Where they are not,
-/// they correct the surfaces, and others are asked at the new optimum, as long as that promises less misfit; then follows a
-/// smaller design.
+/// Searches, from the surfaces of the rock type or else of a design, for a point at which new specimens are within every bound.
+/// Specimens beyond a bound correct the surfaces; others follow at the new optimum while its misfit is smaller, then a smaller
+/// design.
 void Calibration::find_design_point() {
     const std::string lacking = kind_.lacks(problem_.targets);
     if (lacking.empty()) {
@@ -313,7 +312,7 @@ void Calibration::find_design_point() {
         std::string missed = confirm(false);
         bool is_corrected = !missed.empty() && correct(before.optimum.point);
         if (!missed.empty() && !is_corrected && designs_ == 0) {
-            // Before a word is said, as many specimens as there may be.
+            // The verdict needs as many specimens as are allowed.
             fit_ = before;
             decision.point = point;
             --confirmations_;
@@ -338,8 +337,8 @@ void Calibration::find_design_point() {
     }
 }
 
-/// The optimum of surfaces that new specimens have corrected. \param at the point of these \return false if there were
-/// corrections enough, or another point promises no less misfit
+/// Finds the optimum of surfaces that new specimens have corrected. \param at the point of these specimens \return false if the
+/// number of corrections is reached, or if no other point promises a smaller misfit
 bool Calibration::correct(const DesignPoint& at) {
     optimise();
     const std::vector<Residual> residuals = residuals_of(fit_.responses);
@@ -351,8 +350,8 @@ bool Calibration::correct(const DesignPoint& at) {
     return true;
 }
 
-/// E and ν change a little with the contacts: the grains of a confirmation are scaled once more, by the surfaces, else by the
-/// specimens of the one before.
+/// Scales the grains of a confirmation once more, as E and ν change a little with the contacts, by the surfaces or else by the
+/// specimens of the confirmation before.
 void Calibration::correct_elasticity() {
     const auto expected = [&](const char* name) {
         const Target* const t = target(name);
@@ -374,7 +373,7 @@ void Calibration::correct_elasticity() {
     decision.point = with_grains(point_at(problem_.parameters, fit_.optimum.point), modulus, ratio);
 }
 
-/// New specimens of a test at the optimum.
+/// The request for new specimens of a test at the optimum.
 RequestedRun Calibration::run_at_optimum(std::size_t t, std::string reason) const {
     return {.test = confirmed_[t],
             .seed = static_cast<std::int64_t>(t + 1) * seeds::of_test + seeds::confirmation +
@@ -385,9 +384,9 @@ RequestedRun Calibration::run_at_optimum(std::size_t t, std::string reason) cons
             .reason = std::move(reason)};
 }
 
-/// The optimum on new specimens: as many as the scatter asks for, and more where these do not show every target within its bound;
-/// they correct the surfaces.
-/// \return what is not within its bound; empty: nothing
+/// Tests the optimum on new specimens, as many as the scatter requires, and more if these do not show every target within its
+/// bound. They correct the surfaces.
+/// \return the targets that are not within their bounds; "" if there are none
 std::string Calibration::confirm(bool until_decided) {
     ++confirmations_;
     std::vector<std::size_t> n(confirmed_.size(), 0);
@@ -427,7 +426,7 @@ std::string Calibration::confirm(bool until_decided) {
     return missed;
 }
 
-/// Specimens at the optimum correct the surfaces of what they measure. E and ν are left out, for the grains were scaled.
+/// Corrects the surfaces by specimens at the optimum. E and ν are left out, because the grains were scaled.
 void Calibration::learn(const std::vector<const Measures*>& runs, const Test& test) {
     for (Response& response : fit_.responses) {
         const Target& t = response.target;
@@ -441,7 +440,7 @@ void Calibration::learn(const std::vector<const Measures*>& runs, const Test& te
     }
 }
 
-/// Tests of predictions alone, and the outcomes in the order of the targets.
+/// Runs the tests that only predictions need, and sorts the outcomes in the order of the targets.
 void Calibration::predict() {
     const std::vector<Outcome> outcomes = std::exchange(decision.outcomes, {});
     std::map<std::size_t, std::vector<const Measures*>> runs;  // by the test
@@ -463,7 +462,7 @@ void Calibration::predict() {
 }
 
 void Calibration::run() {
-    // Fitted targets come first, then other targets and everything else that the same tests measure.
+    // Fitted targets come first, then other targets and the other properties that the same tests measure.
     std::vector<Target> fitted;
     for (const Target& t : problem_.targets) {
         if (t.use == Use::fit) fitted.push_back(t);

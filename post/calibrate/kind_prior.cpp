@@ -10,11 +10,11 @@ namespace graincrack::calibrate {
 
 namespace {
 
-/// Diameters of half-discs over the grain size that K_IC of the kind holds for; its own have 20.
+/// Smallest diameter of half-discs over the grain size for which K_IC of the rock type holds; 20 in its design. Chosen by trial.
 constexpr double least_half_disc = 14;
 constexpr double most_half_disc = 28;
 
-/// Parameters that are coordinates of the kind.
+/// Parameters that are coordinates of the response surface.
 constexpr std::pair<const char*, double KindCoordinates::*> bounded[] = {
     {"ratios.cohesion", &KindCoordinates::cohesion},
     {"contact.friction_angle", &KindCoordinates::friction_angle},
@@ -23,13 +23,13 @@ constexpr std::pair<const char*, double KindCoordinates::*> bounded[] = {
     {"ratios.mode_ii_fracture_energy", &KindCoordinates::mode_ii_fracture_energy},
     {"ratios.bridging_strength", &KindCoordinates::bridging_strength}};
 
-/// Contact values that a kind knows.
+/// Contact values that determine the coordinates.
 constexpr ContactValue values_known[] = {&ContactParameters::tensile_strength,  &ContactParameters::cohesion,
                                          &ContactParameters::friction_angle,    &ContactParameters::residual_friction_angle,
                                          &ContactParameters::fracture_energy,   &ContactParameters::mode_ii_fracture_energy,
                                          &ContactParameters::bridging_strength, &ContactParameters::bridging_energy};
 
-/// Where a material has the value of a key of [contact] or [ratios]; null for one that a kind does not know.
+/// The value of a key of [contact] or [ratios] in a material; null for a key without influence on the coordinates.
 std::optional<double>* place_of(Material& material, const std::string& key) {
     for (const ContactParameter& row : all_contact_parameters()) {
         if (std::find(std::begin(values_known), std::end(values_known), row.value) == std::end(values_known)) continue;
@@ -46,7 +46,7 @@ std::optional<double>* place_of(Material& material, const std::string& key) {
 struct KindPrior::Changed {
     Material material;
     std::vector<Parameter> parameters;
-    std::vector<std::optional<double>*> places;  ///< in it, of each parameter
+    std::vector<std::optional<double>*> places;  ///< [parameters] their values in the rock
 
     [[nodiscard]] KindCoordinates at(const DesignPoint& point) const {
         auto coordinate = point.begin();

@@ -28,19 +28,16 @@ struct EmissionEvent {
     double tensile_share = 0;          ///< fraction of tensile points
     double length = 0;                 ///< m
     double energy = 0;                 ///< fracture energy of the points until the end of the run, J per metre of thickness
-    /// Two-dimensional moment Σ G L √(δn² + δs²) over the points, with their jumps at the event of their label, N·m per metre of
-    /// thickness.
+    /// Two-dimensional moment Σ G L √(δn² + δs²) over the points, with jumps at the event of their label, N·m per m of thickness.
     double moment = 0;
-    /// Magnitude (2/3) log10(moment/(N·m)) − 6.07 (Hanks & Kanamori 1979) for a metre of thickness. Values are comparable within
-    /// one model only.
+    /// Magnitude (2/3) log10(moment/(N·m)) − 6.07 (Hanks & Kanamori 1979) for 1 m thickness; comparable within one model only.
     [[nodiscard]] double magnitude() const;
 };
 
 /// Returns events in the order of their first points. Points are chained: each lies within the window of another of its event.
 std::vector<EmissionEvent> find_events(std::vector<Crack> cracks, const Rock& rock, const EmissionWindow& window);
 
-/// Gutenberg–Richter slope of the magnitudes from the completeness on: b = log10(e)/(mean − completeness) with the standard error
-/// b/√n (Aki 1965).
+/// Gutenberg–Richter slope of the magnitudes from the completeness on: b = log10(e)/(mean − completeness) ± b/√n (Aki 1965).
 struct GutenbergRichter {
     double b = 0;
     double error = 0;

@@ -23,12 +23,11 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double floor_of_rocks = 0.03;  // standard deviation of ln
-/// d ln CI/tc by ln tc/(kt d), as the same tests have it when CI is read at other crack strains than 1e-5
-/// (share/studies/surface).
+/// d ln CI/tc by d ln tc/(kt d), fitted to tests with CI at crack strains other than 1e-5 (share/studies/surface).
 constexpr double initiation_exponent = -0.24;
 
-/// A continuous factor, 0 at usual values of contacts without bridges and about ±1 at the ends of the design. \param pressure
-/// over tc; without one its factor, which no term has then, is 0
+/// A continuous factor: 0 at usual values of contacts without bridges, and about ±1 at the ends of the design. \param pressure
+/// over tc; without a pressure its factor is 0, and no term has it
 struct Factor {
     const char* name;
     double (*of)(const KindCoordinates& at, double pressure);
@@ -50,7 +49,7 @@ constexpr std::array<Factor, 8> continuous{{
     {"ln(confining_pressure/1.5)", [](const At& /*at*/, double pressure) { return pressure > 0 ? std::log(pressure / 1.5) : 0; }},
 }};
 
-/// The coordinates that a design bounds, in words and by what a shown value is multiplied.
+/// A coordinate that a design bounds, with its name in words and the factor of shown values.
 struct Bounded {
     const char* name;
     double KindCoordinates::*coordinate;
@@ -72,7 +71,7 @@ std::vector<double> factors_of(const KindCoordinates& at, double pressure, const
     return factors;
 }
 
-/// Constant, linear terms of the factors that vary, and behind them products and squares of those that are continuous.
+/// The constant and linear terms of the factors that vary, followed by products and squares of the continuous factors.
 std::vector<SurfaceTerm> terms_of(const std::vector<std::vector<double>>& factors) {
     std::vector<SurfaceTerm> terms = quadratic_terms(factors.front().size());
     std::erase_if(terms, [&](const SurfaceTerm& term) {
@@ -87,8 +86,9 @@ std::vector<SurfaceTerm> terms_of(const std::vector<std::vector<double>>& factor
     return terms;
 }
 
-/// Products and squares are drawn to 0. A choice of some of them would have intervals that do not know that it was one: forward
-/// by PRESS, those of 95 % hold 87 % of new specimens. \throws InputError if the values do not determine the linear terms
+/// Fits a model with products and squares shrunk to 0. A selection of terms would have intervals that ignore the selection:
+/// measured with forward selection by PRESS, intervals of 95 % hold 87 % of new specimens. \throws InputError if the values do
+/// not determine the linear terms
 KindModel fit_model(const std::string& property, const std::vector<std::vector<double>>& factors,
                     const std::vector<double>& logarithms, const std::vector<std::string>& specimens) {
     std::vector<SurfaceTerm> terms = terms_of(factors);
@@ -103,11 +103,11 @@ KindModel fit_model(const std::string& property, const std::vector<std::vector<d
                     property, logarithms.size(), n_linear, n_linear + 2));
 }
 
-/// What a surface does not vary: a number, a word, or neither where it is not given.
+/// A property that a surface does not vary: a number, a word, or neither if it is not given.
 struct FixedTrait {
     std::optional<double> number;
     std::string word = {};
-    static constexpr int digits = 4;  ///< by which numbers are compared
+    static constexpr int digits = 4;  ///< significant digits of compared numbers
     [[nodiscard]] bool is_like(const FixedTrait& other) const {
         const auto near = [](double a, double b) { return rounded(a, digits) == rounded(b, digits); };
         return word == other.word && number.has_value() == other.number.has_value() && (!number || near(*number, *other.number));
@@ -119,7 +119,7 @@ struct FixedTrait {
     }
 };
 
-/// By the key of a material file.
+/// The traits of a material by their keys in its file.
 std::map<std::string, FixedTrait> fixed_traits(const Material& material) {
     const GivenContact& contact = material.contact;
     const auto open_shear = contact.open_shear_strength
@@ -147,7 +147,7 @@ std::map<std::string, FixedTrait> fixed_traits(const Material& material) {
     return traits;
 }
 
-/// In what a material differs from a kind, in words.
+/// The differences of a material from a rock type, in words.
 std::vector<std::string> differences_from(const RockKind& kind, std::map<std::string, FixedTrait> own) {
     const std::string file = materials().below("kinds/" + kind.name + ".toml").string();
     std::map<std::string, FixedTrait> its = fixed_traits(read_incomplete_material(file).material);
@@ -301,7 +301,7 @@ KindSurface::KindSurface(std::vector<KindRow> rows, std::string kind) : kind_(st
 
 int KindModel::freedom_of_mean(const std::vector<double>& at) const {
     const double of_fit = variance * leverage(at);
-    const double of_rocks = rocks > 0 ? rock_variance * rock_variance / rocks : 0;  // without rocks it is what was set
+    const double of_rocks = rocks > 0 ? rock_variance * rock_variance / rocks : 0;  // without rocks the variance is the floor
     return static_cast<int>(std::pow(of_fit + rock_variance, 2) / (of_fit * of_fit / freedom + of_rocks));
 }
 

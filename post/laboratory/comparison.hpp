@@ -1,5 +1,4 @@
-// Compares properties of runs with the laboratory and with predictions by the rock type, in rows for the page `report` and the
-// table `properties`.
+// Compares properties of runs with laboratory and rock type, in rows for the page `report` and the table `properties`.
 #pragma once
 
 #include <functional>
@@ -81,8 +80,8 @@ struct ComparisonRow {
     Estimate ours = {};             ///< mean over specimens, or of a fit; NaN if there is none or it is not determined
     std::optional<double> deviation = std::nullopt;  ///< over specimens; for C and φ over seeds with tests at all pressures
     std::size_t specimens = 0;                       ///< number of specimens with a value
-    /// Number of specimens that did not fail. They are not in `specimens` unless the largest stress counts as the strength. Empty
-    /// if the property is no strength.
+    /// Number of specimens that did not fail. They are in `specimens` only if the largest stress counts. Empty if it is no
+    /// strength.
     std::optional<std::size_t> without_peak = std::nullopt;
     bool is_heated = false;                             ///< if true, laboratory and rock type are not compared
     bool is_mean = false;                               ///< true for the mean of specimens, false for a fit through all of them

@@ -35,8 +35,7 @@ struct MeasuredRun {
     }
 };
 
-/// Tells whether a property belongs to unconfined tests, to confined tests or to both. The confining pressure ends its name, as
-/// in "first_peak_8MPa".
+/// The tests that have a property: unconfined, confined or both. The confining pressure ends its name: "first_peak_8MPa".
 enum class PressureOf { none, name, either };
 
 struct Property {

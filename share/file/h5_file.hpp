@@ -1,10 +1,8 @@
-// Reads and writes datasets and attributes of HDF5 through files and pipes; nothing else uses HDF5. Files appear complete or not
-// at all.
+// Reads and writes HDF5 datasets and attributes by files and pipes, for all other sources. Files appear complete or not at all.
 //
 // Files use the library's default version bounds, no object times, and chunks with shuffle and deflate 1 for large arrays. An
 // attribute then has less than 64 KiB. A longer text or list is stored as a dataset with the name of the attribute: in its group,
-// or beside its dataset, as "/contacts/class_names". Texts are bytes, one row per text. Readers and writers of attributes do not
-// notice the difference.
+// or beside its dataset, as "/contacts/class_names". Texts are bytes, one row per text. Users of attributes do not notice.
 #pragma once
 
 #include <array>

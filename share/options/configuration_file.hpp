@@ -1,5 +1,4 @@
-// Reads and writes configuration files of the command line: TOML with the names of options as keys, by the rules of
-// command_line.hpp.
+// Reads and writes configuration files: TOML with the names of options as keys, by the rules of command_line.hpp.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -62,8 +62,7 @@ inline double damaged_energy(const ContactLaw& law, const ContactHistory& h) {
     const double elastic = m.sliding - h.slip;
     return 0.5 * (law.kt * m.opening * m.opening + cohesive + h.friction_fraction * law.ks * elastic * elastic);
 }
-/// Energy to the peak in pure opening, J/m². A direction whose path to the peak takes more than Gf does not soften and takes the
-/// energy of this path.
+/// Energy to the peak in pure opening, J/m². Directions in which the path to the peak takes more than Gf do not soften.
 inline double min_opening_energy(const ContactLaw& law) { return law.tc * law.dct * (std::numbers::e - 2); }
 /// Energy to the peak of sliding under compression, J/m².
 inline double energy_to_sliding_peak(const ContactLaw& law) { return law.cc * law.dcs * (std::numbers::e - 2); }

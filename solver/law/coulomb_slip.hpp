@@ -69,8 +69,7 @@ struct CoulombSlip {
         return joint_energy(law, h.motion.opening) + 0.5 * law.ks * elastic * elastic;
     }
     static double damage(const ContactLaw& /*law*/, const ContactHistory& h) { return h.failed() ? 1 : 0; }
-    /// False with a residual cohesion, as an opening point then has shear to relax, and for joints that can shut: the residual
-    /// response has neither.
+    /// False with a residual cohesion, whose shear an opening point relaxes, and for joints that can shut: it has neither.
     static bool is_residual(const ContactLaw& law, const ContactHistory& h) {
         return h.separated && law.residual_cc == 0 && std::isinf(law.maximum_closure);
     }

@@ -28,14 +28,14 @@ struct FractureEnergies {
 /// A row of the table of laws.
 struct LawDescription {
     LawVariant variant;
-    std::string_view name;     ///< as options and files spell it
-    std::string_view meaning;  ///< in a few words
-    bool potential = false;    ///< its tractions derive from an energy everywhere: no non-conservative work on any path
-    bool friction_beside_cohesion = false;     ///< friction adds to the cohesion that is left: under pressure a point that
-                                               ///< passes the peak of its cohesion has not lost its strength
+    std::string_view name;                  ///< as options and files spell it
+    std::string_view meaning;               ///< in a few words
+    bool potential = false;                 ///< its tractions derive from an energy, so that no path does non-conservative work
+    bool friction_beside_cohesion = false;  ///< friction adds to the remaining cohesion: under pressure a point past the
+                                            ///< peak of its cohesion has not lost its strength
     std::array<ContactValue, 7> parameters{};  ///< contact parameters it reads beside those that every law reads
 
-    /// By which micro-cracks are counted.
+    /// The event by which micro-cracks are counted.
     [[nodiscard]] constexpr CrackEvent crack_event() const {
         return friction_beside_cohesion ? CrackEvent::half_damaged : CrackEvent::failed;
     }
@@ -44,7 +44,7 @@ struct LawDescription {
     }
 };
 
-/// Constants of a law. Symbols as in the paper. \see make_contact_law
+/// Constants of a law, with the symbols of Kazerani & Zhao 2014. \see make_contact_law
 struct ContactLaw {
     LawVariant variant;
     double kt, ks;   ///< initial stiffnesses (Eqs 3–5), Pa/m
@@ -78,7 +78,7 @@ struct ContactTraction {
     double shear = 0;   ///< τ, Pa
 };
 
-/// The history of a contact point: its last motion and everything the next response depends on.
+/// The history of a contact point: its last motion and all values on which the next response depends.
 struct ContactHistory {
     ContactMotion motion;                       ///< of the last update
     double max_displacement = 0;                ///< δmax once failed open (literal), m
@@ -90,7 +90,7 @@ struct ContactHistory {
     double bridge = 0;                          ///< b, the integrity of its bridge (likewise)
     bool failed_open = false;                   ///< passed the peak of the open branch
     bool failed_closed = false;                 ///< passed the peak of the closed branch
-    bool separated = false;                     ///< past δut, or open after a failure that left nothing
+    bool separated = false;                     ///< past δut, or open after a failure without residual strength
     CrackMode first_mode = CrackMode::tensile;  ///< of the first failure
 
     [[nodiscard]] bool failed() const { return failed_open || failed_closed; }
@@ -114,25 +114,25 @@ struct ContactResponse {
 inline ContactHistory broken_contact() {
     ContactHistory h;
     h.failed_open = h.failed_closed = h.separated = true;
-    h.max_displacement = h.largest_open = h.largest_slid = std::numeric_limits<double>::max();  // nothing is left
+    h.max_displacement = h.largest_open = h.largest_slid = std::numeric_limits<double>::max();  // no strength is left
     h.integrity = 0;
     h.friction_fraction = 1;
     return h;
 }
 
-/// State of a contact point as the files name it.
+/// State of a contact point by its name in files.
 inline PointState point_state(const ContactHistory& h) {
     if (!h.failed()) return PointState::intact;
     if (h.separated) return PointState::separated;
     return h.first_mode == CrackMode::tensile ? PointState::failed_tension : PointState::failed_shear;
 }
 
-/// The fraction of its cohesion that remains when a point is damaged by 10, 50 and 90 %. A point below the last one is broken.
-/// The first two are of the brittle part, whatever a bridge bears.
+/// Damage levels: fractions of the cohesion that remain when a point is damaged by 10, 50 and 90 %. A point below the last one is
+/// broken. The first two are of the brittle part without the bridge.
 inline constexpr std::array<double, 3> damage_levels{0.9, 0.5, 0.1};
-/// The next mark of a point that has passed so many; 0, which no point falls below, after the last.
+/// The next damage level of a point that has passed so many of them; 0 after the last one, as no point falls below it.
 constexpr double damage_level(std::size_t passed) { return passed < damage_levels.size() ? damage_levels[passed] : 0; }
-/// Number of marks that lie above what remains of the cohesion of a point.
+/// Number of damage levels above the remaining cohesion of a point.
 constexpr std::size_t count_levels_above(double remaining) {
     std::size_t count = 0;
     while (remaining < damage_level(count)) ++count;
