@@ -61,7 +61,8 @@ std::vector<ContactStiffness> stiffest_by_phase(const Assemblage& a, const Conta
         for (std::size_t low = 0; low <= high; ++low) {
             const ContactLaw& law = laws.of_class[contact_class(high, low)];
             for (const std::size_t phase : {low, high}) {
-                stiffest[phase] = {std::max(stiffest[phase].normal, law.stiffest_normal), std::max(stiffest[phase].shear, law.ks)};
+                stiffest[phase] = {std::max(stiffest[phase].normal, law.stiffest_normal),
+                                   std::max(stiffest[phase].shear, law.ks)};
             }
         }
     }
