@@ -1,4 +1,4 @@
-// Materials: TOML files with the rock, its contacts and its laboratory values, of which not everything need be known yet.
+// Materials: TOML files with a rock, its contacts and its laboratory values. Values may be missing.
 #pragma once
 
 #include <filesystem>
@@ -18,97 +18,97 @@
 
 namespace graincrack {
 
-/// [ratios] of a material: contact values that follow from others, so that a kind of rock is described without numbers of one
-/// rock, and a calibration that moves the tensile strength takes the others with it. By the contact value that follows:
-/// tensile_strength tc over the tensile strength of the rock; cohesion and open_shear_strength over tc; fracture_energy E G_I/tc²
-/// over the grain size, with E of the rock; mode_ii_fracture_energy over G_I. Other members are not used.
+/// [ratios] of a material: contact values that follow from others. They describe a rock type without values of a single rock, and
+/// scale with the tensile strength in a calibration. The members are tensile_strength tc over the tensile strength of the rock;
+/// cohesion and open_shear_strength over tc; fracture_energy as E G_I/tc² over the grain size, with E of the rock; and
+/// mode_ii_fracture_energy over G_I. Other members are not used.
 using ContactRatios = GivenContact;
 
-/// The key of the measured K_IC, or the table of its value and of the test that it is of.
+/// The key of the measured K_IC, or of the table with its value and test.
 inline constexpr const char* measured_toughness = "laboratory.mode_i_toughness";
 
 /// [laboratory]: measured values, by key, in SI.
 using LaboratoryValues = std::map<std::string, double>;
 
-/// [fitted] of a calibrated material: properties of the assemblage that were fitted, by key (as in [laboratory], or
-/// "confined_strength_8MPa"), and to what, in words.
+/// [fitted] of a calibrated material: the fitted properties of the assemblage by key (as in [laboratory], or
+/// "confined_strength_8MPa"), with the values that they were fitted to in words.
 using FittedProperties = std::map<std::string, std::string>;
 
 struct Material {
     std::string name;
-    std::string kind;            ///< of rock, a name of `rock_kinds`; "": not given
-    std::filesystem::path file;  ///< where it was read from
+    std::string kind;            ///< rock type, a name of `rock_kinds`; "" if not given
+    std::filesystem::path file;  ///< the file that it was read from
     Rock rock;
-    GivenContact contact;              ///< [contact]; what is unset follows from `ratios`, else from [rock]
+    GivenContact contact;              ///< [contact]; missing values follow from `ratios`, else from [rock]
     ContactRatios ratios;              ///< [ratios]
-    std::string law;                   ///< [contact] law: name of its contact law; "": that of the program
+    std::string law;                   ///< [contact] law: name of its contact law; "" for that of the program
     GrainFabric grains;                ///< [fabric]
     MaterialFabric fabric;             ///< [phases], [pairs], [strength]
     double platen_friction_angle = 0;  ///< rad; 0 if the file has no [platen]
     LaboratoryValues laboratory;
-    ToughnessTest toughness_test;  ///< of mode_i_toughness of [laboratory]
-    /// A value of [laboratory]; empty if it has none.
+    ToughnessTest toughness_test;  ///< test of mode_i_toughness of [laboratory]
+    /// A value of [laboratory]; empty if it is not given.
     [[nodiscard]] std::optional<double> laboratory_value(const std::string& key) const;
     FittedProperties fitted;
-    std::vector<Remark> notes;  ///< on its values, for `write_notes`: notes of those without a unit, warnings far off any rock's
+    std::vector<Remark> notes;  ///< notes on values without a unit, warnings about values far from any rock's; see `write_notes`
 };
 
-/// Reads a material, a name or a file as `materials` finds it. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
-/// What [rock] and [fabric] do not give is that of [laboratory], as `take_laboratory` has it.
+/// Reads a material by name or file, as `materials` finds it. Quantities are texts with units ("25.8 GPa") or bare SI numbers.
+/// Values missing in [rock] and [fabric] are those of [laboratory], by `take_laboratory`.
 /// \throws InputError for a missing or malformed file, an unknown key, a missing property or a value out of bounds; the
-///         message names file and key and says what would be right.
+///         message names file, key and what is allowed
 Material read_material(const std::string& name_or_file);
 
-/// A material file of which needed keys may be missing; those are 0.
+/// A material file in which needed keys may be missing; their values are 0.
 struct IncompleteMaterial {
     Material material;
     std::vector<std::string> missing;      ///< "rock.density", in the order of the template
-    std::map<std::string, double> values;  ///< what the file has, by key, "rock.density"; SI
+    std::map<std::string, double> values;  ///< values of the file by key, "rock.density"; SI
 };
-/// Reads a material as `read_material` does, without asking for all keys. \throws InputError as there for everything else
+/// Reads a material that may lack keys. \throws InputError for all other errors of `read_material`
 IncompleteMaterial read_incomplete_material(const std::string& name_or_file);
 
 /// Every key of a material file, "rock.young_modulus", in the order of the template.
 std::vector<std::string> material_keys();
 
-/// A key of a material file, "rock.young_modulus", "phases.quartz.fraction"; it sets nothing of use. \throws UsageError likewise
+/// A key of a material file, "rock.young_modulus", "phases.quartz.fraction", which sets nothing. \throws UsageError likewise
 TomlKey material_key(const std::string& key);
-/// What a key of a material file holds, "rock.young_modulus". \throws UsageError with the nearest and all keys if there is none
+/// The quantity of a key, "rock.young_modulus". \throws UsageError with the nearest key and all keys if there is none
 Quantity material_quantity(const std::string& key);
 
-/// Gives a material what it lacks and its laboratory has: values of [rock], and the grain size of a [fabric] with a tessellation.
-/// Where the tensile strength of the rock comes from there, a toughness that nobody measured is K_IC = σt/6.88 MPa√m (Zhang 2002)
-/// and K_IIC = 2 K_IC, as of Augig granite.
+/// Gives a material the values that it lacks from its [laboratory]: values of [rock], and the grain size of a [fabric] with a
+/// tessellation. If the tensile strength of the rock comes from there, a toughness that was not measured is K_IC = σt/6.88 MPa√m
+/// (Zhang 2002) and K_IIC = 2 K_IC, as for Augig granite.
 void take_laboratory(IncompleteMaterial& material);
 
-/// The rock for the fracture process zone from what a file has: [rock], else the same values of [laboratory], else, of a
-/// toughness that nobody measured, that of `take_laboratory`. \param notes gets a sentence for each value that [rock] does not
-/// give \throws InputError if E, ν or σt is in neither table
+/// The rock for the fracture process zone: values of [rock], else of [laboratory], else, for a toughness that was not measured,
+/// as in `take_laboratory`. \param notes gets a sentence for each value that [rock] does not give \throws InputError if E, ν or
+/// σt is in neither table
 Rock rock_of_laboratory(const IncompleteMaterial& material, std::vector<std::string>& notes);
 
-/// Says the notes on the values of a material, a line each: "PROGRAM: note: …".
+/// Writes the notes on the values of a material, one line per note: "PROGRAM: note: …".
 void write_notes(std::ostream& out, std::string_view program, const Material& material);
 
-/// How the fracture energy of a contact is chosen (--fracture-energy).
+/// The choice of the fracture energy of a contact (--fracture-energy).
 struct FractureEnergyChoice {
     enum class Kind { mixed, mode_i, value } kind = Kind::mode_i;
     double value = 0;  ///< J/m², for Kind::value
 };
 
-/// Reads "mixed", "mode-i" or a value such as "90J/m2". \throws UsageError naming `where`
+/// Reads "mixed", "mode-i" or a value such as "90J/m2". \throws UsageError that names `where`
 FractureEnergyChoice parse_fracture_energy(std::string_view text, std::string_view where);
 /// "mixed", "mode-i" or "value".
 std::string_view name_of(FractureEnergyChoice::Kind kind);
 
-/// The choice `contact_parameters` makes: `choice`; else the material's own value; else mode-i.
+/// The choice of `contact_parameters`: `choice`, else the material's own value, else mode-i.
 FractureEnergyChoice effective_fracture_energy(const Material& material, const std::optional<FractureEnergyChoice>& choice);
 
-/// What a material gives of its contacts: [contact] with an explicit choice of the fracture energy in place of its own, and what
-/// its [ratios] make of that.
+/// The contact values that a material gives: [contact], with an explicit choice of the fracture energy, and the values that
+/// follow from [ratios].
 GivenContact given_contact(const Material& material, PlaneCondition plane, const std::optional<FractureEnergyChoice>& choice);
 
-/// The contact parameters of a material, as `derived_contact` has them. An explicit `choice` takes precedence over the material's
-/// own fracture energy; without either the choice is mode-i.
+/// The contact parameters of a material by `derived_contact`. An explicit `choice` takes precedence over the material's own
+/// fracture energy; without either the choice is mode-i.
 ContactParameters contact_parameters(const Material& material, PlaneCondition plane,
                                      const std::optional<FractureEnergyChoice>& choice);
 

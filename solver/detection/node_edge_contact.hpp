@@ -1,17 +1,16 @@
-// A node–edge contact (share/doc/laws.md): a node of one grain against an edge of another, where no bond is left. Penalty and
-// Coulomb friction, with an energy.
+// A node–edge contact (share/doc/laws.md) acts between a node of one grain and an edge of another without a bond. It has a
+// penalty stiffness and Coulomb friction, and a stored energy.
 //
-// With x the node, x0 → x1 the edge (solid on its left), t its direction, n its outward normal and s the place of the node along
-// it, 0 to 1: depth d = −(x − x0)·n, overlap e = d − initial overlap, the depth at which the contact was found. Per tributary
-// area A of the node:
+// Let x be the node, x0 → x1 the edge (solid on its left), t its direction, n its outward normal, and s the place of the node
+// along it, 0 to 1. The depth is d = −(x − x0)·n, the overlap is e = d − initial overlap, where the initial overlap is the depth
+// at which the contact was found. With the tributary area A of the node:
 //
-//   normal    kt A e on the node along n, stored ½ kt A e²
-//   friction  τ = ks q within ±(c_r + kt e tan φ_r) while e > 0, q the elastic part of the sliding along the edge, stored ½ ks A
-//   q²
+//   normal    kt A e on the node along n; the spring stores ½ kt A e²
+//   friction  τ = ks q within ±(c_r + kt e tan φ_r) while e > 0, with the elastic part q of the sliding; it stores ½ ks A q²
 //
 // The edge takes the opposite forces in the fractions 1 − s and s, and the couple d τ. A contact ends between two steps: when the
-// node is found past the edge by o, the scheme has taken ½ kt A e o more energy from the spring than it stored. A tension of ½ kt
-// A e o/(e + o) in the following step corrects this: its work over the distance 2 (e + o) of two steps is that energy.
+// node is found past the edge by o, the scheme has taken ½ kt A e o more energy from the spring than it stored. A tension of
+// ½ kt A e o/(e + o) in the following step corrects this: its work over the distance 2 (e + o) of two steps is that energy.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +25,12 @@ namespace graincrack {
 /// Position of a node relative to an edge.
 struct PairGeometry {
     Vector2 tangent;
-    Vector2 normal;         ///< outward, t turned by −90°
-    double inv_length = 0;  ///< of the edge, 1/m
+    Vector2 normal;         ///< outward normal, t turned by −90°
+    double inv_length = 0;  ///< inverse length of the edge, 1/m
     double place = 0;       ///< s along the edge, 0 to 1 over it
     double depth = 0;       ///< d behind the edge, m
 };
-/// \param edge from its first node to its second, m \param from_first to the node, m
+/// \param edge vector from its first node to its second, m \param from_first vector from the first node to the node, m
 GRAINCRACK_INLINE PairGeometry pair_geometry(const Vector2& edge, const Vector2& from_first) {
     const double inv_length = 1 / length(edge);
     const Vector2 t = inv_length * edge;
@@ -49,11 +48,11 @@ struct NodeEdgeForces {
 struct NodeEdgeResponse {
     NodeEdgeContact contact;
     NodeEdgeForces forces;
-    double friction = 0;  ///< dissipated since the last update, J
-    double slip = 0;      ///< since then, m
+    double friction = 0;  ///< energy dissipated in the update, J
+    double slip = 0;      ///< slip in the update, m
 };
 
-/// The law of a node–edge contact is the residual one of the class of its two grains.
+/// The law of a node–edge contact: the residual law of the contact class of its two grains.
 inline FrictionLaw friction_law(const ContactLaw& law) {
     const double per_slip = law.wear_slip > 0 ? 1 / law.wear_slip : 0;
     return {law.kt, law.ks, law.residual_cc, law.worn_tan_phi, per_slip > 0 ? law.tan_phi - law.worn_tan_phi : 0, per_slip};
@@ -65,12 +64,12 @@ inline FrictionLaw friction_law(const Assemblage& a, const ContactLaws& laws, co
 GRAINCRACK_INLINE double friction_limit(const FrictionLaw& law, double pressure) {
     return law.cohesion + pressure * law.tan_friction;
 }
-/// That of faces that have slid by `worn` (m) since they lost their cohesion: (tan φc − tan φ_r) (1 − worn/w) is left beside φ_r.
+/// The same with tan φ_r + (tan φc − tan φ_r) (1 − worn/w) for faces that have slid by `worn` (m) since they lost their cohesion.
 GRAINCRACK_INLINE double friction_limit(const FrictionLaw& law, double pressure, double worn) {
     return friction_limit(law, pressure) + pressure * law.tan_fresh * std::max(0.0, 1 - worn * law.inv_wear_slip);
 }
-/// The same behind a step in which they slide from `worn` on to where the spring bears no more than the limit there: both are
-/// linear in the slip. \param trial magnitude of the traction without slip, Pa
+/// The limit at the end of a step in which faces slide on from `worn` until the spring bears the limit there; both are linear in
+/// the slip. \param trial magnitude of the traction without slip, Pa
 GRAINCRACK_INLINE double worn_limit(const FrictionLaw& law, double pressure, double worn, double trial) {
     const double before = friction_limit(law, pressure, worn);
     const double fall = pressure * law.tan_fresh * law.inv_wear_slip / law.shear_stiffness;  // over that of the spring
@@ -78,7 +77,7 @@ GRAINCRACK_INLINE double worn_limit(const FrictionLaw& law, double pressure, dou
     return trial > before ? std::max(std::min(before, along), friction_limit(law, pressure)) : before;
 }
 
-/// Stored in the springs of a node–edge contact, J.
+/// Energy stored in the springs of a node–edge contact, J.
 inline double node_edge_energy(const FrictionLaw& law, const NodeEdgeContact& contact) {
     return 0.5 * contact.area *
            (law.normal_stiffness * contact.overlap * contact.overlap +
@@ -96,7 +95,7 @@ GRAINCRACK_INLINE NodeEdgeForces node_edge_forces(const FrictionLaw& law, const 
 /// Moves an active contact to a new position.
 ///
 /// \param sliding of the node along the edge since the last update, in the edge's own frame, m
-/// \tparam wears whether faces wear \param worn by how much those of the node have slid, m
+/// \tparam wears true if faces wear \param worn slip of the faces of the node so far, m
 template <bool wears = false>
 GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const FrictionLaw& law, const NodeEdgeContact& old,
                                                           const PairGeometry& g, double sliding, double worn = 0) {
@@ -120,7 +119,7 @@ GRAINCRACK_INLINE NodeEdgeResponse move_node_edge_contact(const FrictionLaw& law
     return r;
 }
 
-/// Sliding of a node along an edge over a step, from the displacements of the step; in the frame that turns with the edge.
+/// Sliding of a node along an edge in a step, m, from the displacements of the step in the frame that turns with the edge.
 GRAINCRACK_INLINE double sliding_along(const PairGeometry& g, const Vector2& node, const Vector2& first, const Vector2& second) {
     const Vector2 turn = second - first;
     const Vector2 relative = node - first - g.place * turn;

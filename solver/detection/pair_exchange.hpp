@@ -1,6 +1,6 @@
-// The contact pair list over several ranks. Each has all pairs of the nodes that it owns and of those that are near an edge of
-// its own nodes: it moves every contact that acts on an own node, as do the others that it acts on, with the same numbers. The
-// owner of the node of a pair says what state the contact is in when a search gives the pair to another rank.
+// Exchanges the contact pair list between ranks. A rank has all pairs of its own nodes and of nodes near an edge of its own
+// nodes. It moves every contact that acts on one of its nodes; other ranks on whose nodes the contact acts move it too, with the
+// same numbers. When a search gives a pair to another rank, the owner of its node sends the state of the contact.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,18 @@ namespace graincrack {
 /// Exposed edges of the surface (see solver/model/contact_pairs.hpp), ascending.
 std::vector<std::int32_t> find_exposed_edges(const Assemblage& assemblage, const ContactPairList& list);
 
-/// Brings the displacements of nodes of other ranks at exposed edges that may be within `margin` (m) of own ones.
-/// \return [n] 1 for nodes whose displacement is known; all for a rank alone
+/// Fetches the displacements of nodes of other ranks at exposed edges that may lie within `margin` (m) of own ones.
+/// \return [n] 1 for nodes whose displacement is known; 1 throughout for a single rank
 std::vector<std::uint8_t> exchange_exposed_nodes(const Assemblage& assemblage, const std::vector<std::int32_t>& exposed_edges,
                                                  double margin, State& state);
 
-/// Removes the pairs of nodes that have no pair which acts on an own node. \param pairs ascending
+/// Removes the pairs of nodes of which no pair acts on an own node. \param pairs ascending
 void keep_pairs_of_own_nodes(const Assemblage& assemblage, std::vector<CandidatePair>& pairs);
 
-/// Asks the owners for the nodes that this rank reads: those of its part, and of its pairs and the edges beside them.
+/// Requests the nodes that this rank reads from their owners: those of its part, of its pairs and of the edges next to these.
 void find_ghosts(const Assemblage& assemblage, State& state);
 
-/// Makes the contacts of pairs of other ranks' nodes those that their owners have. \throws NumericalError if a rank has other
-/// pairs of a node than its owner
+/// Takes the contacts of other ranks' nodes from their owners. \throws NumericalError if the pairs of both differ
 void take_contacts_of_owners(const Assemblage& assemblage, ContactPairList& list);
 
 }  // namespace graincrack

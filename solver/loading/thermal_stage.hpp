@@ -52,7 +52,7 @@ public:
         return control_of(heating).usual_time(change);
     }
 
-    /// Calls `visit(name, member)` with all that changes.
+    /// Calls `visit(name, member)` with every member that changes.
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit&& visit) {
         visit("heats", self.heats_);
@@ -65,21 +65,21 @@ public:
     }
 
 private:
-    /// A heated peak is behind once the stress has fallen by what ends the stage, and by `heated_fall` at least.
+    /// A heated peak is passed once the stress has fallen by the drop that ends the stage, and by `heated_fall` at least.
     void await_fall(const Stage& stage) { fallen_ = stage.peak_drop ? std::min(1 - *stage.peak_drop, 1 - heated_fall) : 0; }
     [[nodiscard]] HeatingControl control_of(const AutomaticHeating& heating) const {
         return {heating.tolerance, scales_, heating.share};
     }
     bool is_thermal_;
     HeatingScales scales_;
-    HeatingControl control_;  ///< finds the rate of the temperature
+    HeatingControl control_;  ///< sets the rate of the temperature
     bool heats_ = false;
     double from_ = 0;           ///< temperature at the begin of the stage, K
-    bool has_moved_ = false;    ///< of the platens: in this stage or one before
-    double locked_in_ = 0;      ///< stored energy when they first did, J
-    double cracks_before_ = 0;  ///< contacts
-    double highest_ = 0;        ///< axial stress of the stage, Pa
-    double fallen_ = 0;         ///< share of it below which a peak is behind
+    bool has_moved_ = false;    ///< true if the platens have moved in this stage or an earlier one
+    double locked_in_ = 0;      ///< stored energy when they first moved, J
+    double cracks_before_ = 0;  ///< number of contacts
+    double highest_ = 0;        ///< highest axial stress of the stage, Pa
+    double fallen_ = 0;         ///< fraction of it below which a peak is passed
 };
 
 }  // namespace graincrack

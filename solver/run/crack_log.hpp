@@ -13,14 +13,14 @@ namespace graincrack {
 class CrackLog {
 public:
     explicit CrackLog(std::size_t n_points) : crack_of_point_(n_points, -1) {}
-    /// Takes the events of all chunks, in the order of step, contact of the specimen and point, and clears them. The first rank
-    /// has the rows of all, the others their numbers.
+    /// Takes the events of all chunks, ordered by step, contact of the specimen and point, and clears them. The first rank has
+    /// the rows of all ranks, other ranks their numbers.
     void collect(const Assemblage& assemblage, double time_step, State& state);
     /// Continues the rows of an earlier run.
     void restore(const std::vector<Crack>& rows);
-    /// The rows, with the energy each point has released so far. \param fracture_energy of all ranks, as in `State`
+    /// The rows, with the energy that each point has released so far. \param fracture_energy of all ranks, as in `State`
     [[nodiscard]] std::vector<Crack> rows(const Assemblage& assemblage, const std::vector<double>& fracture_energy) const;
-    /// The micro-cracks by an event up to a time, on the first rank.
+    /// The number of micro-cracks by an event up to a time (s), on the first rank.
     [[nodiscard]] ModeCounts counts(CrackEvent event, double time = std::numeric_limits<double>::infinity()) const {
         return count_modes(cracks_, {event}, time);
     }

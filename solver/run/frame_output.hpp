@@ -1,4 +1,4 @@
-// Frames of the run file, and which moments become one.
+// Makes frames of the run file, and decides which times get one.
 #pragma once
 
 #include <cstddef>
@@ -16,35 +16,36 @@
 
 namespace graincrack {
 
-/// The state as a frame of the run file, in the specimen's own order. Each rank has what it owns of it.
-/// \param frame another one of this run, whose memory it takes
+/// The state as a frame of the run file, in the order of the specimen. Each rank has the part that it owns.
+/// \param frame another frame of this run, whose memory is used
 Frame make_frame(const Assemblage& assemblage, const ContactLaws& laws, const State& state, ThreadTeam& team, Frame frame = {});
 
-/// Keeps frames evenly spaced while nobody knows how long the run will be, and the one of the peak.
+/// Keeps evenly spaced frames of a run of unknown length, and the frame of its peak.
 class FrameOutput {
 public:
-    /// \param requested at least so many evenly spaced frames, 0 for none; in the end there are up to twice as many
-    /// \param first_interval of strain, doubled whenever there are too many \param file of the first rank, none on others
+    /// \param requested smallest number of evenly spaced frames, 0 for none; a run has up to twice as many
+    /// \param first_interval of strain, doubled whenever there are too many \param file on the first rank, null on others
     FrameOutput(int requested, double first_interval, const Setup& setup, const State& state, ThreadTeam& team,
                 WritingThread* file)
         : requested_(requested), interval_(first_interval), setup_(setup), state_(state), team_(team), file_(file) {}
-    /// Resumes where the run of a checkpoint was, with the frames it has.
+    /// Resumes the run of a checkpoint with its frames.
     void resume(const FrameProgress& progress, const RunReader& checkpoint);
-    /// \return writes the frames so far, the state of now last, into a checkpoint, and returns what `resume` needs
+    /// \return a function that writes all frames so far and the present state into a checkpoint, and returns the input of
+    /// `resume`
     [[nodiscard]] std::function<FrameProgress(const RunWriter& run, RunWriter& checkpoint)> save() const;
-    /// Adds a frame when the strain has come to the next interval.
+    /// Adds a frame when the strain has reached the next interval.
     void regular(double strain);
-    /// Remembers the frame of the highest stress so far, and adds it once the stress has clearly fallen.
+    /// Stores the frame of the highest stress so far, and adds it once the stress has clearly fallen.
     void peak(bool is_highest, bool has_fallen);
     void last();
-    /// Frames of a run with one peak, at most. \param requested as above
+    /// Largest number of frames of a run with one peak. \param requested as above
     static constexpr std::size_t max_frames(std::size_t requested) { return requested == 0 ? 1 : 2 * requested + 2; }
 
 private:
     [[nodiscard]] Frame now(Frame frame = {}) const {
         return make_frame(setup_.assemblage, setup_.parameters.laws, state_, team_, std::move(frame));
     }
-    /// Brings a frame together on the first rank.
+    /// Gathers a frame on the first rank.
     [[nodiscard]] Frame whole(Frame own) const;
     void thin();
     void add(Frame own, FrameRole role);

@@ -1,5 +1,5 @@
-// Probes of a program: motion of points, elongation of gauges, mean stress in circles, strain and stress at the points of rings,
-// motion of and force on the parts it prescribes something to.
+// Records the probes of a program: motion of points, elongation of gauges, mean stress in circles, strain and stress at the
+// points of rings, and motion of and force on the parts with boundary conditions.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@ namespace graincrack {
 
 class Probes {
 public:
-    /// \throws InputError for a point outside of the specimen, or where no element is to be read
+    /// \throws InputError for a point outside of the specimen, or a circle or ring without an element to read
     Probes(const Program& program, const Assemblage& assemblage, const Specimen& specimen);
-    /// Adds a row of the state after `measure`, which leaves the forces of its time in it.
+    /// Adds a row of the state. \pre `measure` has left the forces of this time in it
     void record(const Assemblage& assemblage, const Boundary& boundary, const State& state);
     [[nodiscard]] const std::vector<ProbeHistory>& histories() const { return histories_; }
-    /// Takes over the rows of a checkpoint. \param rows how many there must be \throws InputError
+    /// Takes over the rows of a checkpoint. \param rows their number \throws InputError if it differs
     void restore(const H5Input& checkpoint, std::size_t rows);
     /// The last value of a column.
     [[nodiscard]] double last(const std::string& probe, std::size_t column) const;
@@ -35,12 +35,12 @@ private:
         double angle;
         std::vector<std::int32_t> elements;
     };
-    /// Two points and the way from the first to the second.
+    /// Two points and the vector from the first to the second.
     struct Gauge {
         std::array<Point, 2> ends;
         Vector2 way;
     };
-    /// \throws InputError naming `where` if the place lies in no element
+    /// \throws InputError that names `where` if the place lies in no element
     static Point point_at(const Assemblage& assemblage, const Vector2& place, const std::string& where);
     /// A quantity of nodes at a point.
     static Vector2 value_at(const Part& part, const Point& point, const std::vector<Vector2>& of_nodes);

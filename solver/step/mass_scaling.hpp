@@ -1,5 +1,5 @@
-// Vertex clusters under mass scaling: which of them platens constrain, the energy lost when that changes, the kinetic energy of
-// the added mass.
+// Vertex clusters under mass scaling: constraints by platens, the energy lost when these change, and the energy of the added
+// mass.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace graincrack {
 
-/// Finds what follows from the rest of the state; of a new one, all clusters are away from platens.
+/// Computes the parts of the cluster state that follow from the rest of the state. In a new state no cluster is near a platen.
 void complete_cluster_state(const Assemblage& assemblage, const MassScaling& scaling, State& state);
 
-/// Finds which clusters of a chunk of nodes platens constrain, from `state.near_platen`. Where that changes it changes velocities
-/// and books the loss.
+/// Finds the clusters of a chunk of nodes that platens constrain, from `state.near_platen`. If this changes, it changes
+/// velocities and adds the loss to the sums.
 void update_clusters(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
                      std::int32_t chunk, State& state);
 
-/// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a chunk of nodes, v relative to the platen where one constrains them, J.
+/// Kinetic energy ½ vᵀ(M' − M) v of the added mass of a chunk of nodes, J; v is relative to the platen if one constrains them.
 double added_kinetic_energy(const Assemblage& assemblage, const StepParameters& parameters, const StepLoading& loading,
                             std::int32_t chunk, const State& state);
 
