@@ -4,7 +4,8 @@
 // until it is released, and `find_pairs` lists no pair of them before. At the release each closed point goes to exactly one pair
 // (`update_pair_list`). A node begins a contact with a grain only if it has no other contact with this grain and, unless it lies
 // deeper than `deep_node_depth`, none with the same surface of another grain; a transfer ends the contact on the edge that it
-// leaves. Overlaps within the corner zones up to that depth are carried by none.
+// leaves. Two exceptions: overlaps within the corner zones up to that depth are carried by none, and a transfer does not test
+// whether the node has another contact with the grain that it goes to.
 #pragma once
 
 #include <cstdint>

@@ -184,14 +184,12 @@ void StageController::start_next(const Rows& rows) {
 }
 
 void StageController::start_functions(int place) {
-    functions_end_ = 0;
     for_each_amplitude([&](std::size_t condition, std::size_t action, std::size_t i) {
-        if (const std::optional<TimeFunction> function = written_at(place, condition, action)) {
-            amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(feedback_.time)), feedback_.time,
-                              amplitudes_[i].of_velocity};
-            origins_[i] = place;
-        }
-        functions_end_ = std::max(functions_end_, amplitudes_[i].start + amplitudes_[i].function.end());
+        const std::optional<TimeFunction> function = written_at(place, condition, action);
+        if (!function) return;
+        amplitudes_[i] = {starting_from(*function, amplitudes_[i].at(feedback_.time)), feedback_.time,
+                          amplitudes_[i].of_velocity};
+        origins_[i] = place;
     });
 }
 
@@ -203,8 +201,8 @@ void StageController::start_stage(const Rows& rows) {
     if (stage.platens) {
         platens_.set(*stage.platens, feedback_.time);
         platens_origin_ = number_of(stage);
-        functions_end_ = std::max(functions_end_, platens_.function_end());
     }
+    functions_end_ = end_of_functions();
     ends_ = ends_of(stage, &rows);
 }
 
