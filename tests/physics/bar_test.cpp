@@ -34,7 +34,7 @@ const double interface_stiffness = 10 * bar_modulus / spacing;  // of the interf
 
 SmallRun bar_with_interfaces(double fraction = 0.5) {
     ContactLaw law = augig_law();
-    law.kt = interface_stiffness;
+    law.kt = law.stiffest_normal = interface_stiffness;
     law.ks = interface_stiffness / 10;
     law.stiffest_shear = law.ks;
     return {test::crossed_blocks(segments * cells_of_segment, 1, segments * spacing, cell_height,

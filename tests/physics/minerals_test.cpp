@@ -20,7 +20,7 @@ const std::vector<Phase> minerals{{60e9, 0, 2600}, {83.1e9, 0, 2650}, {29.3e9, 0
 /// Contacts so stiff that they hardly give way, the same of every class.
 ContactLaws stiff_contacts(std::size_t n_phases, double stiffness) {
     ContactLaw law = test::augig_law(LawVariant::consistent);
-    law.kt = stiffness;
+    law.kt = law.stiffest_normal = stiffness;
     law.ks = stiffness / 10;
     law.stiffest_shear = law.ks;
     return test::same_of_every_class(law, n_phases);

@@ -18,7 +18,7 @@ using test::verify;
 
 ContactLaw elastic_law(PlaneCondition plane, double normal = 1, double shear = 1) {
     ContactLaw law = make_contact_law(augig_contact(plane), LawVariant::consistent);
-    law.kt *= normal;
+    law.stiffest_normal = law.kt *= normal;
     law.ks *= shear;
     law.stiffest_shear = law.ks;
     return law;

@@ -32,7 +32,7 @@ double compliance(const SmallRun& run, const Eigen::VectorXd& u, const Tensor& s
 
 ContactLaw stiffened(double normal, double shear) {
     ContactLaw law = augig_law();
-    law.kt *= normal;
+    law.stiffest_normal = law.kt *= normal;
     law.ks *= shear;
     law.stiffest_shear = law.ks;
     return law;

@@ -153,7 +153,7 @@ double acceleration_down(double slope, double friction) {
     constexpr double sticks = 60;
     const auto law = [&](double degrees) {
         ContactLaw soft = law_with_friction(degrees);
-        soft.kt *= softness;
+        soft.stiffest_normal = soft.kt *= softness;
         soft.ks *= softness;
         return soft;
     };

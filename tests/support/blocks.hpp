@@ -18,7 +18,7 @@ inline ContactLaw joint_law(double normal_stiffness, double shear_stiffness, dou
     contact.friction_angle = contact.residual_friction_angle = std::atan(tan_friction);
     contact.residual_cohesion = contact.residual_tensile_strength = 0;
     ContactLaw law = make_contact_law(contact, LawVariant::coulomb_slip);
-    law.kt = normal_stiffness;
+    law.kt = law.stiffest_normal = normal_stiffness;
     law.ks = law.stiffest_shear = shear_stiffness;
     return law;
 }
