@@ -1,7 +1,9 @@
 #include "tests/support/golden.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -22,6 +24,15 @@ std::string golden_file(const std::string& source) {
 std::string without_line_ends(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text;
+}
+
+/// The text with words in place of names that differ by machine and run: of temporary folders and of the source.
+std::string without_places(const std::string& text) {
+    const std::regex folder(std::filesystem::temp_directory_path().string() + "/graincrack-test-\\w{6}");
+    std::string without = std::regex_replace(text, folder, "FOLDER");
+    const std::string source = GRAINCRACK_SOURCE;
+    for (std::size_t at = 0; (at = without.find(source, at)) != std::string::npos;) without.replace(at, source.size(), "SOURCE");
+    return without_line_ends(without);
 }
 
 Sections read(const std::string& path) {
@@ -68,15 +79,14 @@ void expect_golden(const std::string& text, const std::string& what, const char*
     const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
     const std::string title = std::string(test.test_suite_name()) + "." + test.name() + (what.empty() ? "" : ": " + what);
     const std::string path = golden_file(file);
+    const std::string own = without_places(text);
     Sections sections = read(path);
+    std::string& golden = section(sections, title);
     if (std::getenv("GRAINCRACK_ACCEPT") != nullptr) {
-        section(sections, title) = text;
+        golden = own;
         write(path, sections);
-        return;
-    }
-    const std::string golden = without_line_ends(section(sections, title));
-    if (without_line_ends(text) != golden) {
-        ADD_FAILURE_AT(file, line) << path << ", " << title << ": " << first_difference(without_line_ends(text), golden)
+    } else if (own != without_line_ends(golden)) {
+        ADD_FAILURE_AT(file, line) << path << ", " << title << ": " << first_difference(own, without_line_ends(golden))
                                    << "\n(tests/run --accept writes golden files anew and shows what changes)";
     }
 }

@@ -9,8 +9,8 @@ namespace graincrack::test {
 
 /// Fails at the caller's line, with the first line that differs, unless `text` is that of the caller's golden file: x_test.golden
 /// beside x_test.cpp, in the section "Suite.Test" of the test that runs, or "Suite.Test: what". Line ends at the end of a text
-/// do not count. With GRAINCRACK_ACCEPT=1 in the environment the section is written instead.
-/// \param what tells several texts of one test apart
+/// do not count, and FOLDER and SOURCE stand for a temporary folder and the folder of the sources. With GRAINCRACK_ACCEPT=1 in
+/// the environment the section is written instead. \param what tells several texts of one test apart
 void expect_golden(const std::string& text, const std::string& what = "", const char* file = __builtin_FILE(),
                    int line = __builtin_LINE());
 
