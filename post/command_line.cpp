@@ -15,7 +15,7 @@
 #include "post/chart/picture.hpp"
 #include "post/commands/commands.hpp"
 #include "post/cracks/crack_map.hpp"
-#include "post/table/tables_page.hpp"
+#include "post/table/documented_tables.hpp"
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "share/file/output_file.hpp"

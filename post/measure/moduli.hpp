@@ -57,7 +57,7 @@ fpz::AssemblageModuli predict_moduli(const RunSettings& header, const Specimen& 
 /// Length of all contacts over the area of all grains, 1/m.
 double contact_length_per_area(const Specimen& specimen);
 
-/// Writes the table `moduli`; its columns are those of share/doc/tables.md. \param diagnostics gets a line for each reason to
+/// Writes the table `moduli`; its columns are those of share/doc/columns.tsv. \param diagnostics gets a line for each reason to
 /// doubt
 void write_moduli_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format, std::ostream& diagnostics,
                         ColumnChoice columns = ColumnChoice::all);

@@ -10,7 +10,7 @@
 
 namespace graincrack {
 
-/// Writes the table `strength`, whose columns are those of share/doc/tables.md; all runs are measured before the first row is
+/// Writes the table `strength`, whose columns are those of share/doc/columns.tsv; all runs are measured before the first row is
 /// written. \param kind of the strength that strains, cracks, loads and the terminal belong to: the first peak of a compression
 /// test, or the largest stress \param options of graincrack-mesh and graincrack-solve, each one or several with commas between,
 /// whose values in the runs are further columns \throws UsageError for one that no run has \param diagnostics gets, after the

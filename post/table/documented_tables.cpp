@@ -1,4 +1,4 @@
-#include "post/table/tables_page.hpp"
+#include "post/table/documented_tables.hpp"
 
 #include <regex>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace graincrack {
 
-extern const char* const tables_page;  // made of share/doc/tables.md
+extern const char* const columns_text;  // made of share/doc/columns.tsv
 
 namespace {
 
@@ -40,33 +40,22 @@ void add_names(const std::string& text, const std::string& meaning, std::vector<
 
 }  // namespace
 
-std::vector<TableRow> tables_of_page(std::string_view page) {
-    const std::regex head(R"(\| column(?: of (--)?(.+?))? \| meaning \|)"), link(R"(\[([^\]]*)\]\([^)]*\))"), bar(R"(\\\|)"),
-        comma(", ");
+std::vector<TableRow> tables_of_rows(std::string_view rows) {
     std::vector<TableRow> tables;
-    std::string command;
-    bool inside = false;
-    for (const std::string_view each : split(page, '\n')) {
-        const std::string line(each);
-        std::smatch found;
-        if (line.starts_with("## ")) command = line.substr(3);
-        if (line.starts_with("| column") && std::regex_match(line, found, head)) {
-            const bool of_option = found[1].matched;
-            tables.push_back({command + (of_option ? " --" + found.str(2) : ""), of_option ? "" : found.str(2), {}});
-        }
-        inside = line.starts_with("|") && (inside || !found.empty());
-        if (!inside || !found.empty() || line.starts_with("|--")) continue;
-        const std::size_t middle = line.find(" | ");
-        std::string meaning = std::regex_replace(line.substr(middle + 3, line.size() - middle - 5), link, "$1");
-        meaning = std::regex_replace(meaning, bar, "|");
-        const std::string names = std::regex_replace(line.substr(2, middle - 2), comma, "\n");
+    for (const std::string_view line : split(rows.substr(rows.find('\n') + 1), '\n')) {
+        if (line.empty()) continue;
+        const std::vector<std::string_view> cells = split(line, '\t');
+        const std::string command(cells.at(0)), file(cells.at(1)), meaning(cells.at(3));
+        if (tables.empty() || tables.back().command != command || tables.back().file != file)
+            tables.push_back({command, file, {}});
+        const std::string names = std::regex_replace(std::string(cells.at(2)), std::regex(", "), "\n");
         for (const std::string_view name : split(names, '\n')) add_names(std::string(name), meaning, tables.back().columns);
     }
     return tables;
 }
 
 std::vector<TableRow> documented_tables() {
-    std::vector<TableRow> tables = tables_of_page(tables_page);
+    std::vector<TableRow> tables = tables_of_rows(columns_text);
     TableRow& history = *tables.insert(tables.begin(), TableRow{"history", "", {}});
     for (const HistoryDataset& column : history_datasets) {
         const std::string unit(column.dimension == Dimension::one ? "" : si_unit(column.dimension));
