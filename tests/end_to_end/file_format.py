@@ -1,45 +1,29 @@
 #!/usr/bin/python3
-"""Compares the tables of share/doc/file-format.md with the datasets of a run, whose descriptions they are.
+"""Compares a run with what graincrack-solve --describe says of datasets, and with share/doc/file-format.md.
 
-Usage: file_format.py RUN PAGE [--write]
+Usage: file_format.py RUN PAGE DESCRIPTION
 
-A table stands between the lines `<!-- datasets of GROUP -->` and `<!-- end -->`. --write writes the tables anew. Prints each name
-of a dataset, group or attribute that the page does not have, and fails if there is one or a table differs.
+Prints each dataset that DESCRIPTION lacks or has with another unit or meaning, and each group or attribute that the page does not name; fails
+if there is one.
 """
+import json
 import pathlib
-import re
 import sys
 
 import h5py
 
-LETTERS = {"nodes": "n", "elements": "e", "grains": "g", "contacts": "c", "boundary": "b", "cracks": "m", "history": "k"}
-TABLES = {"specimen": ["nodes", "elements", "grains", "contacts", "boundary"], "history": ["history"], "cracks": ["cracks"],
-          "frames": ["frames/0000"]}
+OF_A_RUN = ("nodes", "elements", "grains", "contacts", "boundary", "history", "cracks", "frames/0000")
 
 
-def shape(run, path, dataset):
-    group = path.split("/")[0]
-    letter = LETTERS.get(group)
-    if group == "frames":
-        letter = {run["nodes/position"].shape[0]: "n", run["elements/nodes"].shape[0]: "e", run["contacts/nodes"].shape[0]: "c"}[dataset.shape[0]]
-    return "[" + ",".join([letter, *map(str, dataset.shape[1:])]) + "]"
+def described(run):
+    found = {}
 
+    def add(path, item):
+        if isinstance(item, h5py.Dataset) and path.startswith(OF_A_RUN):
+            found["/" + path.replace("frames/0000", "frames/NNNN")] = tuple(item.attrs[name].decode() for name in ("unit", "description"))
 
-def row(run, path, is_named_whole):
-    dataset = run[path]
-    meaning = dataset.attrs["description"].decode().replace("|", r"\|").replace("the attribute names", "`names`")
-    if path.endswith(("kind", "mode", "state")):
-        meaning += ": " + ", ".join(f"{i} `{name.decode()}`" for i, name in enumerate(dataset.attrs["names"]))
-    name = "/" + path if is_named_whole else path.split("/")[-1]
-    return f"| `{name}` | {dataset.dtype.name} {shape(run, path, dataset)} | {dataset.attrs['unit'].decode()} | {meaning} |"
-
-
-def table(run, groups):
-    whole = len(groups) > 1
-    paths = [f"{group}/{name}" for group in groups for name in run[group]]
-    paths.sort(key=lambda path: (groups.index(path.rsplit("/", 1)[0]), h5py.h5o.get_info(run[path].id).addr))
-    rows = [row(run, path, whole) for path in paths if isinstance(run[path], h5py.Dataset)]
-    return "\n".join([f"| {'path' if whole else 'name'} | type | unit | |", "|---|---|---|---|", *rows])
+    run.visititems(add)
+    return found
 
 
 def names_of(run):
@@ -48,7 +32,8 @@ def names_of(run):
     def add(path, item):
         if path.startswith("VTKHDF") or path.startswith("frames/") and not path.startswith("frames/0000"):
             return
-        names.update(part for part in path.split("/") if not part.isdigit())
+        if isinstance(item, h5py.Group) or not path.startswith(OF_A_RUN):
+            names.update(part for part in path.split("/") if not part.isdigit())
         names.update(name for name in item.attrs if not name.endswith("_unit"))
 
     run.visititems(add)
@@ -56,22 +41,13 @@ def names_of(run):
 
 
 def main():
-    page = pathlib.Path(sys.argv[2])
-    old = text = page.read_text()
+    page = pathlib.Path(sys.argv[2]).read_text()
+    told = {each["path"]: (each["unit"], each["meaning"]) for each in json.loads(pathlib.Path(sys.argv[3]).read_text())["datasets"]}
     with h5py.File(sys.argv[1]) as run:
-        for name, groups in TABLES.items():
-            block = re.compile(rf"(<!-- datasets of {name} -->\n\n).*?(\n\n<!-- end -->)", re.S)
-            assert len(block.findall(text)) == 1, f"{page}: no table of {name}"
-            text = block.sub(lambda found: found[1] + table(run, groups) + found[2], text)
-        missing = sorted(name for name in names_of(run) if f"`{name}`" not in text and f"/{name}" not in text)
-    for name in missing:
-        print(f"{page}: does not name {name}")
-    if "--write" in sys.argv:
-        page.write_text(text)
-    elif text != old:
-        print(f"{page}: tables are not those of the files; {pathlib.Path(__file__).name} RUN {page} --write renews them")
-        return 1
-    return bool(missing)
+        faults = [f"--describe has not {path}: {said}" for path, said in sorted(described(run).items()) if told.get(path) != said]
+        faults += [f"{sys.argv[2]}: does not name {name}" for name in sorted(names_of(run)) if f"`{name}`" not in page and f"/{name}" not in page]
+    print(*faults, sep="\n", end="\n" if faults else "")
+    return bool(faults)
 
 
 sys.exit(main())

@@ -36,6 +36,8 @@ class Metadata(unittest.TestCase):
         self.assertEqual(first(r'^    version\("([^"]+)"', "share/packaging/spack/package.py"), version)
         self.assertEqual(first(r'^  version: "([^"]+)"', "share/packaging/conda/recipe.yaml"), version)
         self.assertEqual(first(r'^__version__ = "([^"]+)"', "share/python/graincrack/__init__.py"), version)
+        released = first(r"^date-released: (\S+)", "CITATION.cff")
+        self.assertIn(f"\n## {version}, {released}\n", text("CHANGELOG.md"))
 
     def test_authors_and_licence_are_those_of_the_citation(self):
         author = first(r"^  - name: (.+)", "CITATION.cff")
