@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "share/base/error.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -37,50 +38,38 @@ TEST(Events, AreLinesOfJsonBesideThoseOfStderr) {
             open_events(path);
             std::ostringstream out;
             say(out, "disc: 3 \"grains\"\\");
-            warn(out, "strength", {"few grains\x1b", "few_crystals"}, "a\xff.h5");
+            warn(out, "strength", {"grains\x1b", "few_crystals"}, "a\xff.h5");
             tell_progress("mesh", 0.5, "half");
             add_to_outcome("stop_reason", "peak drop");
             add_to_outcome("strength", 1.5e8);
             add_output_to_outcome("run.h5");
-            if (out.str() != "disc: 3 \"grains\"\\\nstrength: warning: few grains\\x1b\n") return 9;
-            throw InputError("no\nsuch file");
+            if (out.str() != "disc: 3 \"grains\"\\\nstrength: warning: grains\\x1b\n") return 9;
+            throw InputError("a\nb");
         });
         std::exit(code);
     };
-    EXPECT_EXIT(work(), testing::ExitedWithCode(3), "^graincrack-test: no such file\n$");
+    EXPECT_EXIT(work(), testing::ExitedWithCode(3), "^graincrack-test: a b\n$");
     const std::vector<Json> events = read_events(path);
     ASSERT_EQ(events.size(), 4U);
-    EXPECT_EQ(events[0], Json({{"event", "note"}, {"text", "disc: 3 \"grains\"\\"}}));
-    EXPECT_EQ(events[1], Json({{"event", "warning"},
-                               {"code", "few_crystals"},
-                               {"subject", "strength"},
-                               {"text", "few grains\x1b"},
-                               {"file", "a\uFFFD.h5"}}));
-    EXPECT_EQ(events[2], Json({{"event", "progress"}, {"label", "mesh"}, {"fraction", 0.5}, {"text", "half"}}));
-    EXPECT_EQ(events[3], Json({{"event", "outcome"},
-                               {"exit_code", 3},
-                               {"error", "graincrack-test: no such file"},
-                               {"outputs", {"run.h5"}},
-                               {"stop_reason", "peak drop"},
-                               {"strength", 1.5e8}}));
+    EXPECT_EQ(events[1]["text"], "grains\x1b");  // as it is
+    std::string text;
+    for (const Json& event : events) text += event.dump() + "\n";
+    test::expect_golden(text);
 }
 
-TEST(Events, ADescriptorMustBeOpenForWriting) {
+TEST(Events, NeedADescriptorThatIsOpenForWriting) {
+    test::Refusals refused;
     for (const std::string number : {"987", "99999999999999999999"}) {
-        try {
-            open_events(number);
-            FAIL();
-        } catch (const UsageError& error) {
-            EXPECT_EQ(error.what(), "--events: descriptor " + number + " is not open for writing; give one that is, or a file");
-        }
+        refused.add<UsageError>(number, [&] { open_events(number); });
     }
     const int reading = ::open("/dev/null", O_RDONLY);
     EXPECT_THROW(open_events(std::to_string(reading)), UsageError);
     ::close(reading);
-    EXPECT_THROW(open_events("/no/such/folder/events"), OutputError);
+    refused.add<OutputError>("no folder", [] { open_events("/no/such/folder/events"); });
+    test::expect_golden(refused.text());
 }
 
-TEST(Events, AReaderThatHasGoneStopsTheWorkAsAHangUp) {
+TEST(Events, WithoutAReaderStopTheWorkAsAHangUp) {
     const auto work = [] {
         std::array<int, 2> ends{};
         if (::pipe(ends.data()) != 0) std::exit(9);

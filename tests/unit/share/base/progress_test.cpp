@@ -14,7 +14,7 @@ namespace graincrack {
 namespace {
 
 // Under ctest stderr is no terminal: a line every half minute, so a short piece of work prints none.
-TEST(Progress, ShortWorkPrintsNothingWithoutATerminal) {
+TEST(Progress, OfShortWorkPrintsNothingWithoutATerminal) {
     for (const Verbosity verbosity : {Verbosity::quiet, Verbosity::normal, Verbosity::verbose}) {
         testing::internal::CaptureStdout();
         testing::internal::CaptureStderr();
@@ -29,7 +29,7 @@ TEST(Progress, ShortWorkPrintsNothingWithoutATerminal) {
     }
 }
 
-TEST(Progress, ABarOnATerminalThatIsWipedAtTheEnd) {
+TEST(Progress, IsABarOnATerminalThatIsWipedAtTheEnd) {
     const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
     ASSERT_GE(master, 0);
     ASSERT_EQ(::grantpt(master), 0);

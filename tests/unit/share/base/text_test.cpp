@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -15,7 +15,7 @@ namespace {
 
 using Texts = std::vector<std::string_view>;
 
-TEST(Text, PartsBetweenSeparators) {
+TEST(Split, GivesPartsBetweenSeparators) {
     EXPECT_EQ(split("a,b,,c", ','), (Texts{"a", "b", "", "c"}));
     EXPECT_EQ(split("a,", ','), (Texts{"a", ""}));
     EXPECT_EQ(split("", ','), Texts{""});
@@ -23,20 +23,20 @@ TEST(Text, PartsBetweenSeparators) {
     EXPECT_EQ(trimmed(" "), "");
 }
 
-TEST(Text, KeysAndValues) {
+TEST(KeyAndValue, AreDividedByTheFirstEqualsSign) {
     EXPECT_EQ(key_and_value("a=b=c", "--set", "KEY=VALUE"), (std::pair<std::string, std::string>("a", "b=c")));
     EXPECT_EQ(key_and_value("a=", "--set", "KEY=VALUE").second, "");
-    for (const char* bad : {"", "a", "=b"}) {
-        test::expect_one_line<UsageError>([&] { key_and_value(bad, "--set", "KEY=VALUE"); }, {"--set ", "KEY=VALUE is needed"});
-    }
+    test::Refusals refused;
+    for (const char* bad : {"", "a", "=b"}) refused.add<UsageError>(bad, [&] { key_and_value(bad, "--set", "KEY=VALUE"); });
+    test::expect_golden(refused.text());
 }
 
-TEST(Text, TheNearestWordIsNotFar) {
-    EXPECT_EQ(did_you_mean("confning-pressure", {"edge", "confining-pressure"}), " (did you mean confining-pressure?)");
+TEST(DidYouMean, TellsTheNearestWordUnlessItIsFar) {
+    test::expect_golden(did_you_mean("confning-pressure", {"edge", "confining-pressure"}));
     EXPECT_EQ(did_you_mean("colour", {"edge", "spread"}), "");
 }
 
-TEST(Text, APipeGivesItsBytesAtEachCallAndWhatHasNoEndIsRefused) {
+TEST(TextOfFile, IsThatOfAPipeAtEachCallAndHasAnEnd) {
     const test::TemporaryFolder folder;
     const std::string pipe = folder.file("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -44,7 +44,9 @@ TEST(Text, APipeGivesItsBytesAtEachCallAndWhatHasNoEndIsRefused) {
     EXPECT_EQ(text_of_file(pipe), "a = 1\n");
     writer.join();
     EXPECT_EQ(text_of_toml(pipe), "a = 1\n");
-    test::expect_one_line<InputError>([] { text_of_toml("/dev/zero"); }, {"/dev/zero", "16 MB", "a TOML file is needed"});
+    test::Refusals refused;
+    refused.add<InputError>("no end", [] { text_of_toml("/dev/zero"); });
+    test::expect_golden(refused.text());
 }
 
 }  // namespace
