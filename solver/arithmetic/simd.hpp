@@ -1,25 +1,25 @@
-// Kernels compiled for several vector units from one source, and chosen when a run starts (--vector). The arithmetic is the same
-// in all of them: no fused multiply-add is formed (-ffp-contract=off) and no sum is reordered, so the bytes are the same too. A
-// sum that vector units share is therefore made by lanes: each lane sums every eighth value, whatever the unit is.
+// Kernels are compiled for several vector units from one source; --vector selects one when a run starts. All of them compute the
+// same bytes: no fused multiply-add is formed (-ffp-contract=off) and no sum is reordered. A vectorised sum is therefore made by
+// lanes: each lane sums every eighth value on all units.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
-/// For what a kernel calls: it is compiled for a vector unit only where it is part of the kernel.
+/// Marks functions that a kernel calls: only inlined code is compiled for the kernel's vector unit.
 #define GRAINCRACK_INLINE [[gnu::always_inline]] inline
-/// Between the parameters and the body of the lambda that is a kernel.
+/// Marks a lambda as a kernel; it stands between its parameters and its body.
 #define GRAINCRACK_KERNEL __attribute__((always_inline))
 
 namespace graincrack {
 
-/// Vector units that kernels are compiled for (--vector).
+/// Vector units for which kernels are compiled (--vector).
 enum class VectorTarget : std::uint8_t { plain, avx2, avx512 };
 inline constexpr std::array<std::string_view, 3> vector_target_names{"plain", "avx2", "avx512"};
 constexpr std::string_view name_of(VectorTarget target) { return vector_target_names[static_cast<std::size_t>(target)]; }
 
-/// True if this machine can run it.
+/// True if this machine supports the vector unit.
 inline bool is_available(VectorTarget target) {
 #if defined(__x86_64__)
     switch (target) {
@@ -30,7 +30,7 @@ inline bool is_available(VectorTarget target) {
 #endif
     return target == VectorTarget::plain;
 }
-/// The widest that this machine can run.
+/// The widest vector unit of this machine.
 inline VectorTarget widest_vector_target() {
     for (const VectorTarget target : {VectorTarget::avx512, VectorTarget::avx2}) {
         if (is_available(target)) return target;
@@ -62,14 +62,14 @@ void run_on(VectorTarget target, const Kernel& kernel) {
     kernel();
 }
 
-/// Lanes of a sum: those of the widest vector unit. Any fixed number gives the same bytes on all of them.
+/// Number of lanes of a sum: that of the widest vector unit. Any fixed number gives the same bytes on all units.
 inline constexpr std::int32_t sum_lanes = 8;
 
-/// Number of terms of a sum by lanes of `count` terms, rounded up to whole lanes.
+/// Number of terms of a sum by lanes, rounded up to whole lanes.
 constexpr std::int32_t in_whole_lanes(std::int32_t count) { return (count + sum_lanes - 1) / sum_lanes * sum_lanes; }
 
-/// Σ term(k) for k from 0 to `in_whole_lanes(count)`, lane by lane and then over the lanes. What is added beyond `count` must be
-/// zero. \param term a lambda `[&](std::int32_t k) GRAINCRACK_KERNEL { … }`
+/// Returns Σ term(k) for k from 0 to `in_whole_lanes(count)` − 1, summed in each lane and then over the lanes. Terms from `count`
+/// on must be 0. \param term a lambda `[&](std::int32_t k) GRAINCRACK_KERNEL { … }`
 template <class Term>
 GRAINCRACK_INLINE double sum_by_lanes(std::int32_t count, const Term& term) {
     double sum[sum_lanes] = {};
@@ -78,7 +78,7 @@ GRAINCRACK_INLINE double sum_by_lanes(std::int32_t count, const Term& term) {
     }
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
-/// Sum by lanes of `count` values. Those from `count` up to whole lanes are set to zero: the array must have room for them.
+/// Returns the sum by lanes of `count` values. The array must have room up to whole lanes; the values there become 0.
 GRAINCRACK_INLINE double sum_values_by_lanes(std::int32_t count, double* values) {
     for (std::int32_t k = count; k < in_whole_lanes(count); ++k) values[k] = 0;
     return sum_by_lanes(count, [&](std::int32_t k) GRAINCRACK_KERNEL { return values[k]; });

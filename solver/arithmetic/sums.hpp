@@ -1,4 +1,4 @@
-// Structures of numbers that are added member by member.
+// Addition of structures of numbers, member by member.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace graincrack {
 
-/// A structure of doubles alone, which says so by the name `IsSum`.
+/// A structure with members of type double only, which declares the name `IsSum`.
 template <class Sums>
 concept SumOfMembers = requires {
     typename Sums::IsSum;

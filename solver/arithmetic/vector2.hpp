@@ -1,4 +1,4 @@
-// A plane vector, the one geometric type of the kernels.
+// A vector in the plane, the only geometric type of the kernels.
 #pragma once
 
 #include <cmath>

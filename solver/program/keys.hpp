@@ -1,5 +1,5 @@
-// The keys of a program's tables and what they hold: one row each, by which a program is read (program_file) and written
-// (program_text). `Keys` is a table that is read (`TomlTable`) or written (`TomlEntries`).
+// The keys of a program's tables and their values, one row each. Programs are read (program_file) and written (program_text) by
+// these rows. `Keys` is a table that is read (`TomlTable`) or written (`TomlEntries`).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace graincrack::program_keys {
 
-/// The value that a table's keys are read into, or written from.
+/// The value into which keys are read, or from which they are written.
 template <class Keys, class Value>
 using Content = std::conditional_t<Keys::reads, Value, const Value>;
 
@@ -37,7 +37,7 @@ inline constexpr const char* until = "until";
 inline constexpr const char* must_end_by = "must_end_by";
 inline constexpr Quantity speed_of_platens = any(platen_speed, Dimension::speed);
 inline constexpr Quantity pressure_of_platens = any(platen_pressure, Dimension::stress);
-/// Keys by which the tables of these motions of the platens, and of the kinds of functions of time, are told.
+/// Keys that identify the tables of platen motions and of the kinds of functions of time.
 inline constexpr const char* automatic = "auto";
 inline constexpr const char* blocks = "blocks";
 inline constexpr std::array<std::pair<const char*, TimeFunction::Kind>, 5> kinds{{{"times", TimeFunction::Kind::table},
@@ -46,10 +46,10 @@ inline constexpr std::array<std::pair<const char*, TimeFunction::Kind>, 5> kinds
                                                                                   {"ricker", TimeFunction::Kind::ricker},
                                                                                   {"pulse", TimeFunction::Kind::pulse}}};
 
-/// A function of time as a table of its kind. \param quantity of its values
+/// Visits a function of time as a table of its kind. \param quantity of its values
 template <class Keys>
 void visit(Keys& keys, Content<Keys, TimeFunction>& f, const Quantity& quantity) {
-    constexpr double quiet_start = 1.5;  // periods of a wavelet: there it has 1e-8 of its peak
+    constexpr double quiet_start = 1.5;  // periods of a wavelet before its peak; it starts at 1e-8 of the peak
     constexpr Quantity frequency = positive("frequency", Dimension::frequency);
     switch (f.kind) {
         case TimeFunction::Kind::table:
@@ -83,7 +83,7 @@ void visit(Keys& keys, Content<Keys, TimeFunction>& f, const Quantity& quantity)
             keys.given("pulse", quantity, f.value);
             keys.needed("over", duration, f.duration, "a pulse needs its duration, such as over = \"10 us\"");
             break;
-        default: break;  // constants and "keep" are no tables
+        default: break;  // constants and "keep" are not tables
     }
 }
 
@@ -147,7 +147,7 @@ void visit(Keys& keys, Content<Keys, Region>& region) {
     }
 }
 
-/// A vector, x and y. \param missing what is said where it is missing; none: it is 0 then
+/// Visits a vector of two components. \param missing the message if it is missing; null: the vector is then 0
 template <class Keys>
 void visit_vector(Keys& keys, const char* key, const Quantity& quantity, Content<Keys, Vector2>& vector,
                   const char* missing = nullptr) {
@@ -224,7 +224,7 @@ void visit(Keys& keys, Content<Keys, PlatenFaces>& faces) {
     }
 }
 
-/// The ends of a stage but for the values that end it (`Stage::until`).
+/// Visits the ends of a stage apart from the values of columns that end it (`Stage::until`).
 template <class Keys>
 void visit_until(Keys& keys, Content<Keys, Stage>& stage) {
     auto longest = std::isfinite(stage.longest_time) ? std::optional(stage.longest_time) : std::nullopt;
@@ -234,7 +234,7 @@ void visit_until(Keys& keys, Content<Keys, Stage>& stage) {
     keys.given(ended_by_peak_drop, quantity::peak_drop, stage.peak_drop);
 }
 
-/// The keys at the top.
+/// Visits the top-level keys.
 template <class Keys>
 void visit(Keys& keys, Content<Keys, Program>& program) {
     keys.needed("name", program.name, "a program has a name = \"...\"");

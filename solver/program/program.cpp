@@ -11,7 +11,7 @@ bool waves(const ActionFunctions& settings) {
     return std::any_of(settings.begin(), settings.end(), [](const auto& f) { return f && f->is_wave(); });
 }
 
-/// Twice as slow; `of_velocity`: its values are velocities.
+/// Slows a function down to half its rate. \param of_velocity true if its values are velocities
 void slow_down(TimeFunction& f, bool of_velocity) {
     f.duration *= 2;
     f.frequency /= 2;
@@ -45,14 +45,14 @@ struct SlowDown {
 bool Region::has_angle_of(const Vector2& p) const {
     if (!angles) return true;
     constexpr double turn = 2 * std::numbers::pi;
-    constexpr double slack = 1e-9;  // rad, by which what lies between two ranges is of the second
+    constexpr double slack = 1e-9;  // rad; an angle this near to the start of the next range belongs to that
     const double beyond = std::atan2(p.y, p.x) - angles->front() + slack;
     return beyond - turn * std::floor(beyond / turn) < angles->back() - angles->front();
 }
 
 Vector2 ProgramPlatens::axis() const {
     if (!direction) return {0, 1};
-    constexpr double least = 1e-15;  // a component below it is one of rounding
+    constexpr double least = 1e-15;  // smaller components are round-off
     const Vector2 axis{std::cos(*direction), std::sin(*direction)};
     return {std::abs(axis.x) < least ? 0 : axis.x, std::abs(axis.y) < least ? 0 : axis.y};
 }

@@ -1,4 +1,4 @@
-// The program's file: TOML, strict. share/doc/loading.md describes it.
+// Reads and writes program files in strict TOML (share/doc/loading.md).
 #include "solver/program/program_file.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ void check_time_table(const TomlTable& table, const TimeFunction& f) {
     }
 }
 
-/// A function written as a table. What `from` is, only the stage knows.
+/// Reads a function written as a table. The stage sets its start value.
 TimeFunction read_function_table(TomlTable table, const Quantity& quantity) {
     const auto& kinds = program_keys::kinds;
     const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return table.has(kind.first); });
@@ -46,7 +46,7 @@ TimeFunction read_function_table(TomlTable table, const Quantity& quantity) {
     return f;
 }
 
-/// A value, "keep", "free" where that makes sense (NaN), or a table.
+/// Reads a value, "keep", "free" if allowed (NaN), or a table.
 std::optional<TimeFunction> read_function(TomlTable& table, const std::string& key, const Quantity& quantity, bool may_be_free) {
     if (!table.has_value(key)) {
         auto function = table.table(key);
@@ -63,7 +63,7 @@ std::optional<TimeFunction> read_function(TomlTable& table, const std::string& k
     return f;
 }
 
-/// A table whose keys are all those of the value.
+/// Reads a table that has the keys of one value only.
 template <class Value>
 Value read_table(TomlTable table) {
     Value value;
@@ -72,7 +72,7 @@ Value read_table(TomlTable table) {
     return value;
 }
 
-/// How a stage moves the platens. \throws InputError also for two ways
+/// Reads the motion of the platens in a stage. \throws InputError also if two motions are given
 std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
     using namespace program_keys;
     const bool has_pressure = table.has(platen_pressure);
@@ -91,7 +91,7 @@ std::optional<PlatenMotion> read_platen_motion(TomlTable& table) {
     return function ? std::optional<PlatenMotion>(*function) : std::nullopt;
 }
 
-/// True if the platens come to their strain limit by themselves.
+/// True if the platens reach their strain limit without further settings.
 bool moves_on(const std::optional<PlatenMotion>& motion) {
     if (!motion || std::holds_alternative<PressureServo>(*motion)) return false;
     const auto* const function = std::get_if<TimeFunction>(&*motion);
@@ -108,7 +108,7 @@ ActionFunctions read_functions(TomlTable& table) {
     return settings;
 }
 
-/// Names of probes, stages and boundaries stand in every run file, stages once for each time that they come.
+/// Limits the length of names of probes, stages and boundaries: run files have them, those of stages for each occurrence.
 void require_short_name(const TomlTable& table) {
     constexpr std::size_t longest = 1000;
     if (table.name().size() <= longest) return;
@@ -165,7 +165,7 @@ const std::vector<ProbeColumn>* columns_of(const Program& program, const std::st
     return nullptr;
 }
 
-/// A key of `until` that names a column: the value of it that ends the stage.
+/// Reads a key of `until` that names a column, with the value that ends the stage.
 void read_condition(TomlTable& table, const std::string& key, Dimension dimension, Condition condition, Stage& stage) {
     std::optional<double> value;
     table.given(key, program_keys::any(key, dimension), value);
@@ -200,7 +200,7 @@ void read_until(const Program& program, TomlTable table, Stage& stage) {
     table.refuse_others();
 }
 
-/// The temperature of a stage: a function of time, or { to, rate = "auto" }.
+/// Reads the temperature of a stage: a function of time, or { to, rate = "auto" }.
 void read_temperature(TomlTable& table, Stage& stage) {
     if (!table.has(program_keys::temperature)) return;
     auto own = table.has_value(program_keys::temperature) ? std::nullopt : table.table(program_keys::temperature);
@@ -213,7 +213,7 @@ void read_temperature(TomlTable& table, Stage& stage) {
     stage.temperature->value = stage.heating->to;
 }
 
-/// Whether a stage has no platens. \throws InputError where it moves them, and after a stage that had them
+/// Reads whether a stage has no platens. \throws InputError if it moves them, or follows a stage that had them
 void read_absence(const Program& program, TomlTable& table, Stage& stage) {
     if (!table.has(program_keys::presence_of_platens)) return;
     table.choice(program_keys::presence_of_platens, stage.without_platens, "present", "absent");
@@ -271,7 +271,7 @@ void read_stages(TomlTable& file, Program& program) {
                     program.file, *gone, *first));
 }
 
-/// Which actions of each condition are named anywhere.
+/// Records the actions of each condition that are named anywhere.
 void record_actions(Program& program) {
     for (BoundaryCondition& condition : program.boundary_conditions) {
         for (std::size_t i = 0; i < n_actions; ++i) {
@@ -306,13 +306,13 @@ void read_platens(TomlTable& file, Program& program) {
 
 // --- writing ---------------------------------------------------------------------------------------------------------------
 
-/// As TOML writes what is no whole number.
+/// Number in the form of a TOML float.
 std::string toml_number(double value) {
     const std::string text = fmt::format("{}", value);
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// A table that is written key by key. Numbers have all their digits, in SI units; what is empty is not written.
+/// A table that is written key by key, with all digits of numbers in SI units; empty values are not written.
 class TomlEntries {
 public:
     void add(const std::string& key, const std::string& value) { entries_.push_back(fmt::format("{} = {}", key, value)); }
@@ -345,7 +345,7 @@ public:
     }
     void needed(const std::string& key, const Quantity& of, double value, const std::string& /*what*/) { given(key, of, value); }
 
-    /// The keys as lines, each with `before` in front.
+    /// The keys as lines, each with the prefix `before`.
     [[nodiscard]] std::string lines(const std::string& before = "") const {
         std::string lines;
         for (const std::string& entry : entries_) lines += before + entry + '\n';
@@ -364,14 +364,14 @@ private:
     std::vector<std::string> entries_;  ///< "key = value"
 };
 
-/// The keys of a value, as an inline table.
+/// Writes the keys of a value as an inline table.
 template <class... Value>
 std::string inline_table(const Value&... value) {
     TomlEntries entries;
     visit(entries, value...);
     return entries.inline_table();
 }
-/// The same, as lines.
+/// Writes the keys of a value as lines.
 template <class... Value>
 std::string lines(const Value&... value) {
     TomlEntries entries;

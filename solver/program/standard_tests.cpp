@@ -16,18 +16,18 @@
 namespace graincrack {
 namespace {
 
-// Times in transits of a bar wave through the specimen.
+// Times are in transits of a bar wave through the specimen. They were chosen by trial and not varied since.
 
-/// Time in which the platens reach a fixed speed, and at least that in which the pressure rises then.
+/// Time in which the platens reach a fixed speed, and shortest rise time of the pressure then.
 constexpr double start_transits = 10;
-/// Time in which the pressure rises where the rate is not fixed: slowly enough that nothing breaks meanwhile.
+/// Rise time of the pressure if the rate is not fixed: slow enough that no contact fails meanwhile.
 constexpr double pressure_transits = 40;
-/// That the isotropic stage may take to come to rest.
+/// Longest time in which the isotropic stage comes to rest.
 constexpr double give_up_transits = 200;
-/// Unbalanced ratio, and relative error of the axial pressure, at the end of the isotropic stage and of heating.
+/// Unbalanced ratio, and relative error of the axial pressure, that count as rest after the isotropic stage and heating.
 constexpr double isotropic_rest = 2e-3;
-/// The longest that a change of the temperature takes, times tolerance and share: at the slowest rate, from 0.1 K (where marble
-/// begins to be stressed) to 480 K.
+/// Longest time of a temperature change, times tolerance and share: at the slowest rate, from 0.1 K (where marble begins to be
+/// stressed) to 480 K.
 constexpr double longest_heating_transits = 200;
 
 constexpr const char* membrane_name = "membrane";
@@ -40,8 +40,8 @@ TimeFunction ramp(double value, double duration) {
     return f;
 }
 
-/// Time in which the confining pressure rises, s. At a fixed rate this is as long as the platens then take to the same axial
-/// stress in an elastic bar.
+/// Rise time of the confining pressure, s. At a fixed rate the platens then need as long for the same axial stress in an elastic
+/// bar.
 double pressure_rise_time(const LoadingRequest& request, double height, const Rock& rock, double transit_time) {
     if (request.rate != RateKind::fixed) return pressure_transits * transit_time;
     const double as_fast_as_the_test = request.confining_pressure / rock.young_modulus * height / (2 * request.platen_speed);
@@ -89,7 +89,7 @@ PlatenMotion axial_motion(const LoadingRequest& request, double transit_time) {
     return ramp(speed, start_transits * transit_time);
 }
 
-/// The node of the boundary next to a place.
+/// The boundary node nearest to a place.
 std::array<double, 2> boundary_node_near(double x, double y, const Specimen& s) {
     const auto distance = [&](const std::array<double, 2>& p) { return std::hypot(p[0] - x, p[1] - y); };
     std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), 0};
@@ -110,7 +110,7 @@ double mean_boundary_edge(const Specimen& s) {
     return length / static_cast<double>(s.n_boundary_edges());
 }
 
-/// Two rollers below and one above in the middle.
+/// Adds two rollers below and one above in the middle.
 void add_rollers(const LoadingRequest& request, const Specimen& s, ProgramPlatens& platens) {
     const double span = request.span.value_or(usual_span(s));
     const double width = request.roller_width.value_or(mean_boundary_edge(s));
@@ -136,7 +136,7 @@ void add_rollers(const LoadingRequest& request, const Specimen& s, ProgramPlaten
     platens.bottom.width = platens.top.width = width;
 }
 
-/// A gauge on the lower face with the mouth of the notch in its middle.
+/// A gauge on the lower face, centred at the mouth of the notch.
 ProbeRequest gauge_over_mouth(double gauge, const Specimen& s) {
     const auto notch = edge_notch(s);
     if (!notch) {
@@ -168,7 +168,7 @@ bool loads(const TestDescription& test, const Specimen& specimen) {
     return specimen.shape == "rectangle" || has_end_faces(specimen);
 }
 
-/// "bend, uniaxial or program": the tests that load a specimen, first those that are made for its shape.
+/// The tests that load a specimen, such as "bend, uniaxial or program"; tests made for its shape come first.
 std::string tests_of(const Specimen& specimen) {
     std::vector<std::string_view> names;
     for (const bool own : {true, false}) {

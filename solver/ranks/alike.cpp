@@ -11,9 +11,9 @@ namespace graincrack {
 namespace {
 
 constexpr char after_name = '\x1f', after_fact = '\x1e';
-constexpr std::string_view failure = "failure";  // the name of what a rank cannot do
+constexpr std::string_view failure = "failure";  // name of the fact that a rank has failed
 
-/// \throws UsageError that says in what a rank differs from the first one
+/// Throws a UsageError that says in which fact a rank differs from the first one.
 void refuse_difference(const std::string& first, const std::string& other, std::size_t rank) {
     const auto facts = split(first, after_fact);
     const auto others = split(other, after_fact);
@@ -32,7 +32,7 @@ void refuse_difference(const std::string& first, const std::string& other, std::
 }  // namespace
 
 Facts facts_of(const Settings& settings, const std::string& before) {
-    constexpr int digits = 15;  // that every text of a number keeps
+    constexpr int digits = 15;  // every text of a number keeps these digits
     Facts facts;
     for (const Setting& each : settings) facts.emplace_back(before + option_name(each), shown(each, digits));
     return facts;

@@ -1,4 +1,4 @@
-// What all ranks of a run must have alike before its first step: options, files, the program itself.
+// Checks that all ranks of a run agree on options, files and the program version before the first step.
 #pragma once
 
 #include <functional>
@@ -15,12 +15,12 @@ namespace graincrack {
 using Fact = std::pair<std::string, std::string>;
 using Facts = std::vector<Fact>;
 
-/// Settings with 15 digits. \param before each name
+/// Settings as text with 15 digits. \param before prefix of each name
 Facts facts_of(const Settings& settings, const std::string& before);
 
-/// Prepares a run on every rank. \param prepare returns what must be alike; alone its result does not matter
-/// \throws UsageError on all ranks that names the first difference, or what some of them cannot do; what `prepare` throws where
-/// it throws the same on all
+/// Prepares a run on every rank. \param prepare returns the facts that must agree; a single rank ignores them
+/// \throws UsageError on all ranks, naming the first difference or the failure of some ranks; an exception that `prepare` throws
+/// alike on all ranks
 void prepare_alike(const Ranks& ranks, const std::function<Facts()>& prepare);
 
 }  // namespace graincrack

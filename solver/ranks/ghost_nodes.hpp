@@ -1,4 +1,4 @@
-// Nodes of other ranks that a rank reads, and its own that others read: their numbers go from the owner to the readers.
+// Ghost nodes: nodes of other ranks that a rank reads. Their owners send displacements and velocities to the readers.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ namespace graincrack {
 
 class GhostNodes {
 public:
-    /// Numbers of a node in the message of a step: displacement and velocity.
+    /// Number of values of a node in the message of a step: displacement (m) and velocity (m/s).
     static constexpr std::size_t n_motion = 4;
 
-    /// Asks the owners for nodes. \param ghosts that this rank reads, ascending \param owner_of (node): its rank
+    /// Asks the owners for nodes. \param ghosts nodes that this rank reads, ascending \param owner_of (node) → its rank
     template <class OwnerOf>
     GhostNodes(const Ranks& ranks, const std::vector<std::int32_t>& ghosts, const OwnerOf& owner_of) : n_ghosts_(ghosts.size()) {
         std::vector<std::vector<std::int32_t>> requested(static_cast<std::size_t>(ranks.size()));
@@ -36,7 +36,7 @@ public:
         number_ = ranks.open(number);
     }
 
-    /// Sends the numbers of a step. \param get (node) → its `n_motion` numbers
+    /// Sends the values of a step. \param get (node) → its `n_motion` values
     template <class Get>
     void start(const Get& get) const {
         for (std::size_t i = 0; i < neighbours_.size(); ++i) {
@@ -48,7 +48,7 @@ public:
         }
         motion_->start();
     }
-    /// Waits for those of others. \param set (node, numbers)
+    /// Waits for the values from other ranks. \param set (node, pointer to its `n_motion` values)
     template <class Set>
     void finish(const Set& set) const {
         motion_->finish();
@@ -60,7 +60,7 @@ public:
             }
         }
     }
-    /// One number of each ghost from its owner. \param get (node) \param set (node, number)
+    /// Sends one value of each ghost from its owner. \param get (node) → value \param set (node, value)
     template <class Get, class Set>
     void update(const Get& get, const Set& set) const {
         for (std::size_t i = 0; i < neighbours_.size(); ++i) {

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-// All messages are counted in words of eight bytes, so that an `int` counts 16 GB.
+// Lengths of messages are counted in words of eight bytes, so that an `int` covers 16 GB.
 constexpr std::size_t word = 8;
 int words_of(std::size_t bytes) {
     const std::size_t words = (bytes + word - 1) / word;
@@ -30,7 +30,7 @@ int words_of(std::size_t bytes) {
     return static_cast<int>(words);
 }
 
-/// Rank 0 prints, and writes events. What another rank prints goes into a file, which is shown only if that rank fails alone.
+/// Diverts the output of all ranks except rank 0 into a file, which is shown only if that rank fails alone.
 class KeptOutput {
 public:
     explicit KeptOutput(int rank) {
@@ -51,7 +51,7 @@ public:
 
 private:
     std::FILE* file_ = nullptr;
-    int terminal_ = -1;  ///< where stderr went
+    int terminal_ = -1;  ///< the original stderr
 };
 
 class MpiChannel : public Channel {
@@ -81,7 +81,7 @@ public:
     MpiChannel& operator=(const MpiChannel&) = delete;
     std::span<double> to_send(std::size_t end) override { return sent_[end]; }
     [[nodiscard]] std::span<const double> received(std::size_t end) const override { return received_[end]; }
-    // Ranks without neighbours, as those beyond the number of chunks, have no requests, which MPI refuses to start.
+    // Ranks without neighbours, such as those beyond the number of chunks, have no requests; MPI refuses to start none.
     void start() override {
         if (!requests_.empty()) MPI_Startall(static_cast<int>(requests_.size()), requests_.data());
         counts_.messages += n_sends_;
@@ -186,7 +186,7 @@ public:
     }
 
 private:
-    /// Makes a collective call and counts what it sends.
+    /// Makes a collective call and counts its messages.
     template <class Act>
     void call(int messages, std::size_t bytes, const Act& act) {
         const Clock::time_point begin = Clock::now();
@@ -212,8 +212,8 @@ private:
     MessageCounts counts_;
 };
 
-/// True if a launcher has begun several ranks, by what launchers leave in the environment. A tool that runs alone inside of an
-/// allocation is none of them, and does not pay for MPI's start.
+/// True if a launcher has started several ranks, according to the variables that launchers set. A program that runs alone inside
+/// an allocation does not pay for the start of MPI.
 bool is_launched() {
     constexpr std::array sizes{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", "MPI_LOCALNRANKS"};
     if (std::any_of(sizes.begin(), sizes.end(), [](const char* name) {

@@ -1,7 +1,7 @@
-// Messages between the ranks of a run: several processes, on one machine or many, that work on one specimen. Each has a thread of
-// its own that sends and receives, the one that began it.
+// Messages between the ranks of a run. Ranks are processes, on one machine or many, that work on one specimen. The thread that
+// started a rank sends and receives its messages.
 //
-// Collective calls are made by all ranks, in the same order. What they give does not depend on which rank is fast.
+// All ranks make collective calls in the same order. Their results do not depend on the speed of ranks.
 #pragma once
 
 #include <cstddef>
@@ -14,52 +14,52 @@ namespace graincrack {
 
 using Bytes = std::vector<std::byte>;
 
-/// Numbers that go to and come from another rank, always the same ones and as many.
+/// The doubles that a channel sends to and receives from one rank, a fixed number of each.
 struct ChannelEnd {
     int rank;
-    std::size_t sends, receives;  ///< numbers
+    std::size_t sends, receives;  ///< number of doubles
 };
 
 /// Messages of a fixed size to and from some ranks, sent repeatedly.
 class Channel {
 public:
     virtual ~Channel() = default;
-    /// Numbers that go to, and numbers that have come from, the rank of an end.
+    /// Buffers of the doubles sent to, and received from, the rank of an end.
     [[nodiscard]] virtual std::span<double> to_send(std::size_t end) = 0;
     [[nodiscard]] virtual std::span<const double> received(std::size_t end) const = 0;
-    /// Sends what `to_send` holds.
+    /// Starts to send the content of `to_send`.
     virtual void start() = 0;
-    /// Waits until all has been sent and received.
+    /// Waits until everything is sent and received.
     virtual void finish() = 0;
 };
 
-/// The messages sent so far and the time waited for them.
+/// Messages sent so far, and the time spent waiting for messages.
 struct MessageCounts {
     std::int64_t messages = 0, bytes = 0;
     double waited = 0;  ///< s
 };
 
-/// The transport. It knows nothing of what it carries.
+/// The transport layer. It does not interpret the content of messages.
 class Messages {
 public:
     virtual ~Messages() = default;
     [[nodiscard]] virtual int size() const = 0;
     [[nodiscard]] virtual int rank() const = 0;
-    /// The bytes that each rank gave, by rank. \param sizes bytes that each gives
+    /// Returns the bytes of each rank, by rank. \param sizes number of bytes from each rank
     virtual std::vector<Bytes> gather_all(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) = 0;
-    /// The same for the first rank only; the others get nothing.
+    /// Does the same for the first rank only; the others receive nothing.
     virtual std::vector<Bytes> gather_first(std::span<const std::byte> own, const std::vector<std::int64_t>& sizes) = 0;
-    /// To each rank what is its own. \return what each rank sent to this one, by rank
+    /// Sends each rank its own bytes. \param to by rank \return the bytes that each rank sent to this one, by rank
     virtual std::vector<Bytes> exchange(const std::vector<Bytes>& to) = 0;
     virtual std::unique_ptr<Channel> open(const std::vector<ChannelEnd>& ends) = 0;
     [[nodiscard]] virtual const MessageCounts& counts() const = 0;
-    /// Waits at the end of the tool for the other ranks; after some seconds it ends those that have not come.
+    /// Waits for the other ranks at the end of the program; after some seconds it ends those that have not arrived.
     virtual void end(int exit_code) = 0;
 };
 
-/// The messages of the ranks that an MPI launcher has begun; none if it is one rank, or this is built without MPI.
+/// Messages between the ranks that an MPI launcher has started; null for one rank or without MPI.
 std::unique_ptr<Messages> messages_of_launcher();
-/// True if this is built with MPI.
+/// True if the program is built with MPI.
 bool is_built_with_mpi();
 
 }  // namespace graincrack

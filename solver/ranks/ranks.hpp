@@ -1,4 +1,4 @@
-// The ranks of a run and what they tell each other. A run alone has one rank; everything here then costs nothing.
+// The ranks of a run and their exchange of values. A run with one rank pays nothing for it.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace graincrack {
 
-/// Values as bytes, and back.
+/// Conversion of values to bytes and back.
 template <class Value>
 requires std::is_trivially_copyable_v<Value> Bytes bytes_of_values(const std::vector<Value>& values) {
     const auto raw = std::as_bytes(std::span(values));
@@ -38,7 +38,7 @@ class Ranks {
 public:
     Ranks() = default;
     explicit Ranks(std::unique_ptr<Messages> messages) : messages_(std::move(messages)) {}
-    /// The ranks of a run alone.
+    /// The single rank of a serial run.
     static const Ranks& alone() {
         static const Ranks one;
         return one;
@@ -48,33 +48,33 @@ public:
     [[nodiscard]] bool is_first() const { return rank() == 0; }
     [[nodiscard]] bool is_alone() const { return size() == 1; }
 
-    /// The values of each rank, by rank.
+    /// Returns the values of each rank, by rank.
     template <class Value>
     [[nodiscard]] std::vector<std::vector<Value>> gather_all(const std::vector<Value>& own) const {
         return gather_all(own, sizes_of_all(own.size()));
     }
-    /// The same where all know how many values each rank gives.
+    /// Does the same if all ranks know the number of values of each rank.
     template <class Value, class Count = std::int32_t>
     [[nodiscard]] std::vector<std::vector<Value>> gather_all(const std::vector<Value>& own,
                                                              const std::vector<Count>& counts) const {
         if (is_alone()) return {own};
         return values_of_all<Value>(messages_->gather_all(std::as_bytes(std::span(own)), bytes_of<Value>(counts)));
     }
-    /// The same, one after the other.
+    /// Returns the values of all ranks, concatenated.
     template <class Value>
     [[nodiscard]] std::vector<Value> concatenate(const std::vector<Value>& own) const {
         std::vector<Value> all;
         for (const std::vector<Value>& of_rank : gather_all(own)) all.insert(all.end(), of_rank.begin(), of_rank.end());
         return all;
     }
-    /// The values of each rank on the first, nothing on the others.
+    /// Returns the values of each rank on the first rank, and nothing on the others.
     template <class Value>
     [[nodiscard]] std::vector<std::vector<Value>> gather_first(const std::vector<Value>& own) const {
         if (is_alone()) return {own};
         const auto sizes = bytes_of<Value>(sizes_of_all(own.size()));
         return values_of_all<Value>(messages_->gather_first(std::as_bytes(std::span(own)), sizes));
     }
-    /// \param to by rank \return what each rank has sent to this one, by rank
+    /// Sends values to each rank. \param to by rank \return the values that each rank has sent to this one, by rank
     template <class Value>
     [[nodiscard]] std::vector<std::vector<Value>> exchange(const std::vector<std::vector<Value>>& to) const {
         if (is_alone()) return to;
@@ -82,7 +82,7 @@ public:
         for (const std::vector<Value>& of_rank : to) bytes.push_back(bytes_of_values(of_rank));
         return values_of_all<Value>(messages_->exchange(bytes));
     }
-    /// The value of the first rank.
+    /// Returns the value of the first rank.
     template <class Value>
     requires std::is_trivially_copyable_v<Value>
     [[nodiscard]] Value of_first(Value value) const {
@@ -93,7 +93,7 @@ public:
         };
         return gather_all(std::vector<Boxed>(is_first() ? 1 : 0, {value}), counts).front().front().value;
     }
-    /// Does something on the first rank. An error there is one of all ranks, and the first one alone tells it.
+    /// Calls `act` on the first rank. If it fails, all ranks throw; only the first rank has the message.
     template <class Act>
     void on_first(const Act& act) const {
         std::exception_ptr error;
@@ -118,19 +118,19 @@ public:
         take_largest(std::span(&value, 1));
         return value;
     }
-    /// Makes each value the largest, or the sum, over the ranks.
+    /// Replaces each value by its maximum, or sum, over the ranks.
     void take_largest(std::span<double> values) const {
         combine(values, [](double l, double r) { return std::max(l, r); });
     }
     void take_sums(std::span<std::int64_t> values) const { combine(values, std::plus<>()); }
-    /// True if it holds on any rank.
+    /// True if `holds` is true on any rank.
     [[nodiscard]] bool any(bool holds) const { return largest(holds ? 1 : 0) > 0; }
-    /// \return none for a run alone
+    /// Opens a channel; null for a single rank.
     [[nodiscard]] std::unique_ptr<Channel> open(const std::vector<ChannelEnd>& ends) const {
         return is_alone() ? nullptr : messages_->open(ends);
     }
     [[nodiscard]] MessageCounts counts() const { return messages_ ? messages_->counts() : MessageCounts{}; }
-    /// At the end of the tool: waits for the other ranks for some seconds and ends those that do not come.
+    /// Waits for the other ranks for some seconds at the end of the program, and ends those that do not arrive.
     void end(int exit_code) const {
         if (messages_) messages_->end(exit_code);
     }
@@ -142,7 +142,7 @@ private:
         for (std::int64_t& size : sizes) size *= static_cast<std::int64_t>(sizeof(Value));
         return sizes;
     }
-    /// How many values each rank gives.
+    /// Number of values of each rank.
     [[nodiscard]] std::vector<std::int64_t> sizes_of_all(std::size_t own) const {
         const std::vector<std::int64_t> of_one{static_cast<std::int64_t>(own)};
         std::vector<std::int64_t> sizes;

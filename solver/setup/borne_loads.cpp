@@ -14,7 +14,7 @@
 namespace graincrack {
 namespace {
 
-/// Forces along x and y, and the moment about the origin over a length.
+/// Force components along x and y, N/m, and the moment about the origin over the size of the specimen, N/m.
 using Resultant = std::array<double, 3>;
 Resultant resultant_of(const Vector2& force, const Vector2& at, double size) {
     return {force.x, force.y, (at.x * force.y - at.y * force.x) / size};
@@ -25,16 +25,16 @@ void add_multiple(Resultant& sum, double factor, const Resultant& other) {
 }
 double magnitude(const Resultant& r) { return std::sqrt(product(r, r)); }
 
-/// What a function leaves behind.
+/// The value of a function after its end.
 double value_after(const TimeFunction& f, double before) {
     if (f.kind == TimeFunction::Kind::table) return f.values.back();
     return f.kind == TimeFunction::Kind::constant || f.kind == TimeFunction::Kind::ramp ? f.value : before;
 }
 
-/// Orthogonal resultants of length 1, of which all are made that prescribed nodes can bear.
+/// Orthonormal basis of the resultants that prescribed nodes can bear.
 std::vector<Resultant> borne_by(const PrescribedConditions& prescribed, const std::vector<double>& values, const Assemblage& a,
                                 double size) {
-    constexpr double least_part = 1e-6;  // of the size
+    constexpr double least_part = 1e-6;  // smallest independent part of a unit resultant
     std::vector<Resultant> borne;
     for (const PrescribedNode& node : prescribed.nodes) {
         for (std::size_t axis = 0; axis < 2; ++axis) {

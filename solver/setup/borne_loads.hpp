@@ -1,4 +1,4 @@
-// Whether something bears the loads of a program, so that the specimen can come to rest under them.
+// Checks that supports bear the loads of a program, so that the specimen can come to rest under them.
 #pragma once
 
 #include "solver/model/assemblage.hpp"
@@ -7,13 +7,13 @@
 
 namespace graincrack {
 
-/// The resultant and the moment of loads that nothing bears, over the sum of their magnitudes, up to which they count as
-/// balanced.
+/// Largest unsupported resultant force or moment of loads that counts as balanced, over the sum of the magnitudes of all loads.
+/// Chosen, not fitted.
 inline constexpr double tolerated_resultant = 0.01;
 
-/// Checks at the end of each stage that what its loads exert on the whole specimen is borne: by nodes whose velocity is
-/// prescribed, or by platens, which bear all. Gravity is left out, and waves leave no load behind. \throws InputError naming the
-/// stage
+/// Checks for the end of each stage that nodes with a prescribed velocity bear the resultant force and moment of the edge loads.
+/// Platens bear any load. Gravity is left out, and waves leave no load behind. \throws InputError naming the stage if nothing
+/// bears more than `tolerated_resultant`
 void require_borne_loads(const Assemblage& assemblage, const PrescribedConditions& prescribed, const Program& program);
 
 }  // namespace graincrack

@@ -9,7 +9,7 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// K = A Bᵀ C B of a triangle, Pa.
+/// Stiffness matrix K = A Bᵀ C B of a triangle of unit thickness, Pa.
 Matrix6 stiffness_of(const TriangleGeometry& g, const PlaneElasticity& c) {
     const Vector2 gradients[] = {-1.0 * (g.gradient1 + g.gradient2), g.gradient1, g.gradient2};
     Eigen::Matrix<double, 3, 6> strains;
@@ -35,7 +35,7 @@ std::vector<double> squared_frequencies(const Assemblage& a) {
     return squared;
 }
 
-/// The ω² that no element is above once `fraction` of all mass has been added to those that were.
+/// The smallest ω² to which all elements above it can be lowered by adding at most `fraction` of the total mass, by bisection.
 double level(const Assemblage& a, const std::vector<double>& squared, double fraction) {
     const auto added = [&](double requested) {
         double mass = 0, sum = 0;
@@ -46,7 +46,7 @@ double level(const Assemblage& a, const std::vector<double>& squared, double fra
         return sum / mass;
     };
     double high = *std::max_element(squared.begin(), squared.end());
-    double low = high / (1 + fraction);  // which adds no more than that
+    double low = high / (1 + fraction);  // this adds no more than `fraction`
     while (added(low) < fraction) low *= 0.5;
     constexpr int halvings = 30;
     for (int i = 0; i < halvings; ++i) {

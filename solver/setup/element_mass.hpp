@@ -1,20 +1,20 @@
-// Mass on top for the few elements that would ask for the shortest steps.
+// Adds mass to the few elements that would require the shortest steps.
 #pragma once
 
 #include "solver/model/assemblage.hpp"
 
 namespace graincrack {
 
-/// Largest mass that a run with mass scaling adds to elements, over the mass of the specimen.
+/// Largest mass that a run with mass scaling adds to elements, over the mass of the specimen. Chosen, not fitted.
 inline constexpr double max_added_mass = 0.02;
 
-/// Makes those elements denser that have the highest frequencies, slivers, so that none is left above a common level: they limit
-/// the step with mass scaling. An element's centre of mass stays, and what rests does not feel it; gravity pulls the mass of the
-/// rock. No frequency of an assembly of elements is above the highest of its elements (B. M. Irons, 1970, Int J Numer Methods Eng
-/// 2). The stable step itself is found as ever, by `stable_time_step`.
+/// Increases the density of the elements with the highest frequencies, which are slivers and limit the step with mass scaling,
+/// until none is above a common level. The centre of mass of an element stays in place. The added mass is inertia only: gravity
+/// acts on the mass of the rock. No frequency of an assembly of elements is above the highest of its elements (B. M. Irons, 1970,
+/// Int J Numer Methods Eng 2). `stable_time_step` finds the step with these masses.
 ///
-/// \param fraction of the mass of the specimen to be added at most, ≥ 0
-/// \return fraction that was added
+/// \param fraction largest mass to be added, over the mass of the specimen, ≥ 0
+/// \return the added fraction
 double scale_mass_of_stiffest_elements(Assemblage& assemblage, double fraction);
 
 }  // namespace graincrack

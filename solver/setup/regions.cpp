@@ -13,7 +13,7 @@
 namespace graincrack {
 namespace {
 
-constexpr double relative_slack = 1e-9;  // of the specimen's size, as in the schema
+constexpr double relative_slack = 1e-9;  // over the specimen's size, as in the schema
 
 std::vector<std::uint8_t> numbers_of(const std::vector<std::string>& parts, const Specimen& s, const std::string& where) {
     std::vector<std::uint8_t> numbers;
@@ -28,7 +28,7 @@ std::vector<std::uint8_t> numbers_of(const std::vector<std::string>& parts, cons
     return numbers;
 }
 
-/// Rotation of the specimen as a whole, by least squares over its masses, rad.
+/// Rotation of the specimen as a whole, rad: a least-squares fit weighted by the nodal masses.
 double mean_rotation(const Assemblage& a, const State& state) {
     const auto mean = [&](const std::vector<Vector2>& value) {
         return (1 / sum_over_nodes(a, [&](std::int32_t i) { return a.rock_mass[i]; })) *
@@ -45,9 +45,9 @@ double mean_rotation(const Assemblage& a, const State& state) {
            sum([](const Vector2& r, const Vector2&) { return dot(r, r); });
 }
 
-/// The node nearest to a point, of several the first; none for a point that is far outside.
+/// The node nearest to a point, the first of several; none for a point far outside.
 RegionContent content_of_point(const Vector2& point, double slack, const Assemblage& a, const Specimen& s) {
-    constexpr double near = 0.55;  // of the extents, from the middle
+    constexpr double near = 0.55;  // largest distance from the middle, over the extents
     RegionContent content;
     double least = std::numeric_limits<double>::infinity();
     for (std::int32_t i = 0; i < a.n_nodes(); ++i) {
@@ -82,7 +82,7 @@ RegionContent content_within(const Region& region, const Assemblage& a, const Sp
     return content;
 }
 
-/// Later conditions take over the components of a node that earlier ones had.
+/// Prescribes velocities to nodes. Later conditions override earlier ones component by component.
 void prescribe_velocities(const RegionContent& content, const std::array<std::int32_t, n_actions>& amplitudes,
                           std::int32_t condition, std::vector<PrescribedNode>& by_node) {
     for (const std::int32_t i : content.nodes) {
@@ -113,9 +113,9 @@ void load_edges(const RegionContent& content, const std::array<std::int32_t, n_a
     }
 }
 
-/// The conditions that load an edge, by action.
+/// The conditions that load an edge, by action; null for none.
 using LoadingConditions = std::array<const BoundaryCondition*, n_actions>;
-/// \throws InputError where an edge has a load of the same kind from another condition
+/// Records the loads of a condition. \throws InputError if another condition prescribes the same load on an edge
 void note_loads(const RegionContent& content, const Program& program, std::size_t condition, const Assemblage& a,
                 const Specimen& s, std::vector<LoadingConditions>& loaded_by) {
     const BoundaryCondition& own = program.boundary_conditions[condition];
@@ -202,7 +202,7 @@ RegionContent content_of_region(const Region& region, const Assemblage& a, const
 
 namespace {
 
-/// The position of the face of a platen along its axis, at which it first meets the boundary, m.
+/// Position of the face of a platen along its axis at which it first meets the boundary, m.
 double position_of(const Platen& platen, const Assemblage& a, const Specimen& s, const std::string& where) {
     double outermost = -std::numeric_limits<double>::infinity();
     const double slack = 1e-9 * s.height;
@@ -225,7 +225,7 @@ double position_of(const Platen& platen, const Assemblage& a, const Specimen& s,
     return platen.side * outermost;
 }
 
-/// The faces of the bottom or the top platen of a program.
+/// Appends the faces of the bottom or the top platen of a program.
 void append_faces(std::vector<Platen>& platens, Platen platen, const PlatenFaces& faces, const Assemblage& a, const Specimen& s,
                   const std::string& where) {
     if (faces.empty() && platen.axis.x == 0) {
@@ -256,7 +256,7 @@ Boundary make_program_boundary(const Assemblage& a, const Specimen& s, const Pro
     std::vector<Platen> platens;
     double reach = 0;
     if (program.platens) {
-        // Nodes can reach a platen by its own approach and by the rotation of a separated grain.
+        // Nodes reach a platen through its own approach or the rotation of a separated grain.
         reach = 2 * s.statistics.mean_edge + program.platens->max_strain * s.height;
         for (Platen* const platen : {&bottom, &top}) {
             platen->axis = program.platens->axis();

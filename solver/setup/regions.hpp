@@ -1,4 +1,4 @@
-// A program on a specimen: to which nodes and edges it prescribes velocities and loads, by which amplitude.
+// Applies a program to a specimen: finds the nodes and edges of its boundary conditions and the amplitudes that drive them.
 #pragma once
 
 #include <array>
@@ -11,35 +11,33 @@
 
 namespace graincrack {
 
-/// Amplitude of each action of each boundary condition, `no_amplitude` where it is never set; numbered condition by condition.
+/// Number of the amplitude of each action of each boundary condition, in order; `no_amplitude` for an action never set.
 using AmplitudeNumbers = std::vector<std::array<std::int32_t, n_actions>>;
 AmplitudeNumbers number_amplitudes(const Program& program);
 
-/// Nodes and boundary edges of a region, ascending, in internal indices of nodes and rows of /boundary. Corners within 1e-9 of
-/// the specimen's size of a box belong to it.
+/// Nodes (internal indices) and boundary edges (rows of /boundary) of a region, ascending. A box includes corners that lie
+/// outside it by up to 1e-9 of the specimen's size.
 struct RegionContent {
     std::vector<std::int32_t> nodes;
     std::vector<std::size_t> edges;
 };
-/// \param where what a message names, such as "shear.toml: boundary.upper"
-/// \throws InputError if the specimen has no part of a requested name, or nothing there
+/// \param where the region in messages, such as "shear.toml: boundary.upper"
 RegionContent content_of_region(const Region& region, const Assemblage& assemblage, const Specimen& specimen,
                                 const std::string& where);
 
-/// Platens and prescribed conditions of a program. Platens have the contacts' stiffness per area; bonded ones are smooth, so that
-/// they do not hinder the lateral strain. Where two boundary conditions drive the same component of a node the later one does.
-/// \param platen_friction rad \throws InputError
+/// Makes the platens and prescribed conditions of a program. Platens have the contacts' stiffness per area; bonded platens are
+/// smooth and do not hinder the lateral strain. Later boundary conditions override earlier ones at a component of a node.
+/// \param platen_friction rad \throws InputError for a region without nodes, or an edge with the same load twice
 Boundary make_program_boundary(const Assemblage& assemblage, const Specimen& specimen, const Program& program,
                                const ContactParameters& contact, double platen_friction);
 
-/// Takes the platens away: nothing meets them, bonded or not, before they are placed.
+/// Removes the platens: until they are placed again no node meets them.
 void remove_platens(State& state);
-/// Places absent platens where the specimen is now: each face of a platen in touch with the outermost node of the boundary that
-/// it may meet, a bonded one with all its nodes as they lie. A specimen that has turned as a whole is taken to stand upright: the
-/// faces are inclined by its mean rotation.
+/// Places absent platens at the present specimen: each face touches the outermost boundary node that it may meet, a bonded face
+/// holds all its nodes where they are. If the specimen has rotated as a whole, the faces are inclined by its mean rotation.
 void place_platens(const Assemblage& assemblage, const Boundary& boundary, State& state);
 
-/// Gives the nodes their initial velocities, later ones of the file winning, and books their kinetic energy as external.
+/// Sets the initial velocities of nodes (later entries override earlier ones) and adds their kinetic energy to the external work.
 void set_initial_velocities(const Program& program, const Assemblage& assemblage, const Specimen& specimen, State& state);
 
 }  // namespace graincrack

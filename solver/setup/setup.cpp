@@ -13,7 +13,7 @@ namespace graincrack {
 
 namespace {
 
-/// Refuses what follows from a rock that is none: stiffnesses so large that nothing can be computed with them.
+/// Refuses contact stiffnesses derived from an impossible rock, with which nothing can be computed.
 void require_bounds(const ContactParameters& contact, const std::string& where) {
     for (const ContactParameter& row : all_contact_parameters()) {
         if (!(contact.*row.value > row.quantity.upper)) continue;
@@ -22,7 +22,7 @@ void require_bounds(const ContactParameters& contact, const std::string& where) 
     }
 }
 
-/// A material without phases makes all grains and contacts alike, but those of flaws.
+/// The fabric of a specimen. Without phases all grains and contacts have the same values, except the contacts of flaws.
 Fabric fabric_of(const SimulationRequest& r, const Specimen& specimen) {
     const bool is_uniform = r.material.fabric.phases.empty();
     Fabric fabric = is_uniform ? uniform_fabric(r.material.rock, r.contact, specimen.phase_names.size())

@@ -1,4 +1,4 @@
-// The constants of a run, found once from specimen and request.
+// Derives the constants of a run from specimen and request.
 #pragma once
 
 #include "share/file/run_header.hpp"
@@ -9,10 +9,10 @@
 
 namespace graincrack {
 
-/// The program of a run: the one that is asked for, or that of the standard test.
+/// Returns the requested program, or that of the standard test.
 Program program_of(const SimulationRequest& request, const Specimen& specimen);
 
-/// The effective values of law, rock, contacts, phases and classes. \throws InputError if the material does not fit the specimen
+/// Returns law, rock, contacts, phases and classes in use. \throws InputError if the material does not fit the specimen
 MaterialSettings material_settings(const SimulationRequest& request, const Specimen& specimen);
 
 struct Setup {
@@ -20,11 +20,11 @@ struct Setup {
     Assemblage assemblage;
     Boundary boundary;
     StepParameters parameters;
-    double mass_scaling_factor = 0;  ///< β, 0: none
-    double added_mass = 0;           ///< to the stiffest elements, of the mass of the specimen
+    double mass_scaling_factor = 0;  ///< β; 0: no mass scaling
+    double added_mass = 0;           ///< mass added to the stiffest elements, over the mass of the specimen
     double stable_time_step = 0;     ///< s
 };
-/// \param program that is run
+/// \param program the program to run
 Setup make_setup(const Specimen& specimen, const SimulationRequest& request, const Program& program);
 
 }  // namespace graincrack

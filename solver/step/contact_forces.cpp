@@ -10,36 +10,35 @@ namespace {
 
 static_assert(contacts_per_chunk % sum_lanes == 0);
 
-/// A chunk's contacts side by side, and their points: 2 i + p. Motions, tractions and energies of points are those of the law of
-/// the class (see `ContactGeometry::strength`): motions and tractions over s, energies over s².
+/// The contacts of a chunk side by side, and their points in order 2 i + p. Motions and tractions of points are divided by the
+/// strength factor s of the contact, energies by s² (see `ContactGeometry::strength`), so that the law of the class applies.
 struct ContactLanes {
     static constexpr std::int32_t n = contacts_per_chunk;
     alignas(64) double edge_x[n], edge_y[n], area[n];
     alignas(64) double strength[n];                    ///< s
-    alignas(64) double force_area[n], energy_area[n];  ///< area times s and s²
+    alignas(64) double force_area[n], energy_area[n];  ///< area times s, and times s²
     alignas(64) double tangent_x[n], tangent_y[n], inv_length[n];
     alignas(64) double jump_x[2 * n], jump_y[2 * n];
     alignas(64) double opening[2 * n], sliding[2 * n];
     alignas(64) double normal_traction[2 * n], shear_traction[2 * n];
-    alignas(64) double intact[2 * n];    ///< 1 while the point has not failed, else 0
-    alignas(64) double residual[2 * n];  ///< 1 if it carries nothing but friction, else 0
+    alignas(64) double intact[2 * n];    ///< 1 if the point has not failed, else 0
+    alignas(64) double residual[2 * n];  ///< 1 if the point carries friction only, else 0
     alignas(64) double released[2 * n];  ///< 1 if the contact has been released to node–edge contacts, else 0
-    alignas(64) double done[2 * n];      ///< 1 where one of these responses holds or the contact has been released; else 0: the
-                                         ///< point needs the full law
-    alignas(64) double fracture[2 * n], shear_fracture[2 * n];  ///< dissipated, J
-    alignas(64) double friction[2 * n];                         ///< dissipated, J
-    bool any_failed;                                            ///< whether a point has failed
-    bool any_residual;  ///< whether a point is residual or released; else `residual` and `released` are not set
+    alignas(64) double done[2 * n];      ///< 1 if one of these responses holds or it is released; 0: the full law
+    alignas(64) double fracture[2 * n], shear_fracture[2 * n];  ///< dissipated energy, J
+    alignas(64) double friction[2 * n];                         ///< dissipated energy, J
+    bool any_failed;                                            ///< true if a point has failed
+    bool any_residual;  ///< true if a point is residual or released; else `residual` and `released` are not set
 };
 
-/// The softening points of a chunk, those that have failed with cohesion left, side by side: a few of its points. Their motions,
-/// and what changes with them.
+/// The few softening points of a chunk side by side: those that have failed and still have cohesion. It holds their motions and
+/// what changes with them.
 struct SofteningLanes {
     static constexpr std::int32_t n = 2 * contacts_per_chunk;
     ContactHistory* histories;  ///< of all points of the chunk
-    bool has_memory;            ///< whether more of them changes than integrity and slip
+    bool has_memory;            ///< true if more of a history changes than integrity and slip
     std::int32_t count;
-    std::size_t place[n];  ///< in the chunk, 2 i + p; filled up to whole lanes by the last of them
+    std::size_t place[n];  ///< place in the chunk, 2 i + p; the last lanes repeat the last point
     alignas(64) double old_opening[n], old_sliding[n], opening[n], sliding[n];
     alignas(64) double integrity[n], slip[n], largest_open[n], largest_slid[n], bridge[n];
     alignas(64) double normal[n], shear[n], fracture[n], friction[n], holds[n], remaining[n];  ///< as in `SofteningResponse`
@@ -72,7 +71,7 @@ bool any(const std::uint8_t* flags, std::int32_t count) {
     return found != 0;
 }
 
-/// Which points of a chunk are intact, residual or released before they move.
+/// Marks the points of a chunk that are intact, residual or released before they move.
 void sort_points(const Assemblage& a, const State& s, Range range, ContactLanes& b) {
     const std::int32_t count = 2 * range.size();
     const std::uint8_t* const failed = &s.failed[2 * static_cast<std::size_t>(range.begin)];
@@ -108,8 +107,8 @@ GRAINCRACK_INLINE void find_motions(std::int32_t count, ContactLanes& b) {
         const double ty = b.tangent_y[i] * per_strength;
         b.force_area[i] = b.area[i] * b.strength[i];
         b.energy_area[i] = b.force_area[i] * b.strength[i];
-        // A contact without a frame is open by its own length, which breaks it: were it left as it is, it would come back turned
-        // over when its grains turn further, and take its jump for an overlap.
+        // A contact whose frame has zero length counts as open by its own length, which breaks it. Otherwise it would return
+        // reversed when its grains rotate further, and its jump would count as an overlap.
         const bool is_lost = b.inv_length[i] == 0;
         const double far = 2 * b.area[i] * per_strength;
         const double opening0 = b.jump_x[2 * i] * ty - b.jump_y[2 * i] * tx;
@@ -134,7 +133,7 @@ Points points_from(Range range, State& s) {
     return {&s.opening[first], &s.sliding[first], &s.integrity[first], &s.slip[first], &s.fracture_energy[first]};
 }
 
-/// The intact response of all points, right where it holds.
+/// Computes the intact response of all points, which is correct where it holds.
 template <class Law>
 GRAINCRACK_INLINE void apply_intact_response(const ContactLaw& constants, const Points& points, std::int32_t count,
                                              ContactLanes& b) {
@@ -161,7 +160,7 @@ constexpr bool has_softening = requires(const ContactLaw& law, const MovedPoint&
     Law::softening(law, p);
 };
 
-/// True if it has one with a bridge.
+/// True if a law has a softening response with a bridge.
 template <class Law>
 constexpr bool may_be_bridged = requires(const ContactLaw& law, const MovedPoint& p) {
     Law::bridged_softening(law, p);
@@ -195,7 +194,7 @@ void gather_softening(const Points& points, const ContactLanes& b, SofteningLane
     }
 }
 
-/// The softening response, right where it holds.
+/// Computes the softening response, which is correct where it holds.
 template <class Law, bool bridged>
 GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, std::int32_t count, SofteningLanes& p) {
     const ContactLaw law = constants;
@@ -222,7 +221,7 @@ GRAINCRACK_INLINE void apply_softening_response(const ContactLaw& constants, std
     }
 }
 
-/// The residual response of residual points; released contacts carry nothing here.
+/// Computes the residual response of residual points; released contacts carry nothing here.
 GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, const Points& points, std::int32_t count,
                                                ContactLanes& b) {
     const ContactLaw law = constants;
@@ -243,7 +242,7 @@ GRAINCRACK_INLINE void apply_residual_response(const ContactLaw& constants, cons
     }
 }
 
-/// The energy that friction dissipates at the points of a chunk, J.
+/// Sums the energy that friction dissipates at the points of a chunk, J.
 GRAINCRACK_INLINE double sum_friction(std::int32_t count, ContactLanes& b) {
     for (std::int32_t i = 0; i < count; ++i) {
         b.friction[2 * i] = b.energy_area[i] * b.friction[2 * i];
@@ -259,8 +258,8 @@ GRAINCRACK_INLINE std::int32_t count_undone(std::int32_t count, const ContactLan
     return undone;
 }
 
-/// Books the fracture energies of intact points: by point, and in the sums by mode. Damage before the peak belongs to the branch
-/// it happens on.
+/// Adds the fracture energies of intact points to their own and to the sums by mode. Damage before the peak belongs to the mode
+/// of the branch on which it occurs.
 GRAINCRACK_INLINE void book_fracture(const Points& points, std::int32_t count, ContactLanes& b, ContactSums& sums) {
     double* __restrict const fracture_energy = points.fracture_energy;
     for (std::int32_t i = 0; i < count; ++i) {
@@ -283,7 +282,7 @@ struct PointIndex {
     [[nodiscard]] std::size_t point() const { return 2 * static_cast<std::size_t>(contact) + static_cast<std::size_t>(end); }
 };
 
-/// Middle of the half-edge that a point stands for, half-way between the two grains.
+/// Middle of the half-edge of a point, half-way between the two grains, m.
 Vector2 middle_of_point(const Assemblage& a, const PointIndex& at, const State& s) {
     const auto& nodes = a.contacts[at.contact].nodes;
     const double along = at.end == 0 ? 0.25 : 0.75;
@@ -292,11 +291,11 @@ Vector2 middle_of_point(const Assemblage& a, const PointIndex& at, const State& 
     return first + along * (second - first);
 }
 
-/// Adds the dissipation of a point to its own and to the sums of its chunk.
+/// Adds the dissipation of a point to the point's energies and to the sums of its chunk.
 void book_dissipation(const PointIndex& at, double area, const ContactResponse& r, State& s) {
     ContactSums& sums = s.contact_sums[at.chunk];
     const double fracture = area * r.dissipation.fracture;
-    // Damage before the peak (consistent) belongs to the branch it happens on.
+    // Damage before the peak (law `consistent`) belongs to the branch on which it occurs.
     const bool tensile = r.history.failed() ? r.history.first_mode == CrackMode::tensile : r.history.motion.opening >= 0;
     (tensile ? sums.fracture_tension : sums.fracture_shear) += fracture;
     s.fracture_energy[at.point()] += fracture;
@@ -304,7 +303,7 @@ void book_dissipation(const PointIndex& at, double area, const ContactResponse& 
     sums.non_conservative_work += area * r.dissipation.non_conservative_work;
 }
 
-/// An event of a point. Motion (over the strength factor), tangent and position are those of the step in which it happens.
+/// Makes an event of a point. Its motion (over the strength factor), tangent and position are those of the step of the event.
 ContactEvent make_event(const Assemblage& a, const PointIndex& at, ContactEventKind kind, const ContactMotion& motion,
                         const Vector2& tangent, std::int64_t step, const State& s) {
     ContactEvent event;
@@ -319,7 +318,7 @@ ContactEvent make_event(const Assemblage& a, const PointIndex& at, ContactEventK
     return event;
 }
 
-/// Notes which of `damage_levels` a failed point falls below.
+/// Records the `damage_levels` that a failed point falls below.
 void record_levels(const Assemblage& a, const PointIndex& at, double remaining, const ContactMotion& motion,
                    const Vector2& tangent, std::int64_t step, State& s) {
     double& next = s.next_level[at.point()];
@@ -329,8 +328,8 @@ void record_levels(const Assemblage& a, const PointIndex& at, double remaining, 
     }
 }
 
-/// Notes events of a point before its new history is stored: that it fails, loses cohesion, separates. The traction of a failure
-/// is that of the step before, the last one short of the peak.
+/// Records the events of a point before its new history is stored: failure, loss of cohesion, separation. The traction of a
+/// failure is that of the step before, the last one before the peak.
 template <class Law>
 void record_events(const Assemblage& a, const ContactLaw& law, const PointIndex& at, const ContactResponse& r,
                    const Vector2& tangent, std::int64_t step, State& s) {
@@ -355,13 +354,13 @@ void record_events(const Assemblage& a, const ContactLaw& law, const PointIndex&
     }
 }
 
-/// Stores the responses that hold, and books and notes what they lose.
+/// Stores the responses that hold, adds their dissipation to the sums, and records their events.
 void store_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step, const SofteningLanes& p, State& s,
                      ContactLanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
     const Points points = points_from(range, s);
     const double* const next_level = &s.next_level[2 * static_cast<std::size_t>(range.begin)];
-    double sums[3][sum_lanes] = {};  // tension, shear, friction; by lanes, as sums over all points of the chunk
+    double sums[3][sum_lanes] = {};  // [tension, shear, friction][lane], summed as over all points of the chunk
     for (std::int32_t j = 0; j < p.count; ++j) {
         if (p.holds[j] == 0) continue;
         const std::size_t k = p.place[j];
@@ -392,7 +391,7 @@ void store_softening(const Assemblage& a, std::int32_t chunk, std::int64_t step,
     totals.friction += sum_values_by_lanes(sum_lanes, sums[2]);
 }
 
-/// The softening response of the points of a chunk that soften, found for them alone.
+/// Computes the softening response of the softening points of a chunk alone.
 template <class Law>
 void soften_points(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s, ContactLanes& b) {
     const Range range = a.contact_chunks[chunk].contacts;
@@ -412,16 +411,16 @@ void soften_points(const Assemblage& a, const ContactLaw& law, std::int32_t chun
     store_softening(a, chunk, step, p, s, b);
 }
 
-/// Opens a point whose contact has lost its frame, slowly, so that it dissipates what is left of its fracture energy.
+/// Opens a point whose contact has lost its frame, in small increments, so that it dissipates the rest of its fracture energy.
 template <class Law>
 void pull_apart(const ContactLaw& law, double far, ContactResponse& r) {
-    constexpr double first = 1e-9;  // over `far`
+    constexpr double first = 1e-9;  // first increment, over `far`
     constexpr double growth = 1.02;
     for (double opening = first * far; opening < far; opening *= growth) contact_law::move_point<Law>(law, {opening, 0}, r);
     contact_law::move_point<Law>(law, {far, 0}, r);
 }
 
-/// The full law at the points of a chunk that need it.
+/// Applies the full law to the points of a chunk that need it.
 template <class Law>
 void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s,
                     ContactLanes& b) {
@@ -443,7 +442,7 @@ void apply_full_law(const Assemblage& a, const ContactLaw& law, std::int32_t chu
     }
 }
 
-/// The responses without a branch, at all points of a chunk. \return number of points that need the full law
+/// Computes the branch-free responses at all points of a chunk. \return number of points that need the full law
 template <class Law>
 std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::int32_t chunk, std::int64_t step, State& s,
                                ContactLanes& b) {
@@ -470,9 +469,9 @@ std::int32_t apply_vector_path(const Assemblage& a, const ContactLaw& law, std::
     return undone;
 }
 
-/// Forces on the nodes, slot by slot, and the couple that balances the moment they would exert because they act at a jump's
-/// length from each other: the frame turns with the mid-edge, and its share of the forces keeps angular momentum and energy
-/// exact. \param force [8][n] x, y on a1, a2, b1, b2
+/// Computes the forces on the nodes and the couple that balances their moment: they act at a distance of the jump from each
+/// other. The frame turns with the mid-edge; its share of the forces keeps angular momentum and energy exact. \param force [8][n]
+/// x and y on a1, a2, b1, b2, N
 GRAINCRACK_INLINE void find_contact_forces(std::int32_t count, const ContactLanes& b, double* __restrict force) {
     constexpr std::int32_t n = ContactLanes::n;
     for (std::int32_t i = 0; i < count; ++i) {

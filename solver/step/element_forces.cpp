@@ -8,7 +8,7 @@
 namespace graincrack {
 namespace {
 
-/// Edge displacements of the elements of a chunk, side by side.
+/// Edge displacements of the elements of a chunk, side by side, m.
 struct ElementLanes {
     static constexpr std::int32_t n = elements_per_chunk;
     alignas(64) double a_x[n], a_y[n], b_x[n], b_y[n];
@@ -41,7 +41,7 @@ void gather_elements(const Assemblage& a, Range elements, const State& s, Elemen
     }
 }
 
-/// Warm elements of a chunk, side by side: their free strain and softening, and the stress and stored energy that come out.
+/// Heated elements of a chunk, side by side: free strain and modulus_factor, and the resulting stress and stored energy.
 struct WarmLanes {
     static constexpr std::int32_t n = elements_per_chunk;
     alignas(64) double free_xx[n], free_yy[n], free_xy[n], softening[n], txx[n], tyy[n], txy[n], energy[n];
@@ -58,7 +58,7 @@ void gather_warmth(const Expansion& expansion, Range elements, const Warmth& war
     }
 }
 
-/// \param force [6][n] x, y on the three nodes
+/// Computes the forces of triangles. \param force [6][n] x and y on the three nodes, N
 template <bool has_temperature>
 GRAINCRACK_INLINE void find_forces_of_triangles(const Triangles& triangles, std::int32_t count, const ElementLanes& b,
                                                 double* __restrict force, WarmLanes* __restrict w = nullptr) {
@@ -89,7 +89,7 @@ GRAINCRACK_INLINE void find_forces_of_triangles(const Triangles& triangles, std:
     }
 }
 
-/// Of warm elements of a chunk: the energy that they store, J, and what the temperature changes of it at fixed motion, J/K.
+/// Energy stored in the heated elements of a chunk, J, and its derivative by temperature at fixed displacements, J/K.
 struct WarmEnergy {
     double stored = 0, rate = 0;
     using IsSum = void;
@@ -106,9 +106,9 @@ WarmEnergy energy_of(const Assemblage& a, Range elements, const Warmth& warmth, 
     });
 }
 
-/// Where elements have a temperature: also the work that it does.
+/// Computes the forces of elements with a temperature, and the work of its changes.
 void find_forces_of_warm_elements(const Assemblage& a, const Warmth& warmth, std::int32_t chunk, State& s) {
-    constexpr double largest_step = 1;  // K: over a larger one a curved expansion is not straight
+    constexpr double largest_step = 1;  // K; a larger step does not count as straight
     const Range elements = a.element_chunks[chunk];
     const Triangles triangles = triangles_from(a, elements.begin);
     double* const force = &s.element_force[element_slot_stride * static_cast<std::size_t>(chunk)];
@@ -128,7 +128,7 @@ void find_forces_of_warm_elements(const Assemblage& a, const Warmth& warmth, std
     if (jumps) before.go_to(thermal.temperature, a.expansion);
     const WarmEnergy from = jumps ? find_forces(before) : WarmEnergy{};
     const WarmEnergy to = find_forces(warmth);
-    // What the mean of the rates misses of the change of the stored energy at fixed motion.
+    // This is the part of the change of stored energy at fixed displacements that the mean of the two rates misses.
     if (jumps) thermal.work += to.stored - from.stored - 0.5 * (from.rate + to.rate) * change;
     thermal.go_to(warmth.temperature, to.rate);
 }

@@ -1,4 +1,4 @@
-// The element stage of a step: the forces of elements at the present displacements, chunk by chunk.
+// The element stage of a step: computes the forces of elements at the present displacements, chunk by chunk.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace graincrack {
 
-/// Sets the slots of `state.element_force` of a chunk of elements, and books what the temperature has worked since it was last
-/// there. \param warmth without a meaning where `state.thermal` is empty
+/// Sets the slots of `state.element_force` (N) of a chunk of elements, and adds the work of temperature changes since the last
+/// call to the sums. \param warmth unused if `state.thermal` is empty
 void find_element_forces(const Assemblage& assemblage, const Warmth& warmth, std::int32_t chunk, State& state);
 
 }  // namespace graincrack

@@ -14,7 +14,7 @@ auto sum_over_cluster(const Assemblage& a, const NodeChunk& chunk, std::int32_t 
     return sum;
 }
 
-/// The velocity that the added mass moves with: the mean of the nodes, or that of the platen that constrains them.
+/// Velocity of the added mass: the mean of the nodes, or that of the platen that constrains them, m/s.
 Vector2 velocity_of_cluster(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens,
                             const NodeChunk& chunk, std::int32_t cluster, const State& s) {
     if (const std::uint8_t platen = s.clusters.constraining_platen[cluster]; platen != 0) return platens[platen];
@@ -32,7 +32,7 @@ double added_kinetic_energy_of(const Assemblage& a, const MassScaling& scaling, 
            });
 }
 
-/// Kinetic energy of a cluster as the energy balance has it, up to what does not depend on velocities, J: ½ v(n−½)ᵀM' v(n+½) with
+/// Kinetic energy of a cluster in the energy balance, J, up to a part that does not depend on velocities: ½ v(n−½)ᵀM' v(n+½) with
 /// v(n+½) = v(n−½) + Δt M'⁻¹F.
 double kinetic_energy_of(const Assemblage& a, const StepParameters& parameters, const PlatenVelocities& platens,
                          const NodeChunk& chunk, std::int32_t cluster, const State& s) {
@@ -43,7 +43,7 @@ double kinetic_energy_of(const Assemblage& a, const StepParameters& parameters, 
     return own + added_kinetic_energy_of(a, parameters.mass_scaling, platens, chunk, cluster, s);
 }
 
-/// Finds which platen constrains a cluster, from the platens that its nodes are near.
+/// Finds the platen that constrains a cluster from the platens near its nodes.
 void set_constraint(const Assemblage& a, const MassScaling& scaling, const NodeChunk& chunk, std::int32_t cluster,
                     ClusterState& g) {
     std::uint8_t platen = 0;
@@ -60,9 +60,9 @@ void find_constrained(const Range& clusters, std::vector<ConstrainedCluster>& co
     }
 }
 
-/// A cluster meets or leaves a platen. If it leaves, its nodes keep their velocities; if it meets one, their momentum p = M' v:
-/// with the mean u before and the platen's velocity V after, p/m = (1 + β) v − β u and v' = V + (p/m − V)/(1 + β). Neither
-/// creates energy, relative to the platen.
+/// Updates a cluster that meets or leaves a platen. If it leaves, its nodes keep their velocities; if it meets one, they keep
+/// their momentum p = M' v: with their mean velocity u before and the platen's velocity V after it, p/m = (1 + β) v − β u and v'
+/// = V + (p/m − V)/(1 + β). Neither creates energy relative to the platen.
 void change_constraint(const Assemblage& a, const MassScaling& scaling, const PlatenVelocities& platens, const NodeChunk& chunk,
                        std::int32_t cluster, State& s) {
     ClusterState& g = s.clusters;

@@ -10,11 +10,11 @@ namespace {
 static_assert(2 * nodes_per_chunk % sum_lanes == 0);
 static_assert(sizeof(Vector2) == 2 * sizeof(double));
 
-/// The components of successive vectors, x and y in turn.
+/// The components x and y of successive vectors, alternating.
 const double* components(const Vector2& first) { return &first.x; }
 double* components(Vector2& first) { return &first.x; }
 
-/// Arrays of the nodes of a chunk, x and y in turn.
+/// Arrays of the nodes of a chunk, with x and y alternating.
 struct Nodes {
     const double *force, *last_force, *velocity, *mass, *inverse_mass;
 };
@@ -24,7 +24,7 @@ Nodes nodes_from(const MassScaling& scaling, std::int32_t node, const State& s) 
             &scaling.inverse_mass[first]};
 }
 
-/// Mean motions of the clusters of a chunk, x and y in turn.
+/// Mean motions of the clusters of a chunk, with x and y alternating.
 struct Means {
     static constexpr std::int32_t size = 2 * clusters_per_chunk;
     alignas(64) double inverse_mass[size];
@@ -33,10 +33,10 @@ struct Means {
     alignas(64) double relative[size];  ///< mean of the damping forces of the relative motion, per mass
 };
 
-/// Results for the nodes of a chunk, x and y in turn.
+/// Results for the nodes of a chunk, with x and y alternating.
 struct NodeLanes {
     static constexpr std::int32_t size = 2 * nodes_per_chunk;
-    alignas(64) double relative_damping[size];  ///< damping force of the relative motion, of which the mean is to be subtracted
+    alignas(64) double relative_damping[size];  ///< damping force of the relative motion before its mean is subtracted
     alignas(64) double new_velocity[size];
     alignas(64) double power[size];  ///< twice the power of damping, W
 };
@@ -83,7 +83,7 @@ GRAINCRACK_INLINE void find_means(const Rows& rows, const Nodes& of_chunk, std::
     }
 }
 
-/// Damping forces of the relative motion of the nodes of a row, and their sums over the clusters.
+/// Computes the damping forces of the relative motion of the nodes of a row, and their sums over the clusters.
 GRAINCRACK_INLINE void damp_relative_motion(std::int32_t size, const Damping& damping, const double* force,
                                             const double* last_force, const double* mass, const double* velocity,
                                             const Means& means, double* __restrict relative_damping, double* __restrict sum) {
@@ -141,7 +141,7 @@ void damp(const Assemblage& a, const StepParameters& parameters, const StepLoadi
     run_on(a.vector_target, [&]() GRAINCRACK_KERNEL { find_damping_forces(rows, nodes, parameters.damps(), count, means, b); });
 }
 
-/// New velocities v + Δt M'⁻¹ (F + Fd) of a row, and the power of damping.
+/// Computes the new velocities v + Δt M'⁻¹ (F + Fd) of a row, and the power of damping.
 GRAINCRACK_INLINE void accelerate_row(std::int32_t size, const double* force, const double* mass, const double* inverse_mass,
                                       const double* velocity, const double* relative_damping, const Means& means, double own,
                                       double time_step, double* __restrict new_velocity, double* __restrict power) {
@@ -153,7 +153,7 @@ GRAINCRACK_INLINE void accelerate_row(std::int32_t size, const double* force, co
     }
 }
 
-/// New velocities of a chunk. \return twice the energy absorbed by damping over Δt, W
+/// Computes the new velocities of a chunk. \return twice the energy absorbed by damping over Δt, W
 GRAINCRACK_INLINE double accelerate(const Rows& rows, const Nodes& of_chunk, double own, double time_step,
                                     std::int32_t n_components, const Means& means, NodeLanes& b) {
     const Nodes nodes = of_chunk;

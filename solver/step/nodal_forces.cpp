@@ -51,7 +51,7 @@ void add_active_contacts(std::int32_t chunk, State& s) {
     }
 }
 
-/// Adds the forces of the platens; calls `visit` with each platen point and the response to it.
+/// Adds the forces of the platens. \param visit called with each platen point and its response
 template <class Visit>
 void add_platens(const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s, const Visit& visit) {
     const Range points = boundary.platen_points_of_chunk[chunk];
@@ -70,7 +70,7 @@ void add_platens(const Boundary& boundary, const StepLoading& loading, std::int3
     }
 }
 
-/// The forces on the nodes of a chunk, in a fixed order. \param visit called with each platen point and the response to it
+/// Sums the forces on the nodes of a chunk in a fixed order. \param visit called with each platen point and its response
 template <class Visit>
 void sum_forces(const Assemblage& a, const Boundary& boundary, const StepLoading& loading, std::int32_t chunk, State& s,
                 const Visit& visit) {
@@ -82,7 +82,7 @@ void sum_forces(const Assemblage& a, const Boundary& boundary, const StepLoading
     if (!boundary.prescribed.empty()) add_prescribed(a, boundary.prescribed, loading, chunk, s);
 }
 
-/// v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
+/// Integrates nodes: v += Δt (F + Fd)/m, u += Δt v. \return energy absorbed by damping, J
 GRAINCRACK_INLINE double move_nodes(std::int32_t count, double time_step, const Damping& shares, const double* inverse_mass,
                                     const Vector2* force, Vector2* last_force, Vector2* velocity, Vector2* displacement) {
     const Damping damping = shares;

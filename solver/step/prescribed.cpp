@@ -17,7 +17,7 @@ void find_edge_load(const Assemblage& a, const LoadedEdge& edge, const StepLoadi
     s.prescribed.lateral[index] = load.lateral;
 }
 
-/// Moves the force on a prescribed component into its reaction.
+/// Moves the force on a component into its reaction if the component is prescribed.
 void take_reaction(double velocity, double& force, double& reaction) {
     const bool is_prescribed = !std::isnan(velocity);
     reaction = is_prescribed ? -force : 0;

@@ -1,4 +1,4 @@
-// Prescribed motions and loads in a step, and their work.
+// Applies prescribed motions and loads in a step, and computes their work.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace graincrack {
 
-/// The load of an edge. \param along from its first node to its second, m
+/// Load of an edge. \param along vector from its first node to its second, m
 struct EdgeLoad {
-    Vector2 on_end;      ///< on each of its nodes, N
-    double lateral = 0;  ///< the part of it along x that is pressure, inwards positive, N
+    Vector2 on_end;      ///< force on each of its nodes, N
+    double lateral = 0;  ///< its component along x due to pressure, positive inwards, N
 };
 EdgeLoad load_of_edge(const LoadedEdge& edge, const Vector2& along, const StepLoading& loading);
 
-/// The loads of the edges of a chunk at the present displacements.
+/// Computes the loads of the edges of a chunk at the present displacements.
 void find_edge_loads(const Assemblage& assemblage, const PrescribedConditions& prescribed, const StepLoading& loading,
                      std::int32_t chunk, State& state);
 
@@ -31,9 +31,9 @@ double load_half_work(const Assemblage& assemblage, const PrescribedConditions& 
 /// Work of the reactions over half a step at the present velocities of the prescribed nodes of a chunk, J.
 double reaction_half_work(const PrescribedConditions& prescribed, std::int32_t chunk, double time_step, const State& state);
 
-/// Before the nodes of a chunk are integrated: notes displacements and velocities of prescribed nodes.
+/// Stores displacements and velocities of the prescribed nodes of a chunk before the integration.
 void record_prescribed(const PrescribedConditions& prescribed, std::int32_t chunk, State& state);
-/// After it: moves prescribed components as prescribed. \return work of their reactions, J
+/// Moves prescribed components as prescribed, after the integration. \return work of their reactions, J
 double move_prescribed(const Assemblage& assemblage, const PrescribedConditions& prescribed, std::int32_t chunk, double time_step,
                        State& state);
 

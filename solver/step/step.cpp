@@ -18,7 +18,7 @@ namespace graincrack {
 
 namespace {
 
-/// Platens and amplitudes at each step of an interval of loading. Each thread has its own; all do the same arithmetic.
+/// Platens and amplitudes at each step of a loading interval. Each thread has its own clock; all compute the same values.
 class LoadingClock {
 public:
     LoadingClock(const IntervalLoading& interval, std::int64_t n_steps, double time_step, const State& s)
@@ -62,9 +62,8 @@ private:
     StepLoading now_;
 };
 
-/// The steps of one thread of the team: its share, and the stages of a step on it. The team waits wherever a stage reads what
-/// other threads have written, and what reads the nodes of other ranks waits for their message, which comes while all else is
-/// evaluated.
+/// The steps of one thread: the stages of a step on its share. The team waits before a stage that reads values written by other
+/// threads. Stages that read nodes of other ranks wait for their message, which arrives while everything else is evaluated.
 struct ThreadSteps {
     const Assemblage& a;
     const Boundary& boundary;
@@ -79,7 +78,7 @@ struct ThreadSteps {
     void warm() {
         if (!s.thermal.empty()) warmth.go_to(clock.now().temperature, a.expansion);
     }
-    /// Before the first step: what follows from displacements and time alone.
+    /// Computes, before the first step, the quantities that follow from displacements and time alone.
     void begin() {
         warm();
         for (const auto& elements : {share.inner_elements, share.outer_elements}) {
@@ -88,7 +87,7 @@ struct ThreadSteps {
         for (const std::int32_t chunk : share.loaded) find_edge_loads(a, boundary.prescribed, clock.now(), chunk, s);
         team.wait();
     }
-    /// A step. The work of loads is booked at the old velocity, then at the new one.
+    /// Makes one step. The work of loads is added at the old velocity and then at the new one.
     void advance(std::int64_t step, bool detects_contacts) {
         for (const std::int32_t chunk : share.nodes) {
             advance_nodal_forces(a, boundary, clock.now(), chunk, s);
@@ -122,7 +121,7 @@ struct ThreadSteps {
         for (const std::int32_t chunk : elements) find_element_forces(a, warmth, chunk, s);
         for (const std::int32_t chunk : contacts) advance_contacts(a, parameters.laws, chunk, step, s);
     }
-    /// The ranks agree on the areas of new contacts wherever they may begin.
+    /// Makes the ranks agree on the areas of new contacts.
     void complete_detection() {
         const auto& changes = s.contact_pairs.active.changed;
         const bool changed = std::find(changes.begin(), changes.end(), 1) != changes.end();
@@ -136,12 +135,12 @@ struct ThreadSteps {
     }
 };
 
-/// The steps between two updates of the pair list, with a team of threads. Steps with detection are counted from the start, so
-/// that they are the same however the steps are divided into calls.
+/// Makes the steps between two updates of the pair list with a team of threads. Steps with detection are counted from the start
+/// of the run, so that they do not depend on how calls divide the steps.
 void advance_between_updates(const Assemblage& a, const Boundary& boundary, const StepParameters& parameters,
                              std::int64_t n_steps, ThreadTeam& team, LoadingClock& clock, State& s) {
     const std::int64_t first_step = s.step + 1;
-    LoadingClock clock_after = clock;  // each thread has a clock of its own; all end alike
+    LoadingClock clock_after = clock;  // all clocks of the threads end alike
     const StepShares shares = share_step(a, boundary, &s, team.size());
     team.run([&](int thread) {
         ThreadSteps steps{a, boundary, parameters, shares.of_threads[thread], thread == 0, team, clock, s};

@@ -7,21 +7,21 @@
 namespace graincrack {
 namespace {
 
-// Instructions of a step, counted by callgrind on crystals of four minerals with scaled masses (AVX2, g++ 12), intact and behind
-// the peak under pressure. Other laws and vector units need others in much the same proportions.
+// Instructions of a step. Measured with callgrind on crystals of four minerals with mass scaling (AVX2, g++ 12), intact and after
+// the peak under pressure. Other laws and vector units have much the same proportions.
 constexpr double of_node = 40, of_cluster = 150, of_platen_point = 120;
 constexpr double of_contact_chunk = 1260, of_contact = 160;
-constexpr double of_softening = 130;  // more, of each such point
-constexpr double of_residual = 45;    // more, of each contact in a chunk with such a point
+constexpr double of_softening = 130;  // additional, of each such point
+constexpr double of_residual = 45;    // additional, of each contact in a chunk with such a point
 constexpr double of_element = 56, of_loaded_edge = 55;
-constexpr double of_active_contact = 210, of_watched_pair = 250;  // the latter in a detection
+constexpr double of_active_contact = 210, of_watched_pair = 250;  // the second in a step with detection
 
-/// Cuts items that follow each other into a range for each thread, so that the busiest has as little to do as can be.
-/// \param cost of an item \param busy [threads] cost of what they have besides; that of their items is added
+/// Divides consecutive items into a range for each thread, so that the largest load is as small as possible.
+/// \param cost of an item \param busy [threads] cost of other work of the threads; that of their items is added
 template <class CostOf>
 std::vector<Range> level(std::size_t n_items, const CostOf& cost, std::vector<double>& busy) {
     if (busy.size() == 1) return {{0, static_cast<std::int32_t>(n_items)}};
-    std::vector<double> before{0};  // [items + 1] cost of the first ones
+    std::vector<double> before{0};  // [items + 1] cumulative cost
     for (std::size_t i = 0; i < n_items; ++i) before.push_back(before.back() + cost(static_cast<std::int32_t>(i)));
     std::vector<Range> ranges(busy.size());
     const auto suffices = [&](double limit) {
@@ -100,7 +100,7 @@ StepShares share_step(const Assemblage& a, const Boundary& boundary, const State
     for (std::size_t t = 0; t < pairs.size(); ++t) shares.of_threads[t].pairs = pairs[t];
     share(a.part.loaded_chunks, &StepShare::loaded, last,
           [&](std::int32_t k) { return edges.empty() ? 0 : of_loaded_edge * edges[k].size(); });
-    // Chunks of elements are the smallest: they level what the others leave uneven.
+    // Chunks of elements are the smallest, so they level the differences that the others leave.
     share(a.part.evaluated_elements.inner, &StepShare::inner_elements, inner, elements);
     share(a.part.evaluated_elements.outer, &StepShare::outer_elements, outer, elements);
     shares.balance = {n_threads, busiest_over_mean(on_nodes), busiest_over_mean(last)};

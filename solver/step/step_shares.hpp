@@ -1,5 +1,5 @@
-// Shares of a team's threads in a step, of equal cost: numbers of items times what each costs. All sums are made by chunk,
-// whoever works on it, so that shares are no part of a result.
+// Divides a step among the threads of a team into shares of equal cost: numbers of items times the cost of each. Sums are made by
+// chunk, whichever thread works on it, so that shares do not affect results.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,18 @@ struct StepShare {
     Range pairs;
 };
 
-/// The cost of a stage for the busiest thread, over the mean.
+/// Cost of each stage for the busiest thread, over the mean of all threads.
 struct StepBalance {
     int threads = 1;
     double nodes = 1;   ///< nodal forces and integration
-    double forces = 1;  ///< contacts, elements, loads; with several ranks of those with ghosts
+    double forces = 1;  ///< contacts, elements, loads; with several ranks those with ghosts
 };
 
 struct StepShares {
     std::vector<StepShare> of_threads;
     StepBalance balance;
 };
-/// \param s for what has failed and the pair list; none: nothing has
+/// Divides a step; linear in the number of items. \param s state with failed contacts and pair list; null: nothing has failed
 StepShares share_step(const Assemblage& assemblage, const Boundary& boundary, const State* s, int n_threads);
 
 }  // namespace graincrack

@@ -1,4 +1,4 @@
-// A team of threads that work on many steps together: each has a share (step_shares.hpp), and a barrier separates stages.
+// A team of threads that work together on many steps. Each thread has a share (step_shares.hpp); a barrier separates stages.
 #pragma once
 
 #include <atomic>
@@ -9,8 +9,8 @@
 
 namespace graincrack {
 
-/// Barrier for a fixed number of threads. It spins while the others are about to arrive. If they do not arrive in time, because
-/// processors are busy with something else or are fewer than threads, it sleeps and leaves them the processor.
+/// Barrier for a fixed number of threads. It spins for a short time. If the other threads do not arrive by then, because
+/// processors are busy or fewer than threads, it sleeps and releases the processor.
 class SpinBarrier {
 public:
     explicit SpinBarrier(int n_threads) : n_threads_(n_threads) {}
@@ -23,7 +23,7 @@ public:
             generation_.notify_all();
             return;
         }
-        // Now and then it tries whether spinning pays again.
+        // Every `waits_between_trials` waits it tests whether the others arrive during a long spin.
         const bool patient = patient_.load(std::memory_order_relaxed) || generation % waits_between_trials == 0;
         for (int spins = patient ? patient_spins : impatient_spins; spins > 0; --spins) {
             if (generation_.load(std::memory_order_acquire) != generation) {
@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    static constexpr int patient_spins = 20000;  // some 250 µs: what one thread may do alone between two pieces of work
+    static constexpr int patient_spins = 20000;  // about 250 µs, the longest serial work between two parallel stages
     static constexpr int impatient_spins = 100;
     static constexpr std::uint32_t waits_between_trials = 64;
     const int n_threads_;
@@ -48,7 +48,7 @@ private:
     alignas(64) std::atomic<bool> patient_{true};
 };
 
-/// Threads that live as long as the team and wait at a barrier between two pieces of work: asleep if that takes long.
+/// Threads that live as long as the team. Between two calls of `run` they wait at a barrier and sleep if that takes long.
 class ThreadTeam {
 public:
     explicit ThreadTeam(int n_threads);
@@ -58,12 +58,12 @@ public:
     [[nodiscard]] int size() const { return static_cast<int>(others_.size()) + 1; }
     /// Runs `work(thread)` for every thread 0 … size − 1, thread 0 in the caller; returns when all are done.
     void run(const std::function<void(int)>& work);
-    /// Between stages of `work`: returns when all threads of the team have called it.
+    /// Separates stages of `work`: returns when all threads of the team have called it.
     void wait() { barrier_.wait(); }
 
 private:
     SpinBarrier barrier_;
-    const std::function<void(int)>* work_ = nullptr;  ///< none: the team ends
+    const std::function<void(int)>* work_ = nullptr;  ///< null: the team ends
     std::vector<std::thread> others_;
 };
 
