@@ -22,11 +22,11 @@ namespace graincrack {
 namespace {
 
 volatile std::sig_atomic_t caught_signal = 0;
-unsigned patience = 0;                             // s, of `catch_stop_signals`
-const char* name_of_tool = "";                     // of `run_tool`
-std::array<std::array<char, 5000>, 2> unfinished;  // paths of `hold_output`
+unsigned patience = 0;                             // s, set by `catch_stop_signals`
+const char* name_of_tool = "";                     // set by `run_tool`
+std::array<std::array<char, 5000>, 2> unfinished;  // paths set by `hold_output`
 
-/// Ends a tool that did not come to a safe point, with the message of `run_tool`. Calls nothing that a signal must not.
+/// Ends a program that has not reached a safe point, with the message of `run_tool`. It calls async-signal-safe functions only.
 void end_at_once(int /*alarm*/) {
     for (const auto& path : unfinished) ::unlink(path.data());
     const std::array<char, 3> number{static_cast<char>('0' + caught_signal / 10), static_cast<char>('0' + caught_signal % 10),
@@ -38,9 +38,9 @@ void end_at_once(int /*alarm*/) {
     ::_exit(128 + caught_signal);
 }
 
-/// The second signal ends the tool at once; but for one that comes with the first (`timeout` sends each to its command and to the
-/// command's group), for SIGHUP, which both the shell and the system send when a terminal is closed, and for SIGXCPU, which comes
-/// every second.
+/// The second signal ends the program at once. Three cases are exceptions: a signal that comes with the first (`timeout` sends
+/// each to its command and to the command's group), SIGHUP, which both the shell and the system send when a terminal is closed,
+/// and SIGXCPU, which comes every second.
 void remember_signal(int signal) {
     static std::time_t first;
     const std::time_t now = std::time(nullptr);
@@ -54,7 +54,7 @@ void remember_signal(int signal) {
     if (patience > 0) ::alarm(patience);
 }
 
-constexpr std::size_t longest_message = 1500;  // bytes; a list of all columns of a table has some thousand
+constexpr std::size_t longest_message = 1500;  // bytes; a list of all columns of a table has about a thousand
 
 int report(const std::string& tool, const std::string& message, int code) {
     std::string line = message;
@@ -67,15 +67,15 @@ int report(const std::string& tool, const std::string& message, int code) {
     return code;
 }
 
-/// Opens what the caller has closed of stdin, stdout and stderr, so that no other file takes its place; using the first two
-/// fails.
+/// Opens those of stdin, stdout and stderr that the caller has closed, so that no other file takes their numbers; using the first
+/// two fails.
 void open_closed_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY));
     }
 }
 
-/// \throws OutputError if not all that was printed has gone out
+/// Writes the buffered output. \throws OutputError if a part of it cannot be written
 void flush_stdout() {
     errno = 0;
     std::cout.flush();
@@ -92,7 +92,7 @@ int run_tool(const std::string& tool, const std::function<int()>& body) {
     name_of_tool = tool.c_str();
     open_closed_streams();
     std::signal(SIGPIPE, SIG_DFL);  // a reader that closes the pipe ends the tool without a message
-    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of its size cannot be written, as on a full disk
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit fails as on a full disk
     try {
         const int code = body();
         flush_stdout();
@@ -114,7 +114,7 @@ void catch_stop_signals(unsigned patience_) {
     std::signal(SIGALRM, end_at_once);
     for (const int signal : {SIGINT, SIGTERM, SIGXCPU, SIGUSR2}) std::signal(signal, remember_signal);
     if (std::signal(SIGHUP, remember_signal) == SIG_IGN) {
-        std::signal(SIGHUP, SIG_IGN);  // of nohup
+        std::signal(SIGHUP, SIG_IGN);  // set by nohup
     }
 }
 

@@ -1,7 +1,7 @@
-// Errors of the three tools: an exception type for each cause, one line for each message, an exit code for each type.
+// Errors of the three programs. Each cause has an exception type, each message one line, and each type an exit code.
 //
-// Exceptions are thrown outside hot loops and caught only in `run_tool`. A message names the file or option, says what
-// is wrong and what would be right; it has no trailing full stop and no line break.
+// Exceptions are thrown outside hot loops and caught in `run_tool` only. A message names the file or option, the error and what
+// would be right. It has no full stop at the end and no line break.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 
 namespace graincrack {
 
-/// Exit codes of all tools; a run stopped by signal n ends with 128 + n.
+/// Exit codes of all programs. A program stopped by signal n exits with 128 + n.
 enum class ExitCode { done = 0, internal = 1, usage = 2, input = 3, numerical = 4, output = 5 };
 
-/// Base of all errors a user can meet.
+/// Base of all errors that a user can cause.
 class Error : public std::runtime_error {
 public:
     Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -39,7 +39,7 @@ struct NumericalError : Error {
 struct OutputError : Error {
     explicit OutputError(const std::string& message) : Error(ExitCode::output, message) {}
 };
-/// The run was stopped by a signal (exit 128 + signal).
+/// A signal stopped the run (exit 128 + signal).
 class Interrupted : public std::runtime_error {
 public:
     explicit Interrupted(int signal) : std::runtime_error("stopped by a signal"), signal_(signal) {}
@@ -49,19 +49,18 @@ private:
     int signal_;
 };
 
-/// Runs the body of a tool's main and turns what it throws into one line on stderr, `tool: message`, and an exit code; with the
-/// last of its events.
+/// Runs the body of main. It turns an exception into one line on stderr, `tool: message`, the last event and an exit code.
 int run_tool(const std::string& tool, const std::function<int()>& body);
 
-/// Catches SIGINT, SIGTERM, SIGHUP, and SIGXCPU and SIGUSR2, by which schedulers warn, from here on, so that work ends at the
-/// next safe point.
+/// Catches SIGINT, SIGTERM, SIGHUP and the warnings of schedulers, SIGXCPU and SIGUSR2, so that work ends at the next safe point.
+/// \param patience time after which the program ends in any state and removes the files of `hold_output`, s; 0: unlimited
 /// \param patience s after which the tool ends wherever it is, without what `hold_output` names; 0: it is waited for
 void catch_stop_signals(unsigned patience = 0);
-/// Names the output whose unfinished file and lock, PATH.part and PATH.lock, are removed where a tool ends at once; "" for none.
+/// Names the output whose unfinished file PATH.part and lock PATH.lock are removed when a program ends at once; "" for none.
 void hold_output(const std::string& path);
-/// The signal that asked to stop, or 0.
+/// The signal that requested a stop, or 0.
 int stop_signal() noexcept;
-/// Throws `Interrupted` if a signal asked to stop.
+/// Throws `Interrupted` if a signal requested a stop.
 void throw_if_interrupted();
 
 }  // namespace graincrack

@@ -22,10 +22,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where the events of this process go, and the last of them as it grows.
+/// The target of this process's events, and its last event, which is collected until the end.
 struct Events {
     int file = -1;
-    bool are_left = false;  ///< to another process
+    bool are_left = false;  ///< left to another process
     Json outcome{{"event", "outcome"}, {"exit_code", 0}, {"error", ""}, {"outputs", Json::array()}};
 };
 Events& events() {
@@ -33,7 +33,7 @@ Events& events() {
     return own;
 }
 
-/// Whether the other end of a pipe or socket is closed.
+/// True if the other end of a pipe or socket is closed.
 bool has_no_reader(int file) {
     pollfd state{file, 0, 0};
     return ::poll(&state, 1, 0) > 0 && (state.revents & (POLLERR | POLLHUP)) != 0;
@@ -56,7 +56,7 @@ void write_event(const Json& event) {
     }
 }
 
-/// \throws UsageError
+/// Reads the number of a descriptor. \throws UsageError if it is not one
 int descriptor_of(const std::string& number) {
     int file = -1;
     std::from_chars(number.data(), number.data() + number.size(), file);

@@ -1,5 +1,5 @@
-// What a program says while it works: lines on stderr, and events for other programs (--events), which are JSON
-// objects, one a line, in the form of share/doc/file-format.md.
+// Messages of a program at work: lines on stderr, and events for other programs (--events). Events are JSON objects, one per
+// line, in the form of share/doc/file-format.md.
 #pragma once
 
 #include <ostream>
@@ -8,39 +8,39 @@
 
 namespace graincrack {
 
-/// How much a tool says on stderr.
+/// Amount of messages on stderr.
 enum class Verbosity { quiet, normal, verbose };
 
-/// The stream of lines that a user reads: stderr, with --quiet none.
+/// The stream of lines for the user: stderr, or a stream without output with --quiet.
 std::ostream& diagnostics(Verbosity verbosity);
 
-/// What is to be said of an input or a result.
+/// A note or warning about an input or a result.
 struct Remark {
     Remark(std::string text_, std::string code_ = "") : text(std::move(text_)), code(std::move(code_)) {}
     std::string text;
-    std::string code;  ///< of a warning, a short word that stays: "few_crystals"; "" of a note
+    std::string code;  ///< fixed short word of a warning, such as "few_crystals"; "" for a note
 };
 
-/// Opens where events go. \param target number of an open descriptor, or a file, which is replaced
+/// Opens the target of events. \param target number of an open descriptor, or a file, which is replaced
 /// \throws UsageError for a descriptor that is not open for writing; OutputError for a file that cannot be written
 void open_events(const std::string& target);
-/// Leaves events to another process, the first of several ranks: `open_events` does nothing from here on.
+/// Leaves events to another process, the first of several ranks: later calls of `open_events` have no effect.
 void leave_events();
 
-/// A line, and an event with it. What cannot be written on stderr, as on a full disk, is lost and does not end the
-/// work. Nor does an event, unless its reader has closed the pipe: the work is then stopped as by SIGHUP.
+/// Writes a line and an event with it. Lines that cannot be written to stderr (full disk) are lost and do not end the work. The
+/// same holds for events, unless their reader has closed the pipe: then the work stops as by SIGHUP.
 void say(std::ostream& out, const std::string& line);
-/// The line "SUBJECT: warning: TEXT", and an event with its code. \param file that the warning is of
+/// Writes the line "SUBJECT: warning: TEXT" and an event with its code. \param file the file that the warning is about
 void warn(std::ostream& out, const std::string& subject, const Remark& warning, const std::string& file = "");
-/// An event of work in progress, for `Progress`. \param fraction of the work, 0 to 1
+/// Writes an event of work in progress, for `Progress`. \param fraction completed fraction of the work, 0 to 1
 void tell_progress(const std::string& label, double fraction, const std::string& text);
 
-/// Adds a value in SI units, or a word, to the last event.
+/// Adds a value in SI units, or a text, to the last event.
 void add_to_outcome(const std::string& name, double value);
 void add_to_outcome(const std::string& name, const std::string& value);
-/// Adds a file or folder that is there now to the last event.
+/// Adds an existing file or folder to the last event.
 void add_output_to_outcome(const std::string& path);
-/// The last event. \param error the line of stderr by which the program fails, "" if it does not
+/// Writes the last event. \param error the error message of the program on stderr; "" without an error
 void end_events(int exit_code, const std::string& error);
 
 }  // namespace graincrack

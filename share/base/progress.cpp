@@ -11,8 +11,8 @@
 namespace graincrack {
 namespace {
 
-constexpr double shortest_interval = 0.2;  // s between two events, or two prints on a terminal
-constexpr double log_interval = 30.0;      // s, where stderr is no terminal
+constexpr double shortest_interval = 0.2;  // s; least time between events, and between prints on a terminal
+constexpr double log_interval = 30.0;      // s; if stderr is no terminal
 constexpr int bar_width = 24;
 
 std::string clock_text(double seconds) {

@@ -1,4 +1,4 @@
-// Progress of a long computation: on stderr a bar on a terminal, otherwise a line every half minute; events.
+// Shows the progress of a long computation: a bar if stderr is a terminal, otherwise a line every half minute; and events.
 #pragma once
 
 #include <chrono>
@@ -8,16 +8,16 @@
 
 namespace graincrack {
 
-/// Shows the completed share of the work and an upper estimate of the time left, as events too. Prints nothing when quiet.
+/// Shows the completed fraction of the work and an upper estimate of the remaining time, also as events. Silent when quiet.
 class Progress {
 public:
-    /// \param label what is being done, e.g. "uniaxial"
+    /// \param label name of the work, e.g. "uniaxial"
     Progress(std::string label, Verbosity verbosity);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// \param share work done, 0 to 1
+    /// \param share completed fraction of the work, 0 to 1
     /// \param detail short text shown behind the bar, e.g. "stress 54.2 MPa, 12 cracks"
     void update(double share, const std::string& detail);
     /// Ends the bar; later updates print nothing.

@@ -1,6 +1,6 @@
-// Every physical quantity of the tools, defined once: name, dimension, bounds and meaning.
+// Defines every physical quantity of the programs once, with name, dimension, bounds and meaning.
 //
-// Options, HDF5 names, table headers and plots take their names from here. Values are SI; angles are radians.
+// Options, HDF5 names, table headers and plots use these names. Values are SI; angles are radians.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace graincrack {
 
-/// Kind of a quantity; fixes the SI unit it is kept in and the units a user may write.
+/// Dimension of a quantity. It determines its SI unit and the units that a user may write.
 enum class Dimension {
     one,              ///< pure number (unit "1")
     length,           ///< m
@@ -21,7 +21,7 @@ enum class Dimension {
     speed,            ///< m/s
     stress,           ///< Pa
     force,            ///< N (per metre of thickness in plane models, t = 1 m)
-    energy,           ///< J (likewise)
+    energy,           ///< J (per metre of thickness in plane models)
     stiffness,        ///< Pa/m, traction over displacement of a contact
     toughness,        ///< Pa.m^0.5, stress intensity
     fracture_energy,  ///< J/m2
@@ -33,17 +33,17 @@ enum class Dimension {
     heating_rate,     ///< K/s
 };
 
-/// A unit a user may write, with its factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
+/// A unit that a user may write, with its factor to SI ("mm" → 1e-3, "deg" → π/180, "%" → 0.01 …).
 struct Unit {
     std::string_view symbol = {};
     double to_si = 1;
 };
 
-/// What is known of a dimension.
+/// Names and units of a dimension.
 struct DimensionRow {
-    std::string_view name;                  ///< in messages
-    std::string_view option_type;           ///< of the value of an option, in help
-    std::array<Unit, 5> units;              ///< that a user may write, the SI unit first
+    std::string_view name;                  ///< name in messages
+    std::string_view option_type;           ///< type of option values in help
+    std::array<Unit, 5> units;              ///< units that a user may write, the SI unit first
     std::array<std::string_view, 5> shown;  ///< units in which values are shown, smallest first
 };
 // clang-format off
@@ -68,11 +68,11 @@ inline constexpr std::array<DimensionRow, 18> dimension_rows{{
     {"heating rate", "RATE", {{{"K/s"}}}, {"K/s"}},
 }};
 // clang-format on
-/// The row of a dimension: rows stand in the order of `Dimension`.
+/// The row of a dimension; rows are in the order of `Dimension`.
 constexpr const DimensionRow& row_of(Dimension dimension) { return dimension_rows[static_cast<std::size_t>(dimension)]; }
-/// SI unit as written in files: "m", "Pa", "rad", "1", …
+/// SI unit as spelt in files: "m", "Pa", "rad", "1", …
 constexpr std::string_view si_unit(Dimension dimension) { return row_of(dimension).units.front().symbol; }
-/// Name of a dimension for a message: "length", "stress", "pure number" …
+/// Name of a dimension in messages: "length", "stress", "pure number" …
 constexpr std::string_view name_of(Dimension dimension) { return row_of(dimension).name; }
 
 /// A physical quantity. A value is admissible if lower ≤ value ≤ upper (strictly above `lower` if `open_below`).
@@ -83,7 +83,7 @@ struct Quantity {
     double upper;
     std::string_view meaning;
     bool open_below = false;
-    std::string_view why_upper = {};  ///< the reason of `upper`, for messages
+    std::string_view why_upper = {};  ///< reason for `upper`, for messages
     [[nodiscard]] constexpr bool admits(double value) const {
         return (open_below ? value > lower : value >= lower) && value <= upper;
     }

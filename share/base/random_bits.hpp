@@ -1,4 +1,4 @@
-// Bits that a seed and a number make, the same with every compiler and in whatever order they are asked for.
+// Pseudo-random bits from a seed and a number. They are the same with every compiler and in any order of calls.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// SHA-256 by OpenSSL.
+// Computes SHA-256 with OpenSSL.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ struct evp_md_ctx_st;
 
 namespace graincrack {
 
-/// A hash of what is added, in its order.
+/// The hash of data that are added in sequence.
 class Sha256 {
 public:
     Sha256();
@@ -17,9 +17,9 @@ public:
     Sha256(const Sha256&) = delete;
     Sha256& operator=(const Sha256&) = delete;
     void add(const void* data, std::size_t size);
-    /// A text and a zero byte behind it, so that texts that follow one another are told apart.
+    /// Adds a text and a zero byte, which separates it from the next text.
     void add(const std::string& text);
-    /// The hash as 64 digits, once.
+    /// Returns the hash as 64 hexadecimal digits; to be called once.
     std::string hex();
 
 private:

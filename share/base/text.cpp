@@ -15,7 +15,7 @@
 namespace graincrack {
 namespace {
 
-/// Edits (insert, remove, replace) that turn one word into the other.
+/// Smallest number of edits (insertions, removals, replacements) that turn one word into the other.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -31,8 +31,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     return row[b.size()];
 }
 
-/// Length in bytes of the character at a place of a UTF-8 text that a terminal would obey, 0 of one that it shows: control
-/// characters, also those beyond ASCII (U+0080 to U+009F), line separators and those that turn the direction of writing.
+/// Length in bytes of the leading character of a UTF-8 text if a terminal would interpret it, otherwise 0. These are control
+/// characters, also those beyond ASCII (U+0080 to U+009F), line separators and changes of the direction of writing.
 std::size_t length_of_control(std::string_view text) {
     const auto is_between = [text](std::string_view prefix, unsigned char first, unsigned char last) {
         const std::size_t n = prefix.size();

@@ -28,7 +28,7 @@ std::string with_comment(const std::string& line, std::string_view comment) {
     return comment.empty() ? line : fmt::format("{:<39} # {}", line, comment);
 }
 
-/// A value in a comment: its first line, a text without its quotes.
+/// A value for a comment: its first line; texts without quotes.
 std::string shown(const std::string& value) {
     const std::size_t line = value.find_first_of("\r\n");
     if (line != std::string::npos) return value.substr(0, line) + " …";
@@ -36,7 +36,7 @@ std::string shown(const std::string& value) {
     return is_text ? value.substr(1, value.size() - 2) : value;
 }
 
-/// End of a line, before its line break; begin of the line behind.
+/// Ends of lines before their line breaks, and beginnings of the lines after them.
 std::size_t line_end(const std::string& text, std::size_t at) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     return end > at && text[end - 1] == '\r' ? end - 1 : end;
@@ -71,7 +71,7 @@ const TomlSection* TomlDocument::header(const Path& table) const {
     for (const TomlSection& each : toml_.sections) {
         if (each.name == table && text_[byte(each.begin)] == '[') found = &each;
     }
-    // [phases.mica] is where [phases] begins too.
+    // [phases.mica] is also the beginning of [phases].
     const auto is_of_another = [&](const TomlSection& each) {
         return found != nullptr && each.line == found->line && each.name.size() > table.size();
     };
@@ -151,7 +151,7 @@ void TomlDocument::put(const Path& key, const std::string& line) {
     for (const TomlEntry& each : toml_.entries) {
         if (each.section == table) last = &each;
     }
-    if (last != nullptr) {  // with its indent, or its tables as a key with dots has them
+    if (last != nullptr) {  // with its indentation, or its tables if it is a dotted key
         const std::size_t begin = byte({last->key_begin.line, 1});
         return insert_line(byte(last->end), text_.substr(begin, byte(last->key_begin) - begin) + line);
     }

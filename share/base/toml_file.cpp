@@ -30,17 +30,17 @@ TomlValue value_of(const toml::node& node, const std::string& file, std::string_
                                                    : "date or time"));
 }
 
-constexpr std::size_t max_nesting = 200;  // of keys by dots; ours are three deep
+constexpr std::size_t max_nesting = 200;  // dots in a key; the programs' own keys have three parts
 
-/// The parser nests tables by the dots of a key, and what frees them needs stack for each.
-/// \throws InputError for a key with more dots than that
+/// Refuses deeply nested keys: the parser nests tables by the dots of a key, and freeing them needs stack for each.
+/// \throws InputError for a key with more than `max_nesting` dots
 void require_shallow_keys(const std::string& text, const std::string& file) {
     int line = 1;
     std::size_t dots = 0;
     for (std::size_t at = 0; at < text.size(); ++at) {
         const char c = text[at];
         if (c == '\n') ++line;
-        if (c == '"' || c == '\'') {  // what stands in quotes has no part in it
+        if (c == '"' || c == '\'') {  // dots in quotes do not count
             std::size_t end = at + 1;
             while (end < text.size() && text[end] != c && text[end] != '\n') end += c == '"' && text[end] == '\\' ? 2 : 1;
             at = end < text.size() && text[end] == '\n' ? end - 1 : end;

@@ -1,4 +1,4 @@
-// A TOML file as a flat list of keys, and texts as TOML writes them. The only file that uses the TOML library.
+// Reads a TOML file into a flat list of keys, and writes texts in TOML. Only this unit uses the TOML library.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace graincrack {
 struct TomlValue {
     enum class Kind { text, number, boolean };
     Kind kind = Kind::text;
-    std::string text;  ///< as an option would be given: text as it stands, numbers in their shortest form, "true", "false"
+    std::string text;  ///< spelt as for an option: text as it is, numbers in their shortest form, "true", "false"
 };
 
 /// A place in a TOML file: lines and columns from 1, columns in characters.
@@ -23,10 +23,10 @@ struct TomlPlace {
 struct TomlEntry {
     std::vector<std::string> section;  ///< {"rock"} for [rock]; empty at the top
     std::string key;
-    std::vector<TomlValue> values;  ///< one, or the elements of an array
+    std::vector<TomlValue> values;  ///< one value, or the elements of an array
     bool is_array = false;
     int line = 0;
-    TomlPlace key_begin, begin, end;  ///< of the last part of the key, and of the value
+    TomlPlace key_begin, begin, end;  ///< places of the last part of the key, and of the value
 };
 
 /// A table, which may be empty.
@@ -34,7 +34,7 @@ struct TomlSection {
     std::vector<std::string> name;
     int line = 0;
     bool is_inline = false;  ///< {…}
-    TomlPlace begin, end;    ///< of {…} or [NAME]; of the first [NAME.…] or key with dots where a table has neither
+    TomlPlace begin, end;    ///< place of {…} or [NAME]; without either, of the first [NAME.…] or dotted key
 };
 
 struct TomlFile {
@@ -43,21 +43,21 @@ struct TomlFile {
     std::vector<TomlSection> sections;
 };
 
-/// Reads a TOML file. \throws InputError, naming file and line, if it cannot be read, is not TOML, or holds dates, arrays of
-/// arrays or arrays of tables, which nothing here uses.
+/// Reads a TOML file. \throws InputError, naming file and line, if it cannot be read, is not TOML, or has dates, arrays of arrays
+/// or arrays of tables, which the programs do not use.
 TomlFile read_toml(const std::string& file);
 
-/// The same from text; `name` stands for the file in messages.
+/// Does the same with a text; `name` replaces the file in messages.
 TomlFile parse_toml(const std::string& text, const std::string& name);
 
-/// What a file says, in one line: neither comments nor the form of tables count.
+/// The content of a file in one line, which does not depend on comments or the form of tables.
 std::string toml_content(const TomlFile& file);
 
-/// A text in quotes, "…", with what may not stand there as an escape.
+/// A text in quotes "…", with escapes for special characters.
 std::string toml_string(std::string_view text);
-/// A text as a value: bare where it is a number that reads back unchanged, else in quotes.
+/// A text as a value: bare if it is a number that reads back unchanged, otherwise in quotes.
 std::string toml_value(const std::string& text);
-/// A name as a key: bare where TOML allows it, else in quotes.
+/// A name as a key: bare if TOML allows it, otherwise in quotes.
 std::string toml_key(const std::string& name);
 
 }  // namespace graincrack

@@ -1,5 +1,5 @@
-// Tables of a TOML file: keys bound to where their values go, and a table that is asked for its keys one by one, of which what
-// nobody asked for is refused.
+// Tables of a TOML file: keys with the targets of their values, and a table whose keys are queried one by one, so that keys which
+// were never queried can be refused.
 #pragma once
 
 #include <algorithm>
@@ -19,34 +19,33 @@
 
 namespace graincrack {
 
-/// A key of a table: the quantity it holds, where its value is stored, and whether it is required; or, in place of a quantity, a
-/// word.
+/// A key of a table with its quantity, or word, the target of its value, and whether it is required.
 struct TomlKey {
     std::string name;
     Quantity quantity;
     std::function<void(double)> set;
     bool needed = false;
-    std::vector<std::string> words = {};                         ///< that a key of a word may have; none: any
-    std::function<void(const std::string&)> set_word = nullptr;  ///< of a key of a word
-    std::vector<double>* values = nullptr;                       ///< of a key that may have an array, alone unless it has `set`
+    std::vector<std::string> words = {};                         ///< words that the key may have; empty: any
+    std::function<void(const std::string&)> set_word = nullptr;  ///< target of a word
+    std::vector<double>* values = nullptr;  ///< target of an array, which is required unless the key has `set`
 
     [[nodiscard]] bool is_word() const { return set_word != nullptr; }
-    /// \throws InputError unless a key of a word may have it
+    /// Checks that the key may have a word. \throws InputError if it may not
     void require_word(const std::string& word, const std::string& where) const;
 };
 
-/// Where the value of a key goes: a number or an optional one.
+/// The target of a value: a number or an optional number.
 template <class Target>
 std::function<void(double)> to(Target& target) {
     return [&target](double value) { target = value; };
 }
 
-/// A key that has a word. \param words of which it is one; none: any
+/// A key for a word. \param words the allowed words; empty: any
 inline TomlKey word_key(const char* name, std::vector<std::string> words, std::function<void(const std::string&)> set) {
     return {name, {}, {}, false, std::move(words), std::move(set)};
 }
 
-/// A table, called by its path: "contact", "pairs.quartz-mica".
+/// The keys of a table, identified by its path: "contact", "pairs.quartz-mica".
 struct TomlKeys {
     std::string path;
     std::vector<TomlKey> keys;
@@ -63,21 +62,21 @@ public:
     [[nodiscard]] bool has(const std::string& key) const;           ///< a value or a table
     [[nodiscard]] bool has_value(const std::string& key) const;
     [[nodiscard]] bool has_array(const std::string& key) const;
-    /// "file: line 12: stage.load.until", for messages.
+    /// The place of a key in messages: "file: line 12: stage.load.until".
     [[nodiscard]] std::string where(const std::string& key = "") const;
 
-    // Rows of `program/keys.hpp`: what is missing leaves the value as it is, or is refused, saying `what`, where it is needed.
-    // Each throws InputError where the key holds something else.
+    // Functions for the rows of `program/keys.hpp`. A missing key leaves the value unchanged or, if it is needed, is refused with
+    // the message `what`. Each throws InputError if the key has a value of another type.
     static constexpr bool reads = true;
     void given(const std::string& key, std::string& value);
-    void given(const std::string& key, std::vector<std::string>& value);  ///< or one text
+    void given(const std::string& key, std::vector<std::string>& value);  ///< also accepts one text
     void given(const std::string& key, bool& value);
     void given(const std::string& key, const Quantity& quantity, double& value);
     void given(const std::string& key, const Quantity& quantity, std::int64_t& value);
-    /// \param none the word that stands for 0, if there is one
+    /// \param none word for 0, if there is one
     void given(const std::string& key, const Quantity& quantity, std::optional<double>& value, const char* none = nullptr);
     void given(const std::string& key, const Quantity& quantity, std::vector<double>& value);
-    /// \param fits what is said where the number of values is another
+    /// \param fits message for another number of values
     template <std::size_t N>
     void given(const std::string& key, const Quantity& quantity, std::optional<std::array<double, N>>& value, const char* fits) {
         std::vector<double> values;
@@ -86,7 +85,7 @@ public:
         if (values.size() != N) refuse(key, fits);
         std::copy(values.begin(), values.end(), value.emplace().begin());
     }
-    /// One of two words.
+    /// Reads one of two words.
     void choice(const std::string& key, bool& value, const std::string& word_of_false, const std::string& word_of_true);
     template <class Value>
     void needed(const std::string& key, Value& value, const std::string& what) {
@@ -102,16 +101,16 @@ public:
     bool is_word(const std::string& key, const std::string& word);
     std::optional<TomlTable> table(const std::string& key);
     TomlTable needed_table(const std::string& key, const std::string& what);
-    /// The tables in this one, by their names in the order of the file.
+    /// The tables in this one, in the order of the file.
     std::vector<TomlTable> tables();
 
     [[nodiscard]] std::string name() const;  ///< last part of the path
-    /// Refuses every key that was not asked for. \throws InputError
+    /// Refuses every key that was not queried. \throws InputError
     void refuse_others() const;
     [[noreturn]] void refuse(const std::string& key, const std::string& wrong_and_right) const;
 
 private:
-    /// The entry of a key, or null. \throws InputError, saying `otherwise`, if it is a table or does not fit
+    /// The entry of a key, or null. \throws InputError with the message `otherwise` if it is a table or does not fit
     const TomlEntry* asked(const std::string& key, bool (*fits)(const TomlEntry&), const std::string& otherwise);
     void require(const std::string& key, const std::string& what);
     [[nodiscard]] double number(const std::string& key, const TomlValue& value, const Quantity& quantity) const;

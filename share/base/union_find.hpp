@@ -1,4 +1,4 @@
-// Disjoint sets with path halving: which elements are connected.
+// Disjoint sets with path halving, which find connected elements. A call costs O(log n) amortised.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ class UnionFind {
 public:
     explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
 
-    /// The member that stands for the set of i: the smallest of those joined so far.
+    /// The representative of the set of i: its smallest member.
     std::size_t find(std::size_t i) {
         while (parent_[i] != i) {
             parent_[i] = parent_[parent_[i]];

@@ -15,7 +15,7 @@
 namespace graincrack {
 namespace {
 
-/// Alternative spellings, which are read but not listed, and the symbol that each stands for.
+/// Alternative spellings, which are accepted but not listed, with their symbols.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 17> other_spellings{{
     {"\u00b5m", "um"},
     {"\u03bcm", "um"},
@@ -54,7 +54,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// "a length in m, mm, cm, um or km (a bare number is m)"
+/// The accepted units in words: "a length in m, mm, cm, um or km (a bare number is m)".
 std::string what_fits(Dimension dimension) {
     if (dimension == Dimension::one) return "a pure number, or one in %, fits";
     std::string list;
@@ -72,7 +72,7 @@ std::string quoted(std::string_view text) { return '"' + shortened(printable(tex
     throw UsageError(fmt::format("{}: {}; {}", where, wrong, right));
 }
 
-/// Refuses a number out of bounds that may have been meant with another unit, if one makes it fit.
+/// Refuses a number out of bounds that fits with another unit, which may have been meant.
 void refuse_bare(std::string_view text, double value, const Quantity& quantity, std::string_view where) {
     for (const Unit& unit : units_of(quantity.dimension)) {
         if (!quantity.admits(value * unit.to_si)) continue;
@@ -101,7 +101,7 @@ void refuse_bare(std::string_view text, double value, const Quantity& quantity, 
     refuse(where, fmt::format("unknown unit {} in {}", quoted(symbol), quoted(text)), hint + what_fits(dimension));
 }
 
-/// The number that `text` spells, times the factor. A power of ten is added to the exponent of the text, to round once only.
+/// The number of `text`, times the factor. A power of ten is added to the exponent in the text, so that it is rounded once.
 std::optional<double> scaled_number(std::string_view text, double factor) {
     const double decade = std::round(std::log10(factor));
     const bool is_decade = std::abs(factor / std::pow(10.0, decade) - 1) < 1e-12;
@@ -231,7 +231,7 @@ std::string format_quantity(double value, Dimension dimension, int digits) {
     } else {
         for (const std::string_view symbol : row_of(dimension).shown) {
             if (symbol.empty()) break;
-            const bool has_exponent = number(chosen).find("e+") != std::string::npos;  // of two digits 0.8 mm, not 8e+02 um
+            const bool has_exponent = number(chosen).find("e+") != std::string::npos;  // with two digits 0.8 mm, not 8e+02 um
             if (has_exponent || std::abs(in_unit(value, dimension, symbol)) >= 1) chosen = symbol;
         }
     }

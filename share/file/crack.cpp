@@ -16,7 +16,7 @@ namespace graincrack {
 
 namespace {
 
-/// Calls `visit(dataset, member, may_be_nan)` for each column, in the order of the file; `std::invoke` gives the member of a
+/// Calls `visit(dataset, member, may_be_nan)` for each column, in the order of the file; `std::invoke` applies the member to a
 /// crack.
 template <class Visit>
 void visit_columns(const Visit& visit) {
@@ -48,12 +48,12 @@ void visit_columns(const Visit& visit) {
     visit_moment(&Crack::separated, crack_time_separated, crack_opening_separated, crack_sliding_separated);
 }
 
-/// The element of a vector that holds a member: the number of a mode.
+/// Element type of the column of a member; a mode is stored as its number.
 template <class Member>
 using Element = std::conditional_t<std::is_same_v<std::decay_t<std::invoke_result_t<Member, Crack&>>, CrackMode>, std::uint8_t,
                                    std::decay_t<std::invoke_result_t<Member, Crack&>>>;
 
-/// Entries from 0 to below a limit.
+/// Requires entries from 0 to below a limit. \throws InputError for another
 template <class T>
 void require_below(const H5Input& file, const schema::Dataset& dataset, const std::vector<T>& values, std::size_t limit) {
     require_all(file, dataset.path, values, fmt::format("0 to {}", static_cast<double>(limit) - 1).c_str(),

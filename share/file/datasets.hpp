@@ -1,4 +1,4 @@
-// The datasets of files, as other programs are told of them.
+// Lists the datasets of files for other programs.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace graincrack {
 
-/// What is told of a dataset, named by its path, or of a column of a table.
+/// Path of a dataset, or name of a column of a table, with unit and meaning.
 struct NamedValue {
     std::string name, unit, meaning;
 };
@@ -17,7 +17,7 @@ struct NamedValue {
 /// The datasets of a file of kind "specimen" or "run"; those of each frame are in /frames/NNNN.
 std::vector<NamedValue> datasets_of(const std::string& kind);
 
-/// Visits the datasets of a specimen, of the crack log, or of one frame, where they are written.
+/// Visits the datasets of a specimen, of the crack log, or of one frame.
 using VisitDataset = std::function<void(const schema::Dataset&)>;
 void visit_specimen_datasets(const VisitDataset& visit);
 void visit_crack_datasets(const VisitDataset& visit);

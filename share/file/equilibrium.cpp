@@ -12,13 +12,13 @@
 namespace graincrack {
 namespace {
 
-/// Share of the load at the peak that it rises by while a wave crosses the specimen, beyond which a run warns. Measured,
-/// strengths against those at the automatic rate: UCS of 1,122 grains 1 % too high at 0.0067, 2 % at 0.013, 4 % at 0.026; ten
+/// Relative rise of the load at the peak, while a wave crosses the specimen, beyond which a run warns. Measured against strengths
+/// at the automatic rate: UCS of 1,122 grains 1 % too high at 0.0067, 2 % at 0.013, 4 % at 0.026; ten
 /// tests at 4 MPa 0.3 % at 0.002 to 0.004 (share/doc/loading.md); a rectangle of 300 grains 3.5 % at 0.004, a disc of as many
 /// 18 % at 0.015. It is the rate tolerance that examples and studies recommend, which costs a UCS 1.4 ± 1.1 % against 0.0015
 /// (share/studies/minerals) and a confined strength 0.4 ± 1.6 % against half of it (share/studies/equilibrium).
 constexpr double trusted_load_rise = 6e-3;
-/// Difference of the platen forces before the peak, over their mean, beyond which a run warns. The strength is from their mean.
+/// Difference of the platen forces before the peak, over their mean, the strength, beyond which a run warns; chosen, not fitted.
 constexpr double trusted_force_difference = 0.05;
 /// Mean unbalanced ratio before the peak beyond which a run warns. Measured on 300 grains: damped tests at the automatic rate,
 /// which holds it below 0.002 while there is damage, have 3e-5 to 3e-4 and the strengths of slower ones; without damping it is
@@ -26,7 +26,7 @@ constexpr double trusted_force_difference = 0.05;
 /// strength.
 constexpr double trusted_unbalanced_ratio = 3e-3;
 
-/// Row of the strength of a history with rows; of a test that did not fail, of its largest axial stress.
+/// Row of the strength of a history or, if the test did not fail, of its largest axial stress. \pre it has rows
 std::size_t row_of_peak(const RunHeader& header, const History& history) {
     const auto strength = find_strength(header, history, header.loading() == Loading::tension ? 1 : -1);
     if (strength) return strength->row;
@@ -36,8 +36,8 @@ std::size_t row_of_peak(const RunHeader& header, const History& history) {
         stress.begin());
 }
 
-/// 2 v/(c ε) with the speed v of each platen and the strain ε at the peak, c = √(E/ρ): what the load rises by, relative
-/// to itself, while a wave runs through the specimen. 0 without any strain.
+/// Returns 2 v/(c ε) with the speed v of each platen and the strain ε at the peak, c = √(E/ρ): the relative rise of the load
+/// while a wave crosses the specimen. It is 0 without strain.
 double load_rise_at_peak(const RunHeader& header, const History& history, std::size_t peak) {
     const double strain = std::abs(history[HistoryColumn::axial_strain][peak]);
     const double wave_speed = std::sqrt(header.rock.young_modulus / header.rock.density);
@@ -45,7 +45,7 @@ double load_rise_at_peak(const RunHeader& header, const History& history, std::s
     return strain > 0 && wave_speed > 0 ? 2 * speed / (wave_speed * strain) : 0;
 }
 
-/// Mean unbalanced ratio while the last tenth of the strain at the peak is reached.
+/// Mean unbalanced ratio over the last tenth of the strain at the peak.
 double unbalanced_before_peak(const History& history, std::size_t peak) {
     const std::vector<double>& strain = history[HistoryColumn::axial_strain];
     double sum = 0, rows = 0;
@@ -59,7 +59,7 @@ double unbalanced_before_peak(const History& history, std::size_t peak) {
 }  // namespace
 
 std::string equilibrium_warning(const RunHeader& header, const History& history) {
-    if (header.test == "program" || history.size() == 0) return "";  // a program may move otherwise
+    if (header.test == "program" || history.size() == 0) return "";  // programs may load in other ways
     const std::size_t peak = row_of_peak(header, history);
     const double rise = load_rise_at_peak(header, history, peak);
     if (rise > trusted_load_rise) {

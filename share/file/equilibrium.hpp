@@ -1,4 +1,4 @@
-// Whether a test was near equilibrium, as its strength supposes: evaluated from its header and history alone.
+// Checks from the header and history of a test that it was near equilibrium, as its strength assumes.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace graincrack {
 
-/// What a test far from equilibrium is told, naming the measure; "" for one that is not.
+/// Returns the warning for a test far from equilibrium, naming the measure; "" for other tests.
 std::string equilibrium_warning(const RunHeader& header, const History& history);
 
 }  // namespace graincrack

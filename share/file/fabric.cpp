@@ -27,7 +27,7 @@ void require_same_phases(const Material& material, const std::vector<std::string
 
 namespace {
 
-/// What a class is made from.
+/// The two sides of a class of contacts.
 struct ContactSides {
     const PhaseMaterial& first;
     const PhaseMaterial& second;
@@ -36,7 +36,7 @@ struct ContactSides {
 
 double by_rule(SideRule rule, double a, double b) { return rule == SideRule::mean ? 0.5 * (a + b) : std::min(a, b); }
 
-/// Values that a side gives, put together with those of the other side.
+/// Combines the values that a side overrides with those of the other side.
 void take_sides(const ContactSides& sides, const Material& material, PlaneCondition plane, GivenContact& given) {
     const ContactParameters first = derived_contact(overlay(sides.first.contact, given), material.rock, plane);
     const ContactParameters second = derived_contact(overlay(sides.second.contact, given), material.rock, plane);
@@ -62,7 +62,7 @@ void take_factors(const GivenContact& factors, const Material& material, PlaneCo
     }
 }
 
-/// What is given of the contacts between two phases. \param base what [contact] gives
+/// Contact values given for a pair of phases. \param base values of [contact]
 GivenContact given_between(const Material& material, PlaneCondition plane, const GivenContact& base, const std::string& a,
                            const std::string& b) {
     const MaterialFabric& fabric = material.fabric;
@@ -146,7 +146,7 @@ ContactParameters flaw_contact(const Material& material, PlaneCondition plane, c
             flaw_name, material.file.string()));
     }
     GivenContact given = given_contact(material, plane, choice);
-    given.bridging_strength = given.bridging_energy = 0;  // nothing interlocks across a joint unless its table says so
+    given.bridging_strength = given.bridging_energy = 0;  // joints do not interlock unless their table says so
     return derived_contact(overlay(own->second, given), material.rock, plane);
 }
 
@@ -181,7 +181,7 @@ ContactParameters contact_within_crystals(const Material& material, PlaneConditi
     if (has_table) {
         given = overlay(table->second, given);
     } else {
-        // What derives from stiffnesses derives from those of contacts between crystals.
+        // Values derived from stiffnesses use those of contacts between crystals.
         const ContactParameters between = derived_contact(given, material.rock, plane);
         for (const ContactParameter& row : all_contact_parameters()) given.*row.given = between.*row.value;
     }

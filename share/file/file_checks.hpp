@@ -1,4 +1,4 @@
-// Vectors as datasets of a file, and what values read from one are held against before they are used.
+// Writes vectors as datasets of a file, and checks values that are read from one.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace graincrack {
 
-/// How an element of a vector is stored: a number, or a row of several.
+/// Storage of an element of a vector: a number, or a row of several.
 template <class T>
 struct Stored {
     using Number = T;
@@ -44,7 +44,7 @@ void write_rows(H5Output& file, const schema::Dataset& dataset, const std::vecto
     }
     file.write<Number>(dataset.path, numbers, extents_of<T>(rows.size()), dataset.unit, dataset.description);
 }
-/// The vector of the numbers of a dataset.
+/// Converts the numbers of a dataset to a vector of T.
 template <class T>
 std::vector<T> rows_from(const std::vector<typename Stored<T>::Number>& numbers) {
     if constexpr (Stored<T>::width == 1) {
@@ -57,7 +57,7 @@ std::vector<T> rows_from(const std::vector<typename Stored<T>::Number>& numbers)
     }
 }
 
-/// \throws InputError naming file, dataset and row unless `holds(value)` of every value
+/// Checks that `holds(value)` for every value. \throws InputError naming file, dataset and index of the first other value
 template <class T, class Holds>
 void require_all(const H5Input& file, const std::string& dataset, const std::vector<T>& values, const char* wanted,
                  const Holds& holds) {
@@ -76,7 +76,7 @@ inline std::vector<double> read_finite(const H5Input& file, const std::string& d
     return values;
 }
 
-/// Rows of a dataset, of which all columns that belong to it must have as many. \throws InputError for a dataset without rows
+/// Number of rows of a dataset, and of all columns of its table. \throws InputError for a dataset without rows
 inline std::size_t rows_of(const H5Input& file, const std::string& dataset) {
     const Extents extents = file.extents(dataset);
     if (extents.empty()) throw InputError(fmt::format("{}: dataset {} has no rows; a list is needed", file.name(), dataset));

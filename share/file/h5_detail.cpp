@@ -123,9 +123,9 @@ std::string extents_text(const Extents& extents) {
 
 namespace {
 
-constexpr std::size_t max_depth = 16;                          // of groups; ours are three deep
-constexpr std::size_t max_chunk_bytes = std::size_t{1} << 26;  // of a chunk; ours have 256 KiB or a row
-constexpr std::size_t max_deflation = 1100;  // deflate makes 1,032 bytes of one at most; some are the library's own
+constexpr std::size_t max_depth = 16;                          // nesting of groups; this project's files have three levels
+constexpr std::size_t max_chunk_bytes = std::size_t{1} << 26;  // size of a chunk; this project's have 256 KiB or one row
+constexpr std::size_t max_deflation = 1100;                    // deflate expands up to 1,032-fold; some bytes are the library's
 
 std::size_t size_of_file(hid_t object) {
     const Handle file(H5Iget_file_id(object), H5Fclose);
@@ -133,7 +133,7 @@ std::size_t size_of_file(hid_t object) {
     return file.valid() && H5Fget_filesize(file.get(), &size) >= 0 ? static_cast<std::size_t>(size) : 0;
 }
 
-/// Product of extents, the largest number if it is beyond that.
+/// Product of extents, or the largest number if it overflows.
 std::size_t product_of(const Extents& extents) {
     std::size_t n = 1;
     for (const std::size_t e : extents) {
@@ -142,7 +142,7 @@ std::size_t product_of(const Extents& extents) {
     return n;
 }
 
-/// How the values of a dataset are kept: false where it is not in this file, or by filters that ours do not have.
+/// True if the values of a dataset are in this file, with filters that this project uses.
 bool is_kept_plainly(hid_t properties) {
     const H5D_layout_t layout = H5Pget_layout(properties);
     const bool is_known = layout == H5D_COMPACT || layout == H5D_CONTIGUOUS || layout == H5D_CHUNKED;
@@ -157,7 +157,7 @@ bool is_kept_plainly(hid_t properties) {
     return true;
 }
 
-/// Values of a chunk; 1 where there are no chunks.
+/// Number of values of a chunk; 1 without chunks.
 std::size_t chunk_values(hid_t properties) {
     if (H5Pget_layout(properties) != H5D_CHUNKED) return 1;
     std::vector<hsize_t> extents(H5S_MAX_RANK);
@@ -171,7 +171,7 @@ bool has_signature(std::span<const char> bytes) {
     return bytes.size() >= sizeof signature && std::memcmp(bytes.data(), signature, sizeof signature) == 0;
 }
 
-/// \throws InputError where the library could not open a file. \param is_hdf5 whether it begins as a file of HDF5
+/// Checks that the library has opened a file. \throws InputError if not \param is_hdf5 true if it begins like HDF5
 Handle opened(Handle file, const std::string& name, bool is_hdf5) {
     if (file.valid()) return file;
     throw InputError(name + (is_hdf5 ? ": truncated or damaged HDF5 file; write it again with the tool that made it"
@@ -192,7 +192,7 @@ std::vector<char> read_stdin() {
     }
 }
 
-// By the core driver, which keeps a copy of its own. (H5LTopen_file_image makes no copy, but leaks.)
+// The core driver keeps a copy of its own; H5LTopen_file_image makes no copy, but leaks.
 Handle open_image(std::span<const char> bytes, const std::string& name) {
     if (bytes.empty()) throw InputError(name + ": empty: the program before wrote nothing; see its message");
     const Handle access = property_list(H5P_FILE_ACCESS);
@@ -290,7 +290,7 @@ void require_readable_attribute(hid_t attribute, const std::string& file_name, c
 
 namespace {
 
-/// Type in memory in which values are hashed: the same on every machine.
+/// Type in memory of hashed values, which is the same on every machine.
 hid_t hash_type(hid_t type) {
     switch (H5Tget_class(type)) {
         case H5T_INTEGER: return H5Tget_size(type) == 1 ? H5T_STD_U8LE : H5T_STD_I64LE;
@@ -304,9 +304,9 @@ herr_t collect_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /
     return 0;
 }
 
-/// Names of the attributes of an object, sorted; false if one of them is damaged.
-/// The iteration frees its table twice where an attribute cannot be decoded (HDF5 1.10.8). Looking up a name that there is not
-/// decodes all attributes, and fails where one cannot be.
+/// Names of the attributes of an object, sorted; false if one of them is damaged. The library's iteration frees its table twice
+/// if an attribute cannot be decoded (HDF5 1.10.8). Looking up an absent name decodes all attributes, and fails if one cannot be
+/// decoded.
 bool attribute_names(hid_t object, std::vector<std::string>& names) {
     constexpr const char* absent = "\x01";
     hsize_t start = 0;
@@ -318,12 +318,12 @@ bool attribute_names(hid_t object, std::vector<std::string>& names) {
     return true;
 }
 
-/// Walks through a file whose groups are a tree (`require_tree`).
+/// Visits a file whose groups are a tree (`require_tree`).
 class Content {
 public:
     Content(hid_t file, const std::string& file_name) : file_(file), file_name_(file_name) {}
 
-    /// Adds all objects to a hash, but for the object `left_out` and what is below it.
+    /// Adds all objects to a hash, except the object `left_out` and those below it.
     void digest(const std::string& left_out, Sha256& hash) const {
         walk("/", left_out, [&](hid_t object, const std::string& path, bool is_group) {
             hash.add(path + " " + (is_group ? "group" : shape_of(object)));
@@ -332,7 +332,7 @@ public:
         });
     }
 
-    /// A line for each dataset.
+    /// Returns one line per dataset.
     [[nodiscard]] std::vector<std::string> describe() const {
         std::vector<std::string> lines;
         walk("/", "", [&](hid_t object, const std::string& path, bool is_group) {
@@ -351,7 +351,7 @@ public:
     }
 
 private:
-    /// Calls `visit(object, path, whether it is a group)` with an object, and then with all below it.
+    /// Calls `visit(object, path, is_group)` with an object, and then with all objects below it.
     template <class Visit>
     void walk(const std::string& path, const std::string& left_out, const Visit& visit) const {
         const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
@@ -363,7 +363,7 @@ private:
             if (child != left_out) walk(child, left_out, visit);
         }
     }
-    /// Type and extents.
+    /// Type and extents of a dataset as text.
     static std::string shape_of(hid_t dataset) {
         const Handle type(H5Dget_type(dataset), H5Tclose);
         return type_name(type.get()) + " " + extents_text(space_extents(space_of_dataset(dataset).get()));

@@ -1,5 +1,5 @@
-// Internals of reading and writing HDF5: identifiers that close themselves, types, attributes; opening files and checking them
-// before anything in them is used; their digest. Included by share/file/h5_*.cpp only.
+// Internals of reading and writing HDF5: identifiers that close themselves, types, attributes, checks of files before their
+// content is used, and their digest. Only share/file/h5_*.cpp include it.
 #pragma once
 
 #include <hdf5.h>
@@ -34,7 +34,7 @@ public:
     Handle& operator=(const Handle&) = delete;
     [[nodiscard]] hid_t get() const { return id_; }
     [[nodiscard]] bool valid() const { return id_ >= 0; }
-    /// Whether it could be closed.
+    /// Closes it. \return false if it cannot be closed
     bool reset() {
         const hid_t id = std::exchange(id_, -1);
         return id < 0 || close_(id) >= 0;
@@ -48,7 +48,7 @@ private:
 inline Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
 static_assert(std::endian::native == std::endian::little, "numbers in memory are those of files");
-/// HDF5 type of a C++ type in files, and in memory.
+/// HDF5 type of a C++ type, in files and in memory.
 template <class T>
 hid_t number_type() {
     if constexpr (std::is_same_v<T, double>) return H5T_IEEE_F64LE;
@@ -65,7 +65,7 @@ Handle space_of_dataset(hid_t dataset);
 
 /// Writes or replaces an attribute of numbers.
 void write_numbers(hid_t object, const std::string& name, hid_t type, const Handle& space, const void* values);
-/// Writes or replaces an attribute of texts of a fixed length, as VTK's readers expect them of /VTKHDF.
+/// Writes or replaces an attribute of fixed-length texts, as VTK's readers require in /VTKHDF.
 void write_texts(hid_t object, const std::string& name, const std::vector<std::string>& values, const Handle& space);
 /// Writes or replaces an attribute: a number, a text, or a list of either.
 template <class T>
@@ -81,7 +81,7 @@ void write_attribute(hid_t object, const std::string& name, const T& value) {
     }
 }
 
-/// Reads an attribute; false if its type or size does not fit.
+/// Reads an attribute. \return false if its type or size does not fit
 bool read_attribute(hid_t attribute, std::vector<std::string>& out);
 template <class T>
 bool read_attribute(hid_t attribute, std::vector<T>& out) {
@@ -98,12 +98,12 @@ bool read_attribute(hid_t attribute, T& out) {
     return true;
 }
 
-/// A link of a group. Files of ours have hard links alone.
+/// A link of a group. Files of this project have hard links only.
 struct Link {
     std::string name;
     bool is_hard;
 };
-/// The links of a group, sorted by name; false if they cannot be read.
+/// Reads the links of a group, sorted by name. \return false if they cannot be read
 bool links_of(hid_t file, const std::string& group, std::vector<Link>& links);
 /// Names of the links in a group, sorted.
 std::vector<std::string> link_names(hid_t file, const std::string& group);
@@ -114,24 +114,24 @@ std::string extents_text(const Extents& extents);
 
 // --- opening and checking ---------------------------------------------------------------------------------------------
 
-/// All bytes of stdin. \throws InputError
+/// Returns all bytes of stdin. \throws InputError if they cannot be read
 std::vector<char> read_stdin();
 
-/// Opens a file image. \param name for messages \throws InputError if it is empty or cannot be opened
+/// Opens a file image. \param name in messages \throws InputError if it is empty or cannot be opened
 Handle open_image(std::span<const char> bytes, const std::string& name);
-/// Opens a file. \throws InputError if there is no such file, or it cannot be opened
+/// Opens a file. \throws InputError if it does not exist or cannot be opened
 Handle open_path(const std::string& path);
 
-/// Walks through all groups. \throws InputError for links other than hard ones, for a group that is linked more than once (one in
-/// a circle is), and for groups nested deeper than any of ours
+/// Visits all groups. \throws InputError for links other than hard ones, for a group that is linked more than once (as in a
+/// cycle), and for groups nested deeper than this project's
 void require_tree(hid_t file, const std::string& file_name);
 
-/// Number of values of a dataset. \throws InputError unless they are numbers, kept in this file, by filters that ours have, and
-/// as many as its bytes can hold; nothing has been read then
+/// Number of values of a dataset. \throws InputError, before any value is read, unless they are numbers in this file with filters
+/// that this project uses, and no more than its bytes can hold
 std::size_t require_readable(hid_t dataset, const std::string& file_name, const std::string& path);
 
-/// \throws InputError for an attribute that declares more than the file has bytes, or for texts of variable length: the
-/// library keeps those apart, in what a damaged file leads it astray
+/// Checks an attribute. \throws InputError if it declares more bytes than the file has, or texts of variable length: the library
+/// stores those separately, where a damaged file misleads it
 void require_readable_attribute(hid_t attribute, const std::string& file_name, const std::string& object,
                                 const std::string& name);
 
@@ -141,7 +141,7 @@ void require_readable_attribute(hid_t attribute, const std::string& file_name, c
 /// \throws InputError for the first object that cannot be read
 std::string digest(hid_t file, const std::string& file_name, const std::string& left_out);
 
-/// One line for each dataset: path, type, shape, unit, description.
+/// Returns one line per dataset: path, type, shape, unit, description.
 std::vector<std::string> describe(hid_t file, const std::string& file_name);
 
 }  // namespace graincrack::h5

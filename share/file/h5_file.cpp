@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t chunk_bytes = 1 << 18;   // target size of a chunk
 constexpr std::size_t small_bytes = 1 << 12;   // smaller arrays stay contiguous
-constexpr std::size_t image_growth = 1 << 16;  // of a file in memory; what is written on flushing is a multiple of it
-constexpr unsigned deflate_level = 1;          // measured: higher levels cost time and gain nothing
+constexpr std::size_t image_growth = 1 << 16;  // growth of a file in memory; flushing writes multiples of it
+constexpr unsigned deflate_level = 1;          // measured: higher levels cost time and save no space
 
 std::size_t product(const Extents& extents) {
     std::size_t n = 1;
@@ -46,9 +46,9 @@ Handle creation_properties(const Extents& extents, std::size_t item_bytes, bool 
     return properties;
 }
 
-constexpr std::size_t longest_attribute = 60'000;  // bytes; the library's limit of 65,535 is with its name and type
+constexpr std::size_t longest_attribute = 60'000;  // bytes; the library's limit of 65,535 includes name and type
 
-/// Where an attribute of an object stands that is too long for one.
+/// Path of the dataset that replaces an attribute too long for HDF5.
 std::string place_of_long(const std::string& object, const std::string& attribute, bool is_group) {
     return (object == "/" ? "" : object) + (is_group ? "/" : "_") + attribute;
 }
@@ -68,12 +68,12 @@ std::size_t longest_of(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-// It reports its errors by return values here; its own printing, which may be that of
-// each thread, is switched off. At exit it would close files again that could not be closed, as on a full disk, and crash.
+// Errors are reported by return values, so the library's own printing, one per thread, is switched off. At exit it would try
+// again to close files that it could not close, as on a full disk, and crash.
 void silence_hdf5() {
     [[maybe_unused]] static const bool done = [] {
         H5dont_atexit();
-        H5PLset_loading_state(0);  // no file makes the library load code
+        H5PLset_loading_state(0);  // files cannot make the library load code
         return true;
     }();
     [[maybe_unused]] static thread_local const bool is_silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
@@ -253,7 +253,7 @@ std::vector<std::string> H5Input::describe() const { return h5::describe(state_-
 
 struct H5Output::State {
     std::unique_ptr<OutputFile> place;
-    /// A stream, and a checkpoint: HDF5 1.10.8 crashes where the disk is full as it copies frames from another file (H5Ocopy).
+    /// For a stream, and a checkpoint: HDF5 1.10.8 crashes if the disk is full while it copies frames between files (H5Ocopy).
     bool is_in_memory;
     Handle file;
 };
@@ -269,13 +269,13 @@ std::string unwritten(const std::string& dataset) {
     return fmt::format("dataset {} cannot be written; is the disk full?", dataset);
 }
 
-/// \throws UsageError if an output would replace what is no file of its kind
+/// Checks a file that an output would replace. \throws UsageError if it is of another kind
 void require_kind_of_replaced(const OutputFile& place, std::string_view kind) {
     const std::string replaced = place.replaced();
     if (replaced.empty()) return;
     try {
         const H5Input existing(replaced, kind);
-    } catch (const SchemaError&) {  // of this kind, from before
+    } catch (const SchemaError&) {  // of this kind, in an older format
     } catch (const InputError&) {
         throw UsageError(
             fmt::format("{}: exists, and is no {} that could be replaced; give another name, or remove it", place.name(), kind));
@@ -295,7 +295,7 @@ H5Output::H5Output(std::unique_ptr<OutputFile> place, std::string_view kind)
     std::string path = "graincrack-image";
     state_->is_in_memory = is_stream() || state_->place->is_covered();
     if (state_->is_in_memory) {
-        H5Pset_fapl_core(access.get(), image_growth, is_stream() ? 0 : 1);  // one with a name is written there as it is flushed
+        H5Pset_fapl_core(access.get(), image_growth, is_stream() ? 0 : 1);  // a named one is written on flushing
     }
     require(!state_->place->is_terminal(), "is a terminal; send the file into a pipe or name one with -o FILE");
     if (!is_stream()) {

@@ -22,14 +22,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_links = 40;  // in a row, as in the kernel
+constexpr int most_links = 40;  // links in a chain, as in the kernel
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
 [[noreturn]] void refuse(const std::string& name, int cause) {
     throw OutputError(name + ": cannot be written: " + std::generic_category().message(cause));
 }
 
-/// The path that a name leads to through symbolic links; none where it leads to an open file of a process, as /dev/stdout does.
+/// Follows symbolic links to a path; none if they lead to an open file of a process, as /dev/stdout does.
 std::optional<fs::path> target_of(const std::string& name) {
     fs::path path = name;
     for (int link = 0; link < most_links; ++link) {
@@ -61,7 +61,7 @@ void require_free_name(const std::string& output) {
     }
 }
 
-/// \throws OutputError where the system has no room for a name with an ending
+/// Checks the length of a name with its ending. \throws OutputError if it is too long for the file system
 void require_short_name(const std::string& name, const fs::path& path, std::string_view ending) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
     const long room = ::pathconf(folder.c_str(), _PC_NAME_MAX) - static_cast<long>(ending.size());
@@ -71,7 +71,7 @@ void require_short_name(const std::string& name, const fs::path& path, std::stri
     }
 }
 
-/// Whether an open file is the one that has a path now: the program that held it before may have removed it.
+/// True if an open file still has this path: the program that held it before may have removed it.
 bool is_at(const std::string& path, int file) {
     struct stat own {};
     struct stat there {};
@@ -141,7 +141,7 @@ void OutputFile::take_mode() {
     struct stat status {};
     if (::stat(path_.c_str(), &status) != 0) return;
     mode_ = status.st_mode & 07777U;
-    const bool is_protected = (*mode_ & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;  // which root may write nevertheless
+    const bool is_protected = (*mode_ & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0;  // root may write it nevertheless
     if (is_protected || ::access(path_.c_str(), W_OK) != 0) {
         throw OutputError(name_ + ": is write-protected; give another name, or allow writing it (chmod u+w)");
     }
@@ -171,7 +171,7 @@ std::string OutputFile::replaced() const {
 }
 
 const std::string& OutputFile::begin() {
-    remove_file(part_);  // of a program that was killed
+    remove_file(part_);  // left by a program that was killed
     file_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode_ ? *mode_ | S_IRUSR | S_IWUSR : 0666);
     if (file_ < 0) refuse(name_, errno);
     return part_;
@@ -190,7 +190,7 @@ void OutputFile::write(std::string_view bytes) {
 
 void OutputFile::commit() {
     if (is_stream()) return;
-    if (mode_) ::fchmod(file_, *mode_);  // a file system without modes keeps none
+    if (mode_) ::fchmod(file_, *mode_);  // file systems without modes ignore this
     if (::fsync(file_) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) refuse(name_, errno);
     ::close(std::exchange(file_, -1));
     if (!is_covered()) add_output_to_outcome(name_);

@@ -16,7 +16,7 @@ struct Side {
 };
 constexpr std::array<Side, 2> platen_sides{{{-1, schema::platens_bottom}, {1, schema::platens_top}}};
 
-/// Unit vector of a direction, without components of rounding.
+/// Unit vector of a direction; components of round-off are 0.
 std::array<double, 2> axis_of(double direction) {
     const auto rounded = [](double value) { return std::abs(value) < 1e-15 ? 0 : value; };
     return {rounded(std::cos(direction)), rounded(std::sin(direction))};
@@ -31,7 +31,7 @@ std::array<double, 2> PlatenFaceSet::displacement(const PlatenFace& face, double
 
 std::array<std::array<double, 2>, 4> PlatenFaceSet::bar(const PlatenFace& face, double thickness, double approach) const {
     const std::array<double, 2> axis = axis_of(direction);
-    // Across is to the right of an axis that points upwards, and upwards from one along x, as in the solver.
+    // Across points right for an axis that points upwards, and upwards for an axis along x, as in the solver.
     const double right = axis[1] > 0 ? 1 : -1;
     const double inner = face.position - face.side * approach;
     const double outer = inner + face.side * thickness;

@@ -12,21 +12,21 @@ namespace graincrack {
 class H5Input;
 class H5Output;
 
-/// A column of a probe: dataset /probes/NAME/name.
+/// A column of a probe, the dataset /probes/NAME/name.
 struct ProbeColumn {
     std::string name;
     Dimension dimension;
     std::string description;
 };
 
-/// Record of a probe: columns as long as those of the history.
+/// Record of a probe; its columns are as long as those of the history.
 struct ProbeHistory {
     std::string name;
     std::vector<ProbeColumn> columns;
     std::vector<std::vector<double>> values;  ///< by column
 };
 
-/// The probe that a point of a ring is, "gauges.007" of the ring gauges.
+/// Name of the probe of a point of a ring: "gauges.007" of the ring gauges.
 std::string point_of_ring(const std::string& ring, std::size_t point);
 
 /// Appends rows [first, …) of every probe.
@@ -34,7 +34,7 @@ void append_probes(H5Output& file, const std::vector<ProbeHistory>& probes, std:
 
 /// Names of the probes of a run, sorted; none in a run without a program.
 std::vector<std::string> probe_names(const H5Input& file);
-/// \throws InputError if there is no probe of this name, naming those there are
+/// Reads a probe. \throws InputError if there is none of this name, listing the probes
 ProbeHistory read_probe(const H5Input& file, const std::string& name);
 
 }  // namespace graincrack

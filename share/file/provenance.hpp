@@ -15,21 +15,21 @@ std::string project_commit();
 /// Versions of the libraries of this build, "HDF5 1.10.8" and the like; tools add their own (CGAL, VTK, …).
 std::vector<std::string> library_versions();
 
-/// What /provenance holds.
+/// The content of /provenance.
 struct Provenance {
     std::string tool;
     std::vector<std::string> command_line;
     std::string configuration;  ///< effective options as TOML
-    std::string material;       ///< as the command line names it, "" if none
+    std::string material;       ///< as spelt on the command line, "" if none
     std::string input_digest;   ///< digest of the input file, "" if none
     std::vector<std::string> libraries;
     double wall_time = 0;  ///< s
-    int threads = 1;       ///< of each rank
+    int threads = 1;       ///< threads per rank
     int ranks = 1;
-    std::string vector_target;  ///< of a run: the instructions that its kernels used; any give the same content
+    std::string vector_target;  ///< instructions used by the kernels of a run; all give the same content
 };
 
-/// Writes /provenance; host name and UTC time are added.
+/// Writes /provenance, with host name and UTC time.
 void write_provenance(H5Output& file, const Provenance& provenance);
 
 }  // namespace graincrack

@@ -1,5 +1,5 @@
-// A run: written by the solver, read by the postprocessor. The file repeats the specimen and adds /run, /history, /cracks and
-// /frames.
+// Run files, which the solver writes and the postprocessor reads. A file repeats the specimen and adds /run, /history, /cracks
+// and /frames.
 #pragma once
 
 #include <array>
@@ -15,39 +15,39 @@
 
 namespace graincrack {
 
-/// State of the assemblage at one time; lengths as in Specimen.
+/// State of the assemblage at one time; array lengths n, e, c as in Specimen.
 struct Frame {
     double time = 0;
     std::int64_t step = 0;
     std::vector<std::array<double, 2>> displacement;    ///< [n] m
     std::vector<std::array<double, 2>> velocity;        ///< [n] m/s
     std::vector<std::array<double, 4>> element_stress;  ///< [e] xx yy xy zz, Pa
-    std::vector<std::array<double, 2>> opening;         ///< [c] points 0, 1, m
+    std::vector<std::array<double, 2>> opening;         ///< [c] at points 0 and 1, m
     std::vector<std::array<double, 2>> sliding;         ///< [c] m
-    std::vector<std::array<double, 4>> traction;        ///< [c] (normal, shear) of point 0, of point 1; dataset [c,2,2], Pa
+    std::vector<std::array<double, 4>> traction;        ///< [c] (normal, shear) at point 0 and at point 1; dataset [c,2,2], Pa
     std::vector<std::array<double, 2>> damage;          ///< [c] 0 to 1
     std::vector<std::array<std::uint8_t, 2>> state;     ///< [c] PointState
 };
 
-/// What becomes of a frame while a run goes on.
+/// Role of a frame during a run.
 enum class FrameRole : std::uint8_t {
-    regular,      ///< one of those at even distances, every second of which goes when there are too many
-    kept,         ///< stays: that of a peak, or the last
-    peak_so_far,  ///< in a checkpoint: stays, unless a higher peak comes
-    present       ///< in a checkpoint: the state of the checkpoint itself, which is no frame of the run
+    regular,      ///< evenly spaced; every second one is removed when there are too many
+    kept,         ///< kept: the frame of a peak, or the last one
+    peak_so_far,  ///< in a checkpoint: kept unless a higher peak follows
+    present       ///< in a checkpoint: the state at the checkpoint, not a frame of the run
 };
 
-/// Writes a run while it is computed. Frames are thinned during the run, so that at the end between `frames` and 2 × `frames`
-/// evenly spaced ones are left, plus those marked to keep (peak, last).
+/// Writes a run while it is computed. Frames are thinned during the run, so that it ends with between `frames` and 2 × `frames`
+/// evenly spaced ones, plus those marked to keep (peak, last).
 class RunWriter {
 public:
-    /// \param file an output of kind "run", to which the specimen and the header are written at once
+    /// \param file an output of kind "run"; specimen and header are written at once
     RunWriter(H5Output file, const Specimen& specimen, const RunHeader& header);
 
     /// Appends rows [already written, history.size()) of the history and flushes.
     void append_history(const History& history);
     void add_frame(const Frame& frame, FrameRole role);
-    /// Adds the frames that another run has so far, with their roles.
+    /// Adds the frames of another run, with their roles.
     void add_frames(const RunWriter& other);
     /// Removes every second regular frame.
     void thin_frames();
@@ -70,8 +70,8 @@ private:
     std::string next_group();
 
     H5Output file_;
-    std::size_t rows_ = 0;      ///< of the history already written
-    std::size_t n_groups_ = 0;  ///< of frames so far, until they are numbered in time order at the end
+    std::size_t rows_ = 0;      ///< rows of the history already written
+    std::size_t n_groups_ = 0;  ///< groups of frames so far; they are renumbered in time order at the end
     std::vector<Slot> frames_;  ///< in time order; the frame of a peak may be added after later ones
 };
 

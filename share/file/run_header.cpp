@@ -15,13 +15,13 @@ namespace graincrack {
 
 namespace {
 
-/// A property of phases or of classes of contacts: the name of its dataset, and the member that has it.
+/// A property of phases or classes of contacts: its dataset and its member.
 template <class Row>
 struct Property {
     const char* name;
     double Row::*member;
     Dimension dimension;
-    bool may_lack = false;  ///< files may have none: it is 0 then
+    bool may_lack = false;  ///< a file may lack it: it is then 0
 };
 constexpr std::array<Property<Phase>, 4> phase_properties{
     {{"young_modulus", &Phase::young_modulus, Dimension::stress},
@@ -113,7 +113,7 @@ struct HeaderReader {
     }
 };
 
-/// Visits what changes with temperature: the expansion of each phase along and across its axis, the factor on its modulus.
+/// Visits the properties that depend on temperature: expansion of each phase along and across its axis, and modulus_factor.
 template <class Phases, class Visit>
 void visit_curves(Phases& phases, const std::vector<std::string>& names, Visit&& visit) {
     for (std::size_t p = 0; p < std::min(phases.size(), names.size()); ++p) {
@@ -124,7 +124,7 @@ void visit_curves(Phases& phases, const std::vector<std::string>& names, Visit&&
     }
 }
 
-/// The name of a phase by the class of its contacts with itself, "quartz-quartz".
+/// Name of a phase from the class of its contacts with itself, "quartz-quartz".
 std::string phase_of_class(const std::vector<std::string>& class_names, std::size_t phase) {
     const std::size_t k = contact_class(phase, phase);
     return k < class_names.size() ? class_names[k].substr(0, class_names[k].size() / 2) : fmt::format("phase {}", phase);
@@ -185,7 +185,7 @@ void write_header(H5Output& file, const RunHeader& header) {
 
 namespace {
 
-/// Writes properties of phases or classes as datasets of a group, one a property.
+/// Writes properties of phases or classes as datasets of a group, one per property.
 template <class Properties, class Row>
 void write_properties(H5Output& file, const std::string& group, const std::vector<std::string>& names,
                       const Properties& properties, const std::vector<Row>& rows) {
@@ -199,7 +199,7 @@ void write_properties(H5Output& file, const std::string& group, const std::vecto
     }
 }
 
-/// Reads properties into as many rows as there are. \throws InputError
+/// Reads properties into existing rows. \throws InputError
 template <class Properties, class Row>
 void read_properties(const H5Input& file, const std::string& group, const Properties& properties, std::vector<Row>& rows) {
     for (const auto& [name, member, dimension, may_lack] : properties) {

@@ -15,23 +15,23 @@
 
 namespace graincrack {
 
-/// Fraction of the load that the damping forces may carry before a run warns.
+/// Fraction of the load carried by damping forces beyond which a run warns; chosen, not fitted.
 inline constexpr double trusted_damping_load = 0.01;
 
-/// What a run is made of: the law and the properties of grains and contacts.
+/// The law and the properties of grains and contacts of a run.
 struct MaterialSettings {
     std::string material;                         ///< name of the material
     std::string contact_law;                      ///< a name of solver/law/table.hpp
-    CrackEvent crack_event = CrackEvent::failed;  ///< by which tables and pictures count the micro-cracks of this law
+    CrackEvent crack_event = CrackEvent::failed;  ///< event that counts micro-cracks of this law in tables and pictures
     std::string fracture_energy_choice;           ///< "mixed" | "mode-i" | "value"; "none" for a law without fracture energy
     PlaneCondition plane = PlaneCondition::strain;
     Rock rock;
     ContactParameters contact;
-    Fabric fabric;                         ///< of phases and classes; empty: all are of the rock and the contact
-    std::vector<std::string> class_names;  ///< of `fabric.contacts`
+    Fabric fabric;                         ///< of phases and classes; empty: all are the rock and the contact
+    std::vector<std::string> class_names;  ///< names of the classes of `fabric.contacts`
 };
 
-/// How a run is loaded and computed.
+/// Loading and numerical settings of a run.
 struct LoadingSettings {
     std::string test;                    ///< "uniaxial" | "triaxial" | "brazilian" | "tension" | "bend" | "program"
     double platen_friction = 0;          ///< rad
@@ -44,27 +44,27 @@ struct LoadingSettings {
     std::string damping_form = "local";  ///< "combined" | "local"
     double peak_drop = 0;
     double max_strain = 0;
-    double heat = 0;  ///< rise of the temperature before a standard test, or the largest of a program and the runs that it
-                      ///< continues, K; 0 and no attributes without one
-    std::int64_t cooled = 0;            ///< 1 if it fell back before the test, or until the program ended
+    double heat = 0;  ///< temperature rise before a standard test, or largest rise of a program and the runs that it continues,
+                      ///< K; 0 and no attributes without one
+    std::int64_t cooled = 0;            ///< 1 if the temperature returned before the test, or before the program ended
     double span = 0;                    ///< bend: distance of the lower rollers, m; 0 and no attribute in other tests
     std::string mass_scaling = "none";  ///< "none" | "selective"
     double mass_scaling_factor = 0;     ///< β: added mass over mass, for relative motion across contacts
 };
 
-/// The settings of a run; attributes of /run with the names of the members. SI units.
+/// The settings of a run, attributes of /run with the names of the members, in SI units.
 struct RunSettings : MaterialSettings, LoadingSettings {
-    Settings request;  ///< effective values of the options by which the run was asked for
+    Settings request;  ///< values of the requested options
     [[nodiscard]] const TestDescription& description() const { return test_named(test); }
     [[nodiscard]] Loading loading() const { return description().loading; }
-    /// "heated by 300 K and cooled", "at +300 K"; "" of a specimen that was not heated.
+    /// "heated by 300 K and cooled", "at +300 K"; "" for an unheated specimen.
     [[nodiscard]] std::string heat_label() const;
     [[nodiscard]] bool is_unconfined_compression() const {
         return loading() == Loading::compression && !description().is_confined;
     }
 };
 
-/// What a run came to; further attributes of /run.
+/// The results of a run, further attributes of /run.
 struct RunSummary {
     double added_mass = 0;        ///< with mass scaling: mass added to the stiffest elements over the mass of the specimen
     double stable_time_step = 0;  ///< s
@@ -73,32 +73,32 @@ struct RunSummary {
     std::string stop_reason;  ///< "peak drop" | "strain limit" | "mouth opening" | "end of the program" | "checkpoint"
     std::int64_t steps = 0;
     std::int64_t integrations = 0;  ///< steps
-    double isotropic_end_time = 0;  ///< end of heating and of the isotropic stage (triaxial), s; 0 without them
+    double isotropic_end_time = 0;  ///< end of heating and of the isotropic stage, s; 0 without them
     double peak_axial_stress = 0;   ///< largest compressive stress (tension: tensile), positive, Pa; brazilian: load/(D t); bend:
                                     ///< load over length or diameter
-    double peak_time = 0;  ///< when the test had its strength (`find_strength`) or, if it did not fail, its largest stress, s
-    /// Largest stored energy (strain + contact) of the run, J: the scale of the energy balance. Of a heated test both count from
-    /// where its platens were placed.
+    double peak_time = 0;           ///< time of the strength (`find_strength`) or, without failure, of the largest stress, s
+    /// Largest stored energy (strain + contact) of the run, J: the scale of the energy balance. For a heated test both are
+    /// counted from the placement of its platens.
     double energy_scale = 0;
     double energy_balance_error = 0;     ///< energy balance: max over time of |external − sum of the others| / energy_scale
     double platen_force_difference = 0;  ///< max before the peak of |top − bottom| / mean while the mean exceeds half the peak
-    double confinement_mean = 0;         ///< achieved after the isotropic stage, Pa
+    double confinement_mean = 0;         ///< mean after the isotropic stage, Pa
     double confinement_deviation = 0;
     double damping_share = 0;  ///< energy absorbed by damping / external work at the end
-    double damping_load = 0;  ///< part of the load that damping forces carry, mean from 0.9 of the strain at the peak to the peak
+    double damping_load = 0;   ///< fraction of the load carried by damping forces, mean from 0.9 of the peak strain to the peak
 };
 
-/// Both, as a run file has them.
+/// Settings and results, as in a run file.
 struct RunHeader : RunSettings, RunSummary {};
 
-/// All effective values of rock, contacts, phases and classes of contacts, "contact_cohesion of quartz-mica"; values by
-/// temperature as pairs of K and value.
+/// All values in use of rock, contacts, phases and classes of contacts, "contact_cohesion of quartz-mica"; values by temperature
+/// are pairs of K and value.
 Settings material_values(const MaterialSettings& material);
 
 void write_header(H5Output& file, const RunHeader& header);
-/// The fabric of a header, or of its one rock and contact.
+/// Writes the fabric of a header, or that of its one rock and contact.
 void write_fabric(H5Output& file, const RunHeader& header, const Specimen& specimen);
-/// With its fabric. \throws InputError
+/// Reads a header and its fabric. \throws InputError if it is damaged
 RunHeader read_header(const H5Input& file);
 
 }  // namespace graincrack

@@ -1,5 +1,5 @@
-// Every path of the files, with unit and meaning. The tools take all paths from here. The layout is described in
-// share/doc/file-format.md.
+// Defines every path of the files, with unit and meaning. The programs take all paths from here. share/doc/file-format.md
+// describes the layout.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace graincrack::schema {
 
-/// A dataset: where it is, its unit, what it means.
+/// A dataset: path, unit, meaning.
 struct Dataset {
     const char* path;
     std::string_view unit;
@@ -16,8 +16,8 @@ struct Dataset {
 
 inline constexpr const char* specimen_group = "/specimen";
 inline constexpr const char* run_group = "/run";
-inline constexpr const char* phases_group = "/run/phases";    ///< a dataset a property, by index of the phases of /grains/phase
-inline constexpr const char* classes_group = "/run/classes";  ///< a dataset a contact parameter, by index of the classes
+inline constexpr const char* phases_group = "/run/phases";    ///< one dataset per property, [phase] in the order of /grains/phase
+inline constexpr const char* classes_group = "/run/classes";  ///< one dataset per contact parameter, [class]
 inline constexpr const char* history_group = "/history";
 inline constexpr const char* cracks_group = "/cracks";
 inline constexpr const char* sensitivity_group = "/sensitivity";
@@ -25,7 +25,7 @@ inline constexpr const char* frames_group = "/frames";
 inline constexpr const char* probes_group = "/probes";
 inline constexpr const char* program_group = "/program";
 inline constexpr const char* state_group = "/state";
-inline constexpr const char* platens_group = "/platens";  ///< where they have faces of some width: rollers and punches
+inline constexpr const char* platens_group = "/platens";  ///< only for faces of finite width: rollers and punches
 inline constexpr const char* provenance_group = "/provenance";
 inline constexpr const char* vtk_group = "/VTKHDF";
 
@@ -74,7 +74,7 @@ inline constexpr Dataset crack_opening_separated{"/cracks/opening_separated", "m
 inline constexpr Dataset crack_sliding_separated{"/cracks/sliding_separated", "m", "sliding when it separated, NaN until then"};
 // clang-format on
 
-// Inside /frames/NNNN; `path` is the last part.
+// Datasets in /frames/NNNN; `path` is the last part.
 inline constexpr Dataset frame_displacement{"displacement", "m", "displacement x y of the nodes"};
 inline constexpr Dataset frame_velocity{"velocity", "m/s", "velocity x y of the nodes"};
 inline constexpr Dataset frame_element_stress{"element_stress", "Pa", "Cauchy stress xx yy xy zz, tension positive"};

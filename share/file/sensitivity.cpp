@@ -46,7 +46,7 @@ std::vector<SensitivityRow> read_sensitivity(const H5Input& file) {
         rows.push_back({changed, 0, 0, 0, 0, 0});
     }
     for (const Column& column : columns) {
-        const std::vector<double> values = file.read<double>(path_of(column), {rows.size()});  // NaN where a value does not apply
+        const std::vector<double> values = file.read<double>(path_of(column), {rows.size()});  // NaN if a value does not apply
         for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*column.member = values[i];
     }
     return rows;

@@ -56,7 +56,7 @@ SettingGroup group_named(const std::string& name) {
     return static_cast<SettingGroup>(found - group_names.begin());
 }
 
-/// The first few of many, joined.
+/// The first few of many values, joined.
 template <class Values, class Show>
 std::string shown_list(const Values& values, const Show& show) {
     constexpr std::size_t most = 6;

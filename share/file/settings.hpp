@@ -1,5 +1,5 @@
-// Settings: the effective values of the options by which a specimen or a run was made, as files hold them and as programs
-// compare them. The group of each says what it is about, and whether results depend on it.
+// Settings: the values of the options that made a specimen or a run, as stored in files and compared by programs. The group of a
+// setting says what it concerns, and whether results depend on it.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace graincrack {
 class H5Input;
 class H5Output;
 
-/// What a setting is about. Results do not depend on settings of the group `none`; seeds draw another specimen of the same kind.
+/// Subject of a setting. Results do not depend on settings of the group `none`; seeds give another specimen of the same kind.
 /// Cuts are holes, slits, flaws and joints; the fabric is the tessellation, its distributions and the scatter of strengths;
 /// loading is friction, damping, masses and program; the end is what ends a test.
 enum class SettingGroup : std::uint8_t {
@@ -38,40 +38,40 @@ enum class SettingGroup : std::uint8_t {
 };
 std::string_view name_of(SettingGroup group);
 
-/// Nothing (not given, and without a default), a truth value, a number (SI), a seed, a text, numbers or texts.
+/// A value: nothing (not given and without a default), truth value, number (SI), seed, text, numbers or texts.
 using SettingValue =
     std::variant<std::monostate, bool, double, std::uint64_t, std::string, std::vector<double>, std::vector<std::string>>;
 
-/// A setting.
+/// A setting, the value of one option.
 struct Setting {
-    std::string name;  ///< of its option with underscores, "elements_per_crystal"
+    std::string name;  ///< name of its option with underscores, "elements_per_crystal"
     SettingValue value = {};
-    Dimension dimension = Dimension::one;  ///< of numbers
+    Dimension dimension = Dimension::one;  ///< dimension of numbers
     SettingGroup group = SettingGroup::none;
     friend bool operator==(const Setting&, const Setting&) = default;
 };
 using Settings = std::vector<Setting>;
 
-/// The setting of a name; nullptr if there is none.
+/// The setting with a name; nullptr if there is none.
 const Setting* find_setting(const Settings& settings, std::string_view name);
-/// The number of a setting; NaN if it has none, or is none.
+/// The number of a setting; NaN if there is none.
 double number_of(const Settings& settings, std::string_view name);
-/// The text of a setting; "" if it has none, or is none.
+/// The text of a setting; "" if there is none.
 std::string text_of(const Settings& settings, std::string_view name);
 
-/// The name of its option without dashes in front, "elements-per-crystal".
+/// The name of its option without leading dashes, "elements-per-crystal".
 std::string option_name(const Setting& setting);
-/// A value as people read it: "4 mm", "voronoi", "none"; of many the first ones. \param digits of numbers
+/// A readable value: "4 mm", "voronoi", "none"; the first ones of many. \param digits significant digits of numbers
 std::string shown(const Setting& setting, int digits = 4);
-/// The first setting in which two lists, which must outlive the result, differ in value: that of each list, null where it has
-/// none; two nulls if they are the same. Those of `ignored` groups do not count.
+/// The first setting whose value differs between two lists, which must outlive the result: that of each list, null if it is
+/// missing; two nulls without a difference. `ignored` groups do not count.
 std::pair<const Setting*, const Setting*> first_difference(const Settings& a, const Settings& b,
                                                            const std::vector<SettingGroup>& ignored = {SettingGroup::none});
 
-/// Writes the attributes `request` of a group, a JSON object with a member a setting, in SI units, null for what is not given;
-/// and `request_fields`, an object with the unit and the group of each.
+/// Writes the attributes of a group: `request`, a JSON object with one member per setting in SI units, null if not given; and
+/// `request_fields`, an object with the unit and group of each.
 void write_settings(H5Output& file, const std::string& group, const Settings& settings);
-/// Reads them; none if the group has no such attributes, as in files of other programs. \throws InputError for damaged ones
+/// Reads these attributes; empty if the group has none, as in files of other programs. \throws InputError for damaged ones
 Settings read_settings(const H5Input& file, const std::string& group);
 
 }  // namespace graincrack

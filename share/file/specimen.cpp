@@ -93,9 +93,9 @@ std::vector<std::uint8_t> contact_classes(const Specimen& s) {
 
 namespace {
 
-constexpr double tolerance = 0.01;   // of sizes, areas and edges: the strength is off by as much
-constexpr double off_centre = 1e-3;  // of a size: one platen would meet the specimen before the other
-constexpr double conformity = 1e-9;  // of the specimen's size: far below any edge, far above round-off of positions
+constexpr double tolerance = 0.01;   // relative error of sizes, areas and edges, by which the strength is also off
+constexpr double off_centre = 1e-3;  // over a size: beyond it one platen would meet the specimen before the other
+constexpr double conformity = 1e-9;  // over the specimen's size: far below any edge, far above round-off
 
 constexpr std::array<std::string_view, 6> shapes{"rectangle", "disc", "ring", "beam", "half-disc", "polygon"};
 
@@ -191,13 +191,13 @@ void check_elements(const Specimen& s, const Checker& check) {
     }
 }
 
-/// The declared size must be that of the mesh, centred on the origin: platens, strains and stresses go by it. The outline of a
-/// disc is straight between its nodes: it is off its circle, inwards or outwards, by at most the rise of its longest edge at
-/// either side.
+/// Requires the declared size to be that of the mesh, centred on the origin, because platens, strains and stresses use it. The
+/// outline of a disc is straight between its nodes; it deviates from the circle on each side by at most the rise of its longest
+/// edge.
 void check_size(const Specimen& s, const Checker& check) {
     double longest = 0;
     for (const auto& [i, j] : s.boundary_edges) longest = std::max(longest, distance(s, i, j));
-    longest *= std::max(1, s.elements_per_edge);  // boundary edges of one grain edge lie on one line
+    longest *= std::max(1, s.elements_per_edge);  // boundary edges of a grain edge are collinear
     for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
         const auto [lowest, highest] = std::minmax_element(s.node_position.begin(), s.node_position.end(),
                                                            [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
@@ -214,9 +214,9 @@ void check_size(const Specimen& s, const Checker& check) {
     }
 }
 
-/// A declared loading arc must be the angle under which the straight side at the top is seen from the centre.
+/// Requires a declared loading arc to be the angle under which the straight side at the top is seen from the centre.
 void check_loading_arc(const Specimen& s, const Checker& check) {
-    constexpr double off_straight = 1e-6;  // of the nodes of that side, over the height
+    constexpr double off_straight = 1e-6;  // deviation of the nodes of that side, over the height
     double top = -s.height, side = 0;
     for (const auto& position : s.node_position) top = std::max(top, position[1]);
     const auto is_at_top = [&](std::int32_t node) { return s.node_position[node][1] >= top - off_straight * s.height; };
@@ -225,7 +225,7 @@ void check_loading_arc(const Specimen& s, const Checker& check) {
                   "loading_arc is more than 1 % off the angle of the straight side at the top");
 }
 
-/// A declared mean edge must be that of the contacts and the boundary, or, where grains are not single triangles or triangles of
+/// Requires a declared mean edge to be that of the contacts and the boundary or, if grains are neither triangles nor triangles of
 /// n × n elements, the edge of the equilateral triangle of the grains' mean area.
 void check_mean_edge(const Specimen& s, const Checker& check) {
     double length = 0;
@@ -242,7 +242,7 @@ void check_mean_edge(const Specimen& s, const Checker& check) {
                   "mean_edge is more than 1 % off the mean edge of contacts and boundary");
 }
 
-/// Sides of the elements from node to node, counter-clockwise, by the node from which they run.
+/// Sides of the elements from node to node, counter-clockwise, sorted by the first node.
 class ElementSides {
 public:
     ElementSides(const Specimen& s, const Checker& check) : start_(s.n_nodes() + 1, 0), ends_(3 * s.n_elements()) {
@@ -264,7 +264,7 @@ public:
         }
     }
     [[nodiscard]] bool has(std::int32_t from, std::int32_t to) const { return find(from, to) < ends_.size(); }
-    /// Takes a side for a contact or the boundary; false if there is none or it is within a grain or taken.
+    /// Takes a side for a contact or the boundary. \return false if there is none, or it is within a grain or taken
     bool take(std::int32_t from, std::int32_t to) {
         const std::size_t side = find(from, to);
         return side < ends_.size() && !has(to, from) && !std::exchange(ends_[side].taken, true);
@@ -275,7 +275,7 @@ private:
         std::int32_t node;
         bool taken = false;
     };
-    /// Number of a side, beyond the last if there is none.
+    /// Number of a side; the number of sides if there is none.
     [[nodiscard]] std::size_t find(std::int32_t from, std::int32_t to) const {
         const auto last = ends_.begin() + static_cast<std::ptrdiff_t>(start_[from + 1]);
         const auto end = std::lower_bound(ends_.begin() + static_cast<std::ptrdiff_t>(start_[from]), last, to,
@@ -288,7 +288,7 @@ private:
 
 constexpr const char* taken = "a side must be on the outside of its grain, and once in contacts and boundary together";
 
-/// Grains of a crystal are of one phase.
+/// Requires the grains of a crystal to have one phase.
 void check_crystals(const Specimen& s, const Checker& check) {
     check.require(s.grain_crystal.empty() || s.grain_crystal.size() == s.n_grains(),
                   "grains/crystal and grains/phase differ in length");
@@ -355,8 +355,8 @@ void validate(const Specimen& specimen, const std::string& where) {
 
 namespace {
 
-/// Calls `visit(dataset, array, rows, is_optional)` for each array; `rows` is nothing where an array tells how many rows others
-/// have. An array that is optional has no dataset where it is empty.
+/// Calls `visit(dataset, array, rows, is_optional)` for each array; `rows` is empty for an array that defines the number of rows
+/// of others. An optional array has no dataset if it is empty.
 template <class AnySpecimen, class Visit>
 void visit_arrays(AnySpecimen& s, const Visit& visit) {
     visit(schema::node_position, s.node_position, std::nullopt, false);
@@ -394,7 +394,7 @@ constexpr StatisticAttribute statistic_attributes[] = {
     {"elongation_angle", &MeshStatistics::elongation_angle, Dimension::angle},
 };
 
-/// Static VTKHDF 1.0: readers refuse 2D points and connectivity that is not a flat int64 list, so these are copies.
+/// Writes a static VTKHDF 1.0 view: readers refuse 2D points and connectivity other than a flat int64 list, so these are copies.
 void write_vtk_view(H5Output& file, const Specimen& s) {
     const std::string group = schema::vtk_group;
     const std::int64_t n_nodes = static_cast<std::int64_t>(s.n_nodes());
@@ -469,7 +469,7 @@ void write_specimen(H5Output& file, const Specimen& s) {
 
 namespace {
 
-/// The classes behind those of the phases are of flaws.
+/// Reads the classes of flaws, which follow those of the phases.
 void read_flaws(const std::vector<std::string>& names, const std::vector<std::uint8_t>& classes, Specimen& s) {
     const std::size_t n_pairs = n_contact_classes(s.phase_names.size());
     if (names.size() <= n_pairs) return;

@@ -1,7 +1,7 @@
-// A specimen: an assemblage of grains, with the arrays of the specimen file.
+// A specimen is an assemblage of grains, with the arrays of the specimen file.
 //
-// Grains are polygons of constant-strain triangles; grains share no nodes; facing edges of neighbouring grains are
-// contacts. Any specimen that passes `validate` can be run, however it was made.
+// Grains are polygons of constant-strain triangles and share no nodes; facing edges of neighbouring grains are contacts. Any
+// specimen that passes `validate` can be run, whatever program made it.
 #pragma once
 
 #include <algorithm>
@@ -19,28 +19,28 @@ namespace graincrack {
 class H5Input;
 class H5Output;
 
-/// Kinds of a contact at the start of a run (dataset /contacts/kind).
+/// Kind of a contact at the start of a run (dataset /contacts/kind).
 ///
-/// A crystal can consist of several grains, which are then what stays whole of it; contacts between them are within the crystal.
-/// A boundary that is open from the start is no crack of a test: neither a notch nor a flaw.
+/// A crystal can consist of several grains, which are then the parts that stay whole; contacts between them are within the
+/// crystal. A boundary that is open at the start is not a crack of the test, a notch or a flaw.
 enum class ContactKind : std::uint8_t { grain_boundary = 0, pre_existing_crack = 1, within_crystal = 2, open_boundary = 3 };
-/// Whether contacts of a kind are broken from the start.
+/// True if contacts of a kind are broken at the start.
 constexpr bool starts_broken(std::uint8_t kind) {
     return kind == static_cast<std::uint8_t>(ContactKind::pre_existing_crack) ||
            kind == static_cast<std::uint8_t>(ContactKind::open_boundary);
 }
 
-/// Parts of the boundary with fixed numbers; further parts are named by the specimen (dataset /boundary/part).
+/// Parts of the boundary with fixed numbers; a specimen may name further parts (dataset /boundary/part).
 enum class BoundaryPart : std::uint8_t { bottom = 0, right = 1, top = 2, left = 3, rim = 4 };
 
-// Every contact belongs to the class of the phases of its two grains, or to one of the classes of flaws. p phases have
-// p (p + 1)/2 classes, in the order 00, 01, 11, 02, 12, 22, …; those of flaws follow.
+// Every contact belongs to the class of the phases of its two grains, or to one of the classes of flaws. For p phases there are
+// p (p + 1)/2 classes, in the order 00, 01, 11, 02, 12, 22, …, followed by the classes of flaws.
 
-/// Most phases of a specimen: their classes fit in uint8.
+/// Largest number of phases of a specimen, whose classes fit in uint8.
 inline constexpr std::size_t max_phases = 22;
-/// Most classes of a specimen: they fit in uint8.
+/// Largest number of classes of a specimen, which fit in uint8.
 inline constexpr std::size_t max_classes = 256;
-/// The class of a contact between grains of two phases, in either order.
+/// The class of a contact between grains of two phases, in any order.
 constexpr std::size_t contact_class(std::size_t phase, std::size_t other) {
     const std::size_t high = std::max(phase, other);
     return high * (high + 1) / 2 + std::min(phase, other);
@@ -60,7 +60,7 @@ struct MeshStatistics {
     double psi6 = 0;              ///< |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice
     double area_error = 0;        ///< (area of all grains − area of the shape) / area of the shape
     double elongation = 0;        ///< mean ratio of the long to the short axis of the grains; 0: not measured
-    double elongation_angle = 0;  ///< of the long axis, counter-clockwise from x
+    double elongation_angle = 0;  ///< direction of the long axis, counter-clockwise from x
 };
 
 /// Arrays of a specimen. Index ranges: n nodes, e elements, g grains, c contacts, b boundary edges. SI units.
@@ -68,26 +68,26 @@ struct Specimen {
     std::string shape;         ///< "rectangle", "disc", "ring", "beam", "half-disc" or "polygon"
     double width = 0;          ///< extent along x (disc: diameter)
     double height = 0;         ///< extent along y between the platens (disc: diameter)
-    std::string tessellation;  ///< "delaunay", … or a name that another program gave
+    std::string tessellation;  ///< "delaunay", … or a name given by another program
     std::uint64_t seed = 0;
     int elements_per_edge = 1;
     double loading_arc =
         0;  ///< disc: angle (rad) under which the facet at a pole is seen from the centre; 0: vertex or rectangle
     MeshStatistics statistics;
-    Settings settings;  ///< by which it was made; none if that is unknown
+    Settings settings;  ///< settings that made it; empty if unknown
 
     std::vector<std::array<double, 2>> node_position;        ///< [n] m
     std::vector<std::array<std::int32_t, 3>> element_nodes;  ///< [e] counter-clockwise
     std::vector<std::int32_t> element_grain;                 ///< [e]
     std::vector<std::uint8_t> grain_phase;                   ///< [g] index into phase_names
     std::vector<double> grain_area;                          ///< [g] m²
-    std::vector<std::int32_t> grain_crystal;                 ///< [g] crystal of the grain, from 0; none: each grain is one
+    std::vector<std::int32_t> grain_crystal;                 ///< [g] crystal of the grain, from 0; empty: each grain is one
     std::vector<std::array<std::int32_t, 4>>
         contact_nodes;  ///< [c] a1 a2 b1 b2: a1→a2 counter-clockwise around a, a1 on b1, a2 on b2
     std::vector<std::int32_t> contact_grain_boundary;         ///< [c] groups the contacts of one grain-to-grain edge
     std::vector<std::uint8_t> contact_kind;                   ///< [c] ContactKind
-    std::vector<std::uint8_t> contact_flaw;                   ///< [c] class of flaws, 1 the first; 0 of grain boundaries; none: 0
-    std::vector<double> contact_strength_factor;              ///< [c] factor on the strengths of a contact; none: 1 everywhere
+    std::vector<std::uint8_t> contact_flaw;                   ///< [c] class of flaws, from 1; 0: grain boundary; empty: 0
+    std::vector<double> contact_strength_factor;              ///< [c] factor on the strengths of a contact; empty: 1 everywhere
     std::vector<std::array<std::int32_t, 2>> boundary_edges;  ///< [b] solid on the left
     std::vector<std::uint8_t> boundary_part;                  ///< [b] index into part_names
     std::vector<std::string> phase_names{"rock"};
@@ -101,7 +101,7 @@ struct Specimen {
     [[nodiscard]] std::size_t n_boundary_edges() const { return boundary_edges.size(); }
 };
 
-/// Fraction of the area of all grains that each phase has.
+/// Fraction of the area of all grains by phase.
 std::vector<double> phase_fractions(const Specimen& specimen);
 
 /// Length of a contact, m.
@@ -109,17 +109,17 @@ double contact_length(const Specimen& specimen, std::size_t contact);
 
 /// Class of each contact [c].
 std::vector<std::uint8_t> contact_classes(const Specimen& specimen);
-/// Names of all classes: pairs of phases as "quartz-mica", the phase with the lower index first, then those of flaws.
+/// Names of all classes: pairs of phases as "quartz-mica", the phase with the lower index first, then classes of flaws.
 std::vector<std::string> contact_class_names(const Specimen& specimen);
-/// Whether a name can be that of a class of flaws: a letter, then small letters, digits and _, 40 at most; not "broken" or
+/// True if a text can name a class of flaws: a letter, then lower-case letters, digits and _, 40 at most; not "broken" or
 /// "intact", which are states.
 bool is_flaw_name(std::string_view name);
 
-/// The class of contacts within crystals of a phase, "within_quartz". It is one of the classes of flaws: a material may have a
-/// table [flaws.within_quartz]; without it they are as those between two crystals of the phase, but stiffer
+/// The class of contacts within crystals of a phase, "within_quartz". It is a class of flaws: a material may have a table
+/// [flaws.within_quartz]; without it they are as contacts between two crystals of the phase, but stiffer
 /// (`contact_within_crystals`).
 std::string within_class(std::string_view phase);
-/// The phase of such a class, "" for any other.
+/// The phase of such a class; "" for any other.
 std::string phase_of_within_class(std::string_view class_name);
 
 /// Grain of each node [n]; −1 for a node of no element.
@@ -131,13 +131,13 @@ std::vector<std::int32_t> grain_of_nodes(const Specimen& specimen);
 /// edges and those of the boundary outer sides of grains in the right sense and each there once, every grain with a contact (in
 /// a specimen that has contacts), known shapes, kinds and parts; size, areas and mean edge within 1 % of those declared, and
 /// the middle within 0.1 % of the size at the origin.
-/// Takes time in proportion to the size.
-/// \throws InputError naming `where` and the first violation.
+/// The cost is linear in the size.
+/// \throws InputError naming `where` and the first violation
 void validate(const Specimen& specimen, const std::string& where);
 
 /// Writes /specimen, /nodes, /elements, /grains, /contacts, /boundary and /VTKHDF into an open file.
 void write_specimen(H5Output& file, const Specimen& specimen);
-/// Reads what `write_specimen` wrote, or what another program wrote by the same schema, and validates it.
+/// Reads a specimen that `write_specimen` or another program wrote by the same schema, and validates it.
 Specimen read_specimen(const H5Input& file);
 
 }  // namespace graincrack

@@ -42,7 +42,7 @@ std::optional<std::array<double, 2>> notch_ends(const Specimen& specimen) {
 
 std::optional<EdgeNotch> edge_notch(const Specimen& specimen) {
     using Position = std::array<double, 2>;
-    constexpr double same_position = 1e-9;  // over the size, as of contacts
+    constexpr double same_position = 1e-9;  // over the size, as for contacts
     const double slack = same_position * (specimen.width + specimen.height);
     const auto meet = [slack](const Position& p, const Position& q) { return std::hypot(p[0] - q[0], p[1] - q[1]) <= slack; };
     std::vector<std::array<Position, 2>> rest;
@@ -99,7 +99,7 @@ std::string flaws_text(const Specimen& specimen) {
         std::size_t contacts = 0, broken = 0;
         double length = 0;
     };
-    std::vector<Flaws> classes(specimen.flaw_names.size() + 1);  // the first is none
+    std::vector<Flaws> classes(specimen.flaw_names.size() + 1);  // the first is without a class
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
         const std::size_t of_class = specimen.contact_flaw.empty() ? 0 : specimen.contact_flaw[c];
         const auto kind = static_cast<ContactKind>(specimen.contact_kind[c]);
@@ -140,8 +140,8 @@ double mean_crystal_diameter(const Specimen& specimen) {
 std::string note_on_few_crystals(const Specimen& specimen) {
     const double diameter = mean_crystal_diameter(specimen);
     const double extent = std::min(specimen.width, specimen.height);
-    constexpr int fewest_across = 10;            // of a specimen whose strength is the material's
-    constexpr double least_that_is_told = 9.95;  // what is printed as fewer than these
+    constexpr int fewest_across = 10;            // crystals across a specimen whose strength is the material's
+    constexpr double least_that_is_told = 9.95;  // smaller numbers are printed as less than `fewest_across`
     if (extent >= least_that_is_told * diameter) return "";
     const char* kind = specimen.tessellation == "delaunay" ? "grains" : "crystals";
     return fmt::format(

@@ -31,14 +31,14 @@ std::string shown_name(const CLI::Option& option) {
 
 bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
 
-/// Text as part of a one-line message.
+/// Text for a one-line message.
 std::string one_line(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
     return text;
 }
 
-/// What to type for all options of the subcommand that runs.
+/// The command that shows all options of the subcommand that runs.
 std::string help_command(CLI::App& app) {
     std::string command;
     for (const CLI::App* each : running(app)) command += each->get_name() + " ";
@@ -52,7 +52,7 @@ void for_each_app(CLI::App& app, const std::function<void(CLI::App&)>& action) {
 
 // --- help ------------------------------------------------------------------------------------------------------------
 
-/// Help shows the usual options of a command; with --help-all all of them, and those of the tool.
+/// Formats help, which shows the usual options of a command; with --help-all all of them and those of the program.
 class HelpFormatter : public CLI::Formatter {
 public:
     std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
@@ -67,7 +67,7 @@ public:
         return text + make_subcommands(app, CLI::AppFormatMode::Normal) + "\n" + make_footer(app);
     }
 
-    /// Descriptions in lines of a readable length.
+    /// Wraps descriptions into lines of readable length.
     std::string make_option_desc(const CLI::Option* option) const override {
         constexpr std::size_t width = 88;
         std::istringstream words(CLI::Formatter::make_option_desc(option));
@@ -124,7 +124,7 @@ std::string description_of(const CLI::App& app, const WrittenRows& written) {
 
 // --- notes -----------------------------------------------------------------------------------------------------------
 
-/// What the user may have meant otherwise, and with --verbose the options that hold; nothing with --quiet.
+/// Prints numbers without units that may be wrong and, with --verbose, the options in use; nothing with --quiet.
 void print_notes(const CLI::App& app) {
     std::ostream& out = diagnostics(app.count("--quiet") > 0 ? Verbosity::quiet : Verbosity::normal);
     for (const std::string& note : bare_number_notes()) say(out, fmt::format("{}: note: {}", app.get_name(), note));
@@ -135,7 +135,7 @@ void print_notes(const CLI::App& app) {
 
 using Arguments = std::vector<std::string>::const_iterator;
 
-/// What was parsed, for the messages.
+/// The parsed call, for messages.
 struct Call {
     CLI::App& app;
     std::vector<std::string> arguments;
@@ -169,7 +169,7 @@ std::string with_origin(const Call& call, const CLI::Option& option) {
     return origin.empty() ? name : fmt::format("{} (from {})", name, origin);
 }
 
-/// A UsageError that starts "--option: …", with the origin of the value after the option.
+/// A message "--option: …" with the origin of the value after the option.
 std::string with_origin_in(const Call& call, const std::string& message) {
     const auto end = message.find(": ");
     if (end == std::string::npos || message.find(' ') < end) return message;
@@ -184,7 +184,7 @@ std::string subcommand_message(const CLI::App& app, const std::string& wrong) {
     return fmt::format("{}; one of {} fits", given, fmt::join(names, ", "));
 }
 
-/// What is left over: unknown options and arguments too many.
+/// The message for unknown options and superfluous arguments.
 std::string leftover_message(const Call& call, const std::vector<std::string>& left) {
     const CLI::App* last = running(call.app).back();
     const bool wants_subcommand = !last->get_subcommands({}).empty();
@@ -210,11 +210,10 @@ std::string leftover_message(const Call& call, const std::vector<std::string>& l
     return fmt::format("unexpected argument \"{}\"; see {}", left.front(), help_command(call.app));
 }
 
-// The type of an exception of CLI11 says what kind of error it is; the option it concerns is only in its English text. Each
-// function below therefore finds the option by the state of all options. It returns the message, or "" without such an
-// option.
+// The type of an exception of CLI11 gives the kind of error; only its English text names the option. Each function below
+// therefore finds the option from the state of all options. It returns the message, or "" without such an option.
 
-/// The first option of what runs, from the top, that fits; nullptr if there is none.
+/// The first matching option of the commands that run, from the top; nullptr if there is none.
 const CLI::Option* first_option(const Call& call, const std::function<bool(const CLI::Option&)>& fits) {
     for (const CLI::App* each : running(call.app)) {
         for (const CLI::Option* option : each->get_options()) {
@@ -232,7 +231,7 @@ std::string missing_message(const Call& call) {
     return last.get_require_subcommand_min() > 0 ? subcommand_message(last, "") : "";
 }
 
-/// An option with more values than it takes, or one at the end of the command line without its value.
+/// The message for an option with too many values, or one at the end of the command line without its value.
 std::string mismatch_message(const Call& call) {
     const CLI::Option* repeated = first_option(call, [](const CLI::Option& option) {
         return option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw &&
@@ -256,7 +255,7 @@ bool reads_as_flag(const CLI::Option& option) {
     }
 }
 
-/// A flag with a value that is neither true nor false; the values of other options are read by functions of ours.
+/// The message for a flag with a value that is neither true nor false; own functions read the values of other options.
 std::string conversion_message(const Call& call) {
     const CLI::Option* flag = first_option(
         call, [](const CLI::Option& option) { return is_flag(option) && option.count() > 0 && !reads_as_flag(option); });
@@ -266,7 +265,7 @@ std::string conversion_message(const Call& call) {
                        flag->results().back(), name, name, name);
 }
 
-/// The value of an option of the tool, before the command line is read: what is wrong with that is an event. "" if it has none
+/// The value of an option of the program before the command line is parsed, whose errors are events; "" if it has none.
 std::string value_of(const std::string& option, Arguments begin, Arguments end) {
     for (; begin != end; ++begin) {
         if (begin->starts_with(option + "=")) return begin->substr(option.size() + 1);
@@ -281,7 +280,7 @@ const CLI::Option* first_of(const std::set<CLI::Option*>& options, bool given) {
     return found == options.end() ? nullptr : *found;
 }
 
-/// An option that was given with one that it excludes, or without one that it needs.
+/// The message for an option with one that it excludes, or without one that it needs.
 std::string companion_message(const Call& call, bool excludes) {
     const auto wrong = [excludes](const CLI::Option& option) {
         return first_of(excludes ? option.get_excludes() : option.get_needs(), excludes);
@@ -327,7 +326,7 @@ std::string message_of(const Call& call, const CLI::ParseError& error) {
     return message.empty() ? fmt::format("{}; see {}", one_line(error.what()), help_command(call.app)) : message;
 }
 
-/// Processors that the quota of this process's control group amounts to; a large number without a quota.
+/// Number of processors of this process's control group quota; a large number without a quota.
 double control_group_quota() {
     double least = 1e9;
     const auto take = [&](const std::string& quota, double period) {

@@ -26,7 +26,7 @@ std::string toml_line(const CLI::Option& option) {
     const bool many = option.get_items_expected_max() > 1 || option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
     if (values.empty()) {
         const std::set<CLI::Option*> others = option.get_excludes();
-        // the default holds unless an option that excludes this one is given, or has a default itself
+        // The default applies unless an option that excludes this one is given, or has a default itself.
         const bool replaced = std::any_of(others.begin(), others.end(), [](const CLI::Option* other) {
             return other->count() > 0 || !other->get_default_str().empty();
         });
@@ -49,7 +49,7 @@ std::vector<CLI::ConfigItem> ConfigurationFile::from_config(std::istream& stream
         throw UsageError(fmt::format("--config: {}", error.what()));
     }
     for (const TomlSection& section : toml.sections) check_section(toml, section);
-    // CLI11 keeps the first value it gets: sections before keys at the top
+    // CLI11 keeps the first value it receives: sections come before keys at the top.
     std::stable_sort(toml.entries.begin(), toml.entries.end(),
                      [](const TomlEntry& a, const TomlEntry& b) { return a.section.size() > b.section.size(); });
     std::vector<CLI::ConfigItem> loaded;

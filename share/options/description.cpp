@@ -18,10 +18,10 @@ bool is_word(const std::string& text) {
     return !text.empty() && std::none_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
-/// Whether the value is a whole number, as help names one.
+/// True if the value is a whole number.
 bool is_whole(const CLI::Option& option) { return option.get_type_name() == "N"; }
 
-/// What kind of value an option takes. \param alternatives of its value as help shows it: "auto", "SPEED"
+/// The kind of value of an option. \param alternatives of its value as shown in help: "auto", "SPEED"
 std::string type_of(const CLI::Option& option, const std::optional<Quantity>& bounds,
                     const std::vector<std::string>& alternatives) {
     if (option.get_expected_min() == 0) return "flag";
@@ -43,7 +43,7 @@ void add_bounds(Json& own, const Quantity& bounds, bool whole) {
     if (bounds.open_below) own["exclusive_minimum"] = true;
 }
 
-/// The names of options in their order. CLI11 keeps them by where they are in memory.
+/// The names of options, sorted. CLI11 keeps options in the order of their addresses.
 std::set<std::string> keys_of(const std::set<CLI::Option*>& options) {
     std::set<std::string> keys;
     for (const CLI::Option* option : options) keys.insert(key_of(*option));
@@ -105,7 +105,7 @@ nlohmann::ordered_json describe(const CLI::App& app) {
     const ConfigurationFile* file = configuration_file(app);
     const std::vector<const CLI::Option*> usual = shown_options(&app, false);
     for (const CLI::Option* option : app.get_options()) {
-        if (is_help(option, &app) && app.get_parent() != nullptr) continue;  // each command has them
+        if (is_help(option, &app) && app.get_parent() != nullptr) continue;  // each command has these
         own["options"].push_back(
             describe(*option, file->value(option), std::find(usual.begin(), usual.end(), option) != usual.end()));
     }

@@ -1,4 +1,4 @@
-// What a program offers, for other programs: its commands with their options, and its tables and datasets.
+// Describes a program for other programs: commands with their options, tables and datasets.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,14 +8,14 @@
 
 namespace graincrack {
 
-/// Whether the option is --help or --help-all of the command.
+/// True if the option is --help or --help-all of the command.
 bool is_help(const CLI::Option* option, const CLI::App* app);
-/// The options of a command that help shows. \param all or, with those that are required, the usual ones, else all but the seldom
+/// The options of a command in help. \param all true: all but the seldom ones; false: the usual and the required ones
 std::vector<const CLI::Option*> shown_options(const CLI::App* app, bool all);
-/// The default that help shows of an option; "" if it has none.
+/// The default of an option in help; "" if it has none.
 std::string shown_default(const CLI::Option& option);
 
-/// The commands of a tool, or of a command, and the options of each, in the form of share/doc/file-format.md.
+/// The commands of a program or command, with the options of each, in the form of share/doc/file-format.md.
 nlohmann::ordered_json describe(const CLI::App& app);
 
 }  // namespace graincrack

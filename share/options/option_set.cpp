@@ -21,8 +21,8 @@ namespace {
 
 std::string type_name(Dimension dimension) { return std::string(row_of(dimension).option_type); }
 
-/// "mean edge [m, mm, cm, um, km]", "strain limit [above 0 and at most 0.5; %]": bounds of pure numbers, where they say anything,
-/// and their percent, where one is a part of a whole.
+/// Help with units and bounds: "mean edge [m, mm, cm, um, km]", "strain limit [above 0 and at most 0.5; %]". Pure numbers have
+/// informative bounds only, and % if they are parts of a whole.
 std::string help_of(const std::string& help, const Quantity& quantity) {
     std::vector<std::string> parts;
     if (quantity.dimension == Dimension::one) {
@@ -43,7 +43,7 @@ std::string long_name(const std::string& option) {
     return option.substr(dashes, option.find(',', dashes) - dashes);
 }
 
-/// A whole number within bounds. \throws UsageError naming `where`
+/// Reads a whole number within bounds. \throws UsageError naming `where`
 template <class T>
 T parse_integer(const std::string& text, const std::string& where, T lower, T upper) {
     T value{};
@@ -58,7 +58,7 @@ T parse_integer(const std::string& text, const std::string& where, T lower, T up
     return value;
 }
 
-/// What a target holds, as a setting.
+/// The value of a target as a setting.
 template <class T>
 SettingValue value_of(const T& target) {
     if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool> || std::is_same_v<T, std::uint64_t>) {
@@ -74,7 +74,7 @@ SettingValue value_of(const std::optional<T>& target) {
     return target ? value_of(*target) : SettingValue();
 }
 
-/// The handle of an option of the library, whose effective value is that of a target.
+/// The handle of a CLI11 option, whose value is that of a target.
 template <class Target>
 Option keep(OptionSet set, CLI::Option* added, Target& target) {
     auto* const file = configuration_file(set.app());
@@ -82,7 +82,7 @@ Option keep(OptionSet set, CLI::Option* added, Target& target) {
     return {added, file};
 }
 
-/// Adds an option with one value, whose bounds are kept for its description.
+/// Adds an option with one value and stores its bounds for the description.
 Option add_bounded(OptionSet set, const std::string& option, const ConfigurationFile::Value& value, const std::string& help,
                    const std::string& type_name, const std::string& default_text) {
     CLI::callback_t callback = [read = value.read](const CLI::results_t& results) {

@@ -33,7 +33,7 @@ Boundary make_program_boundary(const Assemblage& assemblage, const Specimen& spe
 
 /// Removes the platens: until they are placed again no node meets them.
 void remove_platens(State& state);
-/// Places absent platens at the present specimen: each face touches the outermost boundary node that it may meet, a bonded face
+/// Places absent platens at the present specimen: each face lies at the outermost boundary node that it may meet, a bonded face
 /// holds all its nodes where they are. If the specimen has rotated as a whole, the faces are inclined by its mean rotation.
 void place_platens(const Assemblage& assemblage, const Boundary& boundary, State& state);
 

@@ -8,10 +8,10 @@
 namespace graincrack {
 
 /// Returns the largest stable step 2/ω_max of central differences, s, in the stiffest state that the system can reach: every
-/// contact has its initial stiffness (also in shear while open, if the law allows it), every boundary node that can touch a
-/// platen touches it, and every other free face is held as by a bond of the stiffest class of its phase, because another grain
-/// may touch it. ω_max² is the largest eigenvalue of M⁻¹K, found by Lanczos' method. Its residual and a margin are added, so that
-/// the result stays below the exact value by less than 1 %. Local damping α acts against a mode that reverses at every step and
+/// contact has its initial stiffness (also in shear while open, if the law allows it), every boundary node that can meet a platen
+/// meets it, and every other free face is held as by a bond of the stiffest class of its phase, because another grain may meet
+/// it. ω_max² is the largest eigenvalue of M⁻¹K, found by Lanczos' method. Its residual and a margin are added, so that the
+/// result stays below the exact value by less than 1 %. Local damping α acts against a mode that reverses at every step and
 /// stiffens it by 1 + α; it reduces the stable step by 1/√(1 + α).
 ///
 /// With mass scaling the result follows from the largest ω of the grains alone and that of contacts and platens alone, both with
