@@ -46,8 +46,8 @@ std::vector<TableRow> tables_of_rows(std::string_view rows) {
         if (line.empty()) continue;
         const std::vector<std::string_view> cells = split(line, '\t');
         const std::string command(cells.at(0)), file(cells.at(1)), meaning(cells.at(3));
-        if (tables.empty() || tables.back().command != command || tables.back().file != file)
-            tables.push_back({command, file, {}});
+        const bool goes_on = !tables.empty() && tables.back().command == command && tables.back().file == file;
+        if (!goes_on) tables.push_back({command, file, {}});
         const std::string names = std::regex_replace(std::string(cells.at(2)), std::regex(", "), "\n");
         for (const std::string_view name : split(names, '\n')) add_names(std::string(name), meaning, tables.back().columns);
     }
