@@ -44,7 +44,7 @@ std::vector<double> logarithmic_ticks(const Axis& axis, int wanted) {
     return ticks;
 }
 
-/// The power of ten that all ticks have in common; 0 where plain numbers can be read.
+/// Common power of ten of all ticks; 0 if plain numbers are readable.
 int common_exponent(const std::vector<double>& ticks) {
     double most = 0;
     for (const double tick : ticks) most = std::max(most, std::abs(tick));
@@ -138,7 +138,7 @@ std::vector<std::string> words_of(const std::string& text, char between) {
     return words;
 }
 
-/// The words of a column's name, with the signs and names that they stand for.
+/// The words of a column's name in print, with signs for some of them.
 std::string in_print(const std::string& name) {
     static constexpr std::array<std::array<std::string_view, 2>, 6> signs{
         {{"phi", "φ"}, {"phic", "φc"}, {"sigma", "σ"}, {"nu", "ν"}, {"young", "Young's"}, {"poisson", "Poisson's"}}};
@@ -173,7 +173,7 @@ std::string mineral_label(const std::string& name) {
     std::string label;
     for (const std::string& mineral : words_of(name, '-')) {
         std::string own = mineral;
-        if (own.size() > 2 && own[1] == '_') {  // "k_feldspar", by its element
+        if (own.size() > 2 && own[1] == '_') {  // such as "k_feldspar"
             own[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(own[0])));
             own[1] = '-';
         }

@@ -12,8 +12,8 @@ namespace graincrack {
 namespace {
 
 constexpr double tick_length = 8;
-constexpr double tick_gap = 8;     ///< from a tick to its text
-constexpr double right_room = 40;  ///< beside the frame, for half a text of a tick
+constexpr double tick_gap = 8;     ///< distance from a tick to its text
+constexpr double right_room = 40;  ///< room beside the frame for half of a tick's text
 constexpr double digit_rise = 0.36;
 constexpr double faint_line = 1;
 
@@ -23,18 +23,18 @@ double largest_width(const std::vector<std::string>& texts) {
     return width;
 }
 
-/// The label of an upright axis, in two lines where it is longer than the frame is high.
+/// The label of an upright axis, in two lines if it is longer than the frame is high.
 std::vector<std::string> upright_lines(const std::string& label, double height) {
     return broken_lines(label, letters::label, height);
 }
 constexpr double upright_leading = 1.15 * letters::label;
 
-/// The ticks of an upright axis: fewer where the frame has no room for their texts one above the other.
+/// The ticks of an upright axis, fewer if their texts have no room above one another.
 Ticks upright_ticks(const Axis& axis, double height) {
     return ticks_of(axis, std::clamp(static_cast<int>(height / (1.4 * letters::text)), 2, 6));
 }
 
-/// Room beside a frame for the ticks and the label of an axis.
+/// Room beside a frame for the ticks and the label of an axis, pixels.
 double room_beside(const Axis& axis, double height) {
     const Ticks ticks = upright_ticks(axis, height);
     const auto lines = static_cast<double>(upright_lines(ticks.label, height).size());
@@ -43,7 +43,7 @@ double room_beside(const Axis& axis, double height) {
 
 Axis limited(const Axis& axis, const std::optional<AxisLimits>& limits) { return limits ? axis.limited(*limits) : axis; }
 
-/// Part of a segment inside a box (Liang & Barsky); false if none.
+/// Clips a segment to a box (Liang & Barsky); false if nothing is inside.
 bool clip(Pixel& a, Pixel& b, Pixel low, Pixel high) {
     double first = 0;
     double last = 1;
@@ -61,7 +61,7 @@ bool clip(Pixel& a, Pixel& b, Pixel low, Pixel high) {
     return true;
 }
 
-/// A line as it is drawn: steps too small to be seen are left out, its end is not.
+/// A line being drawn, without steps too small to be seen but with its end.
 class LineInHand {
 public:
     [[nodiscard]] bool goes_on_at(Pixel from) const { return !end_ || std::hypot(end_->x - from.x, end_->y - from.y) < 0.01; }

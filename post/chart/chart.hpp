@@ -1,4 +1,4 @@
-// A chart on a page: frame, scales, ticks, curves, markers, legend. Sized to be read at the width of a column.
+// A chart on a page: frame, scales, ticks, curves, markers and legend, readable at the width of a column.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@
 
 namespace graincrack {
 
-/// The form of a chart beside its two axes.
+/// The form of a chart in addition to its two axes.
 struct ChartForm {
-    std::optional<Axis> right = {};  ///< a second scale for curves drawn on it
-    bool equal_scales = false;       ///< one unit is as long on both axes
-    double height = 0;               ///< of the frame, pixels; 0: by the width of the page
-    double min_left = 0;             ///< from the edge of the page to the frame, so that charts below one another share it
+    std::optional<Axis> right = {};  ///< second scale at the right
+    bool equal_scales = false;       ///< equal lengths of a unit on both axes
+    double height = 0;               ///< height of the frame, pixels; 0: derived from the width of the page
+    double min_left = 0;             ///< least distance of the frame from the edge of the page, pixels, to align charts
 };
 
 class Chart {
@@ -30,7 +30,7 @@ public:
 
     enum class Side { left, right };
     using Place = std::array<double, 2>;  ///< values along x and y
-    /// A line through points; what lies outside the frame is cut off, a NaN interrupts it. Its label stands in the legend.
+    /// Draws a line through points, clipped to the frame and interrupted at NaN. Its label goes to the legend.
     void line(std::span<const double> x, std::span<const double> y, const Stroke& stroke, const std::string& label = "",
               Side side = Side::left);
     void line(Place from, Place to, const Stroke& stroke, const std::string& label = "") {
@@ -41,29 +41,29 @@ public:
     void point(Place at, const Marker& marker, const std::string& label = "") {
         points(std::span(&at[0], 1), std::span(&at[1], 1), marker, label);
     }
-    /// A filled box between two corners in values.
+    /// Draws a filled box between two corners in values.
     void box(double x_low, double x_high, double y_low, double y_high, Colour colour);
-    /// The area between two curves over the same places.
+    /// Fills the area between two curves over the same x.
     void band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
-    /// No note comes within `reach` of a point, in pixels of the drawing: that of a marker that is drawn later.
+    /// Keeps labels away from a point by `reach` pixels, such as from a marker drawn later.
     void keep_clear(Place at, double reach);
-    /// Text in a gap of a line, at the first of its places where it covers no other text, no point of `others`, and stays in the
-    /// frame. \return whether there is such a place
+    /// Draws a label in a gap of a line, at the first of its places within the frame where it covers no other text and no point
+    /// of `others`. \return false if there is no such place
     bool label_line(std::span<const Place> places, const std::string& label, Colour colour, std::span<const Place> others);
 
-    /// A line of text below the legend.
+    /// Adds a line of text below the legend.
     void add_note(const std::string& note) { notes_.push_back(note); }
-    /// An entry of the legend; none without a label.
+    /// Adds an entry of the legend unless its label is empty.
     template <class Mark>
     void legend(const Mark& mark, const std::string& label) {
         if (!label.empty()) legend_.push_back({mark, label});
     }
 
-    /// Frame, ticks, labels and legend over what was drawn. \throws UsageError if limits of the style show nothing
+    /// Draws frame, ticks, labels and legend over the content. \throws UsageError if limits of the style leave nothing visible
     [[nodiscard]] Drawing finish();
 
 private:
-    /// An axis and where it lies on the page.
+    /// An axis and its place on the page.
     struct Scale {
         Axis axis;
         double from = 0;
@@ -74,14 +74,14 @@ private:
     [[nodiscard]] bool inside(Pixel at) const;
     void lay_out(double top, const ChartForm& form);
     void draw_grid();
-    /// \return where the labels of the ticks end
+    /// \return bottom of the labels of the ticks, pixels
     double draw_x_ticks();
     void draw_y_ticks(const Scale& scale, bool right);
     void draw_labels(double below_ticks);
     void require_contents() const;
 
     PictureStyle style_;
-    Axis x_unlimited_;  ///< as they would be without limits
+    Axis x_unlimited_;  ///< axes without limits
     Axis y_unlimited_;
     Drawing drawing_;
     Scale x_;
@@ -90,7 +90,7 @@ private:
     bool shows_something_ = false;
     std::vector<LegendEntry> legend_;
     std::vector<std::string> notes_;  ///< below the legend
-    std::vector<TextBox> taken_;      ///< by texts and markers in the frame
+    std::vector<TextBox> taken_;      ///< boxes of texts and markers in the frame
 };
 
 }  // namespace graincrack

@@ -21,7 +21,7 @@ std::vector<Colour> palette::phases(const std::vector<std::string>& names) {
         std::string_view name;
         Colour colour;
     };
-    // Grey, blue, brown, green and violet are darker from one to the next by a tenth of white in grey.
+    // Grey, blue, brown, green and violet get darker by a tenth of white in grey each.
     constexpr Colour blue{178, 204, 235}, brown{214, 168, 126}, green{128, 168, 140}, violet{138, 112, 160},
         yellow{236, 222, 160}, rose{222, 190, 206}, olive{158, 168, 96};
     static constexpr std::array<Mineral, 22> minerals{

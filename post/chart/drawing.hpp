@@ -1,7 +1,6 @@
-// A picture as a list of shapes, in pixels, before it becomes PNG, SVG or PDF. Independent of Cairo and of the data that are
-// drawn.
+// A picture is a list of shapes in pixels before it becomes PNG, SVG or PDF. It does not depend on Cairo or on the data drawn.
 //
-// Origin at the top left, x to the right, y downwards. Later shapes cover earlier ones.
+// The origin is at the top left, x points right and y downwards. Later shapes cover earlier ones.
 #pragma once
 
 #include <cmath>
@@ -21,7 +20,7 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// The colours of all pictures; chosen so that they stay apart for colour-blind eyes (red is kept light, black dark).
+/// The colours of all pictures, which colour-blind readers can distinguish (red is light, black dark).
 namespace palette {
 inline constexpr Colour white{255, 255, 255};
 inline constexpr Colour ink{30, 30, 30};
@@ -34,10 +33,9 @@ inline constexpr Colour shear{0, 0, 0};
 inline constexpr Colour platen{120, 130, 145};
 inline constexpr Colour pre_existing{0, 114, 178};
 inline constexpr Colour intact_flaw{86, 180, 233};
-/// Colour of the i-th curve of a plot (Okabe & Ito 2008), repeating.
+/// Colour of curve i of a plot (Okabe & Ito 2008), repeating.
 Colour series(std::size_t i);
-/// Pale fills of mineral phases by their names, the same in every picture; names that are no known mineral's have those that
-/// are left, in their order, repeating.
+/// Pale fills of mineral phases by name, the same in every picture. Unknown names have the remaining colours in order, repeating.
 std::vector<Colour> phases(const std::vector<std::string>& names);
 }  // namespace palette
 
@@ -46,7 +44,7 @@ struct Pixel {
     double y = 0;
 };
 
-/// Filled convex polygons of equally many corners, one after the other.
+/// Filled convex polygons with an equal number of corners, consecutive.
 struct Polygons {
     std::vector<Pixel> corners;
     std::size_t sides = 3;
@@ -55,7 +53,7 @@ struct Polygons {
     [[nodiscard]] std::span<Pixel> pixels() { return corners; }
     [[nodiscard]] std::span<const Pixel> operator[](std::size_t i) const { return std::span(corners).subspan(i * sides, sides); }
 };
-/// Straight strokes with round ends: two points each.
+/// Straight strokes with round ends, two points each.
 struct Strokes {
     std::vector<Pixel> ends;
     double width = 1;
@@ -63,9 +61,9 @@ struct Strokes {
     [[nodiscard]] std::size_t size() const { return ends.size() / 2; }
     [[nodiscard]] std::span<Pixel> pixels() { return ends; }
 };
-/// How a line is broken up, so that lines stay apart without colour.
+/// Dash pattern of a line, which distinguishes lines without colour.
 enum class Dash { none, dashed, dotted, dash_dot, long_dashed };
-/// A line through points; ends and corners are round.
+/// A line through points with round ends and corners.
 struct Polyline {
     std::vector<Pixel> points;
     double width = 1;
@@ -74,7 +72,7 @@ struct Polyline {
     [[nodiscard]] std::span<Pixel> pixels() { return points; }
 };
 enum class Anchor { start, middle, end };
-/// One line of text; `at` is the end of the baseline the anchor names. `upwards` turns it by 90° counter-clockwise.
+/// One line of text. The anchor names the place of `at` on the baseline. `upwards` rotates it by 90° counter-clockwise.
 struct Text {
     Pixel at;
     std::string label;
@@ -92,7 +90,7 @@ public:
 
     Drawing(int width, int height) : width_(width), height_(height) {}
 
-    /// Polygons and lines of one kind that follow each other are one shape: maps have millions.
+    /// Consecutive polygons or lines of one kind form one shape, because maps have millions.
     void polygon(std::span<const Pixel> corners, Colour fill);
     void polygon(std::initializer_list<Pixel> corners, Colour fill) { polygon(std::span(corners.begin(), corners.size()), fill); }
     void rectangle(Pixel top_left, Pixel bottom_right, Colour fill);
@@ -102,7 +100,7 @@ public:
     }
     void text(Text text) { shapes_.emplace_back(std::move(text)); }
 
-    /// All shapes of another drawing, moved.
+    /// Adds all shapes of another drawing, moved.
     void add(const Drawing& other, Pixel offset);
     void set_height(double height) { height_ = static_cast<int>(std::ceil(height)); }
 
@@ -111,7 +109,7 @@ public:
     [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
     /// Number of polygons, lines and texts.
     [[nodiscard]] std::size_t n_marks() const;
-    /// All texts, a line each: what the picture says to those who do not see it.
+    /// All texts, one per line, as a description for readers who do not see the picture.
     [[nodiscard]] std::string words() const;
 
 private:
@@ -120,10 +118,10 @@ private:
     std::vector<Shape> shapes_;
 };
 
-/// Text with the characters escaped that XML and HTML reserve.
+/// Text with escapes for the reserved characters of XML and HTML.
 std::string escape_xml(const std::string& text);
 
-/// About `wanted` round numbers (1, 2, 5 × 10^k apart) inside [low, high], for the ticks of an axis.
+/// About `wanted` round numbers with distances 1, 2 or 5 × 10^k inside [low, high], for ticks.
 std::vector<double> round_ticks(double low, double high, int wanted);
 
 }  // namespace graincrack

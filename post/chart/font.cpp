@@ -21,8 +21,8 @@ struct FreePango {
 template <class T>
 using Owned = std::unique_ptr<T, FreePango>;
 
-/// Letters keep their shape and distance at every resolution, so that what was measured once holds in each file.
-/// An installation for machines that may have no font brings its own, with the file that tells of them.
+/// Letters have the same shape and distance at every resolution, so that measured widths hold in each file. An installation for
+/// machines without fonts brings its own, with the file that lists them.
 Owned<PangoContext> make_context() {
     const std::filesystem::path fonts = SharedFolder{.what = "font", .folder = "fonts"}.below("fonts.conf");
     if (!fonts.empty()) setenv("FONTCONFIG_FILE", fonts.c_str(), 0);
@@ -37,7 +37,7 @@ Owned<PangoContext> make_context() {
     return context;
 }
 
-/// One line of text, set.
+/// Lays out one line of text.
 Owned<PangoLayout> set_line(const std::string& label, double size, bool bold) {
     static const Owned<PangoContext> context = make_context();
     Owned<PangoLayout> layout(pango_layout_new(context.get()));

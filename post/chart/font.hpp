@@ -1,5 +1,5 @@
-// The font of all pictures: Liberation Sans, which the package list has, so that a picture is the same on every machine.
-// Characters that it lacks come from other fonts (Pango).
+// The font of all pictures is Liberation Sans, a listed package, so that pictures are the same on every machine. Pango takes
+// missing characters from other fonts.
 #pragma once
 
 #include <cairo.h>
@@ -10,10 +10,10 @@
 
 namespace graincrack {
 
-/// Width of a text set in a size, in pixels.
+/// Width of a text at a size, pixels.
 double text_width(const std::string& label, double size, bool bold = false);
 
-/// The box of a text, in pixels of the drawing: from the tops of capitals and high letters to the feet of low ones.
+/// The box of a text, in pixels of the drawing: from the tops of tall letters to the bottoms of descenders.
 struct TextBox {
     double left = 0;
     double top = 0;
@@ -25,10 +25,10 @@ struct TextBox {
 };
 TextBox box_of(const Text& text);
 
-/// Draws a text, whose unit is the pixel of the drawing.
+/// Draws a text in units of pixels of the drawing.
 void show_text(cairo_t* context, const Text& text);
 
-/// "Pango 1.50.12".
+/// Version of the library: "Pango 1.50.12".
 std::string pango_library_version();
 
 }  // namespace graincrack

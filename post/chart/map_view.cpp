@@ -18,21 +18,21 @@ namespace graincrack {
 
 namespace {
 
-/// Twice the area of a triangle, with the sense of turning.
+/// Twice the signed area of a triangle.
 double cross(Pixel a, Pixel b, Pixel c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-/// Fills triangles smaller than a few pixels through the pixels of the page, so that the size of a picture is bounded by its
-/// page, not by the number of grains.
+/// Fills triangles smaller than a few pixels pixel by pixel, so that the page bounds the size of a picture, not the number of
+/// grains.
 class PixelFill {
 public:
-    /// The pixels between two corners of the page.
+    /// Covers the pixels between two corners of the page.
     PixelFill(Pixel top_left, Pixel bottom_right)
         : left_(std::floor(top_left.x)),
           top_(std::floor(top_left.y)),
           columns_(static_cast<std::size_t>(std::max(0.0, std::ceil(bottom_right.x) - left_))),
           rows_(static_cast<std::size_t>(std::max(0.0, std::ceil(bottom_right.y) - top_))),
           cells_(columns_ * rows_) {}
-    /// Colours the pixels whose centre lies in the triangle, in any sense of turning; what is off the page is left out.
+    /// Colours the pixels whose centres lie in a triangle of any orientation, within the page.
     void triangle(Pixel a, Pixel b, Pixel c, Colour colour) {
         const double sense = cross(a, b, c) < 0 ? -1 : 1;
         const auto [x_low, x_high] = std::minmax({a.x, b.x, c.x});
@@ -50,9 +50,9 @@ public:
             }
         }
     }
-    /// Adds what was coloured to a drawing: a rectangle for each run of one colour in a row.
+    /// Adds the coloured pixels to a drawing: one rectangle for each run of one colour in a row.
     void draw(Drawing& drawing) const {
-        constexpr double overlap = 0.5;  // downwards, so that rows do not come apart where a viewer scales the picture
+        constexpr double overlap = 0.5;  // downwards, so that no gaps appear between rows when a viewer scales the picture
         for (std::size_t row = 0; row < rows_; ++row) {
             for (std::size_t from = 0; from < columns_;) {
                 const std::optional<Colour>& cell = cells_[row * columns_ + from];
@@ -75,10 +75,10 @@ private:
 };
 
 constexpr double platen_height = 16;
-/// Grains of shorter edges, in pixels, have no outlines: they would cover the map in grey.
+/// Edge in pixels below which grains have no outlines, which would cover the map in grey. Chosen by trial.
 constexpr double min_edge = 4;
 
-/// 1, 2 or 5 × 10^k below a length.
+/// The largest 1, 2 or 5 × 10^k below a length.
 double round_length(double length) {
     const double decade = std::pow(10.0, std::floor(std::log10(length)));
     for (double factor : {5.0, 2.0}) {
@@ -124,7 +124,7 @@ double ColourScale::draw(Drawing& page, const TextColumn& column, double top) co
     const Axis axis{label, low, high > low ? high : low + 1};
     const Ticks ticks = ticks_along(axis, width, letters::text, 6);
     const double end = draw_heading(page, {"", {ticks.label}}, column, top) + 8;
-    for (int i = 0; i < steps; ++i) {  // each to the end, so that no seams show
+    for (int i = 0; i < steps; ++i) {  // each reaches the end, so that no seams show
         page.rectangle({left + width * i / steps, end}, {left + width, end + height},
                        of(low + (axis.high - low) * (i + 0.5) / steps));
     }
@@ -222,7 +222,7 @@ void MapView::draw_grains(const std::vector<double>& values) {
         const auto& q = positions_[static_cast<std::size_t>(b)];
         return std::hypot(p[0] - q[0], p[1] - q[1]) * scale_ > 0.2 * thin;
     };
-    for (const bool is_within : {true, false}) {  // outlines of crystals lie above what is within them
+    for (const bool is_within : {true, false}) {  // outlines of crystals cover those within them
         const Colour outline = is_within || specimen_.grain_crystal.empty() ? palette::outline : palette::rim;
         for (std::size_t c = 0; c < specimen_.n_contacts(); ++c) {
             if (is_within_crystal(specimen_, c) != is_within) continue;
@@ -298,8 +298,7 @@ namespace {
 
 constexpr double within_crystals = 0.55;  ///< width of a crack within a crystal over that of one between two
 
-/// Draws the half facet of a failed contact point: one line midway between its two sides, or, where the crack is open, one on
-/// each.
+/// Draws the half facet of a failed contact point: one line midway between its sides or, if the crack is open, one on each side.
 void draw_crack(MapView& map, const Specimen& specimen, const Crack& crack, double width) {
     const auto& nodes = specimen.contact_nodes[static_cast<std::size_t>(crack.contact)];
     const auto at = [&](std::size_t k) { return map.positions()[static_cast<std::size_t>(nodes[k])]; };

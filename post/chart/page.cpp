@@ -15,12 +15,12 @@ namespace graincrack {
 
 namespace {
 
-constexpr double leading = 1.32;  ///< of lines, to the height of letters
+constexpr double leading = 1.32;  ///< distance of lines over the height of letters
 constexpr double mark_width = 52;
 constexpr double mark_gap = 14;
 constexpr double entry_gap = 34;
 
-/// A word with its middle left out if it is wider than `room`: names of files differ at either end.
+/// A word without its middle if it is wider than `room`: file names differ at either end.
 std::string shortened(const std::string& word, double size, double room, bool bold) {
     if (text_width(word, size, bold) <= room) return word;
     std::size_t keep = word.size();
@@ -32,7 +32,7 @@ std::string shortened(const std::string& word, double size, double room, bool bo
         const auto inside = [&word](std::size_t at) {
             return at < word.size() && (static_cast<unsigned char>(word[at]) & 0xc0U) == 0x80U;
         };
-        while (front > 0 && inside(front)) --front;  // not within a character
+        while (front > 0 && inside(front)) --front;  // not within a multi-byte character
         while (inside(back)) ++back;
         shorter = word.substr(0, front) + "…" + word.substr(back);
     } while (keep > 1 && text_width(shorter, size, bold) > room);
@@ -167,7 +167,7 @@ void draw_stroke(Drawing& drawing, std::vector<Pixel> points, const Stroke& stro
 
 namespace {
 
-/// Corners of a shape in halves of its size, closed; a disc has many.
+/// Corners of a closed shape in half sizes; a disc has many.
 std::vector<std::array<double, 2>> corners(MarkerShape shape) {
     switch (shape) {
         case MarkerShape::square: return {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}};

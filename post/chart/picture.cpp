@@ -25,7 +25,7 @@ namespace {
 constexpr double metres_per_inch = 0.0254;
 constexpr double points_per_inch = 72;
 constexpr double default_resolution = 300;
-constexpr int max_pixels = 32767;  ///< of an image of Cairo, along a side
+constexpr int max_pixels = 32767;  ///< along a side of a Cairo image
 
 struct FreeCairo {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
@@ -41,7 +41,7 @@ void require(cairo_status_t status) {
     }
 }
 
-/// Lengths of strokes and gaps in turn; round ends lengthen a stroke by the width of the line.
+/// Lengths of alternating strokes and gaps; round ends lengthen a stroke by the width of the line.
 std::vector<double> pattern_of(Dash dash, double width) {
     const double gap = 8 + 1.4 * width;
     switch (dash) {
@@ -54,7 +54,7 @@ std::vector<double> pattern_of(Dash dash, double width) {
     return {};
 }
 
-/// Draws shapes, whose unit is the pixel of the drawing.
+/// Draws shapes in units of pixels of the drawing.
 class Painter {
 public:
     explicit Painter(cairo_t* context) : context_(context) {
@@ -101,7 +101,7 @@ private:
     cairo_t* context_;
 };
 
-/// Draws all shapes on white. \param scale units of the surface to a pixel of the drawing
+/// Draws all shapes on white. \param scale units of the surface per pixel of the drawing
 void paint(const Drawing& drawing, cairo_surface_t* surface, double scale) {
     const std::unique_ptr<cairo_t, FreeCairo> context(cairo_create(surface));
     cairo_set_source_rgb(context.get(), 1, 1, 1);
@@ -119,14 +119,14 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int size)
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// Paints on a surface whose bytes are complete when it is finished.
+/// Paints on a surface whose bytes are complete afterwards.
 void paint_whole(const Drawing& drawing, const Surface& surface, double scale) {
     paint(drawing, surface.get(), scale);
     cairo_surface_finish(surface.get());
     require(cairo_surface_status(surface.get()));
 }
 
-/// Points of a page to a pixel of the drawing.
+/// Points of a page per pixel of the drawing.
 double points_per_pixel(const Drawing& drawing, double width) {
     return width / metres_per_inch * points_per_inch / drawing.width();
 }
@@ -137,17 +137,17 @@ std::string to_pdf(const Drawing& drawing, const PictureSize& size) {
     const Surface surface(
         cairo_pdf_surface_create_for_stream(&append<std::string>, &bytes, scale * drawing.width(), scale * drawing.height()));
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
-                                   "2000-01-01T00:00:00Z");  // the same bytes every day
+                                   "2000-01-01T00:00:00Z");  // the same bytes on every day
     paint_whole(drawing, surface, scale);
     return bytes;
 }
 
-/// Most significant byte first, as in all of a PNG.
+/// Appends the most significant byte first, as PNG requires.
 void append_big_endian(std::vector<unsigned char>& bytes, std::uint32_t value) {
     for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes.push_back(static_cast<unsigned char>(value >> shift));
 }
 
-/// Writes the resolution into a PNG, as a chunk pHYs behind the header (W3C PNG specification, 11.3.4.3).
+/// Writes the resolution into a PNG, as a chunk pHYs after the header (W3C PNG specification, 11.3.4.3).
 void insert_resolution(std::vector<unsigned char>& png, double pixels_per_inch) {
     constexpr std::ptrdiff_t end_of_header = 8 + 25;  // signature, IHDR
     constexpr std::uint32_t size = 9;
@@ -197,7 +197,7 @@ std::string to_svg(const Drawing& drawing, const PictureSize& size) {
     paint_whole(drawing, surface, scale);
     const std::size_t root = bytes.find('\n', bytes.find("<svg")) + 1;
     bytes.insert(root, "<desc>" + escape_xml(drawing.words()) + "</desc>\n");
-    // Cairo numbers the surfaces of a process: the same drawing is to have the same bytes.
+    // Cairo numbers the surfaces of a process. Numbers are removed so that equal drawings have equal bytes.
     if (const std::size_t name = bytes.find("<g id=\"surface"); name != std::string::npos) {
         bytes.erase(name + 2, bytes.find('>', name) - name - 2);
     }

@@ -1,4 +1,4 @@
-// Drawings to files: PNG, SVG or PDF (Cairo), whole or not at all.
+// Writes drawings to PNG, SVG or PDF files with Cairo, completely or not at all.
 #pragma once
 
 #include <optional>
@@ -9,33 +9,33 @@
 
 namespace graincrack {
 
-/// How large a picture is on paper.
+/// Size of a picture on paper.
 struct PictureSize {
-    /// m. Without it a pixel of the drawing is one of a PNG or SVG, and a PDF is `pdf_width` wide.
+    /// Width, m. Without it a pixel of the drawing is one of a PNG or SVG, and a PDF has the width `pdf_width`.
     std::optional<double> width;
-    /// Pixels of a PNG to an inch; 300 unless given. Needs a width.
+    /// Pixels per inch of a PNG, 300 by default; it needs a width.
     std::optional<double> resolution;
 };
-/// Width of a page's two columns in most journals, m.
+/// Width of a two-column page of most journals, m.
 inline constexpr double pdf_width = 0.174;
 
-/// Checks name and size of a picture, before the work of drawing it.
+/// Checks name and size of a picture before it is drawn.
 /// \throws UsageError if the name ends in none of .png, .svg, .pdf, or the resolution has no meaning for it
 void require_picture(const std::string& path, const PictureSize& size);
 
-/// Writes a drawing as the kind of file its name asks for.
+/// Writes a drawing as the kind of file of its ending.
 /// \throws UsageError for another ending, OutputError if it cannot be drawn or written
 void write_picture(const Drawing& drawing, const std::string& path, const PictureSize& size = {});
 
-/// A drawing as the bytes of a PNG file, which says its resolution if it has a width on paper. \throws OutputError if it cannot
+/// Returns a drawing as the bytes of a PNG file, with its resolution if it has a width on paper. \throws OutputError if it cannot
 /// be drawn
 std::vector<unsigned char> png_bytes(const Drawing& drawing, const PictureSize& size = {});
 
-/// A drawing as an SVG document. Its letters are outlines; its texts are in the document's description too, for search and for
-/// those who do not see. \throws OutputError if it cannot be drawn
+/// Returns a drawing as an SVG document. Letters are outlines; the description of the document has the texts, for search and for
+/// readers who do not see. \throws OutputError if it cannot be drawn
 std::string to_svg(const Drawing& drawing, const PictureSize& size = {});
 
-/// "cairo 1.16.0".
+/// Version of the library: "cairo 1.16.0".
 std::string cairo_library_version();
 
 }  // namespace graincrack

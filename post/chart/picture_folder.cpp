@@ -17,19 +17,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The path of a folder that may not exist yet. \throws OutputError without a folder around it
+/// The absolute path of a folder that may not exist yet. \throws OutputError without a parent folder
 std::string whole_path(const std::string& name) {
     std::error_code cause;
     fs::path path = fs::weakly_canonical(fs::absolute(name), cause);
     if (cause) throw OutputError(fmt::format("{}: cannot be written: {}", name, cause.message()));
-    if (!path.has_filename()) path = path.parent_path();  // "film/"
+    if (!path.has_filename()) path = path.parent_path();  // for "film/"
     if (!fs::is_directory(path.parent_path(), cause)) {
         throw OutputError(fmt::format("{}: the folder {} does not exist", name, path.parent_path().string()));
     }
     return path.string();
 }
 
-/// \throws OutputError for what exists and is not a folder that is empty or has only numbered pictures
+/// Checks what is at the path of the folder. \throws OutputError unless it is missing, empty or has numbered pictures only
 void require_own(const std::string& name, const std::string& folder) {
     std::error_code cause;
     const fs::file_type type = fs::status(folder, cause).type();
@@ -51,11 +51,11 @@ void write_picture_folder(const std::string& folder, std::size_t count,
     const std::string whole = whole_path(folder);
     const OutputLock lock(whole);
     require_own(folder, whole);
-    require_own(folder + ".part", whole + ".part");  // of a program that was killed
+    require_own(folder + ".part", whole + ".part");  // left by a program that was killed
     const std::string part = whole + ".part";
     std::error_code cause;
     fs::remove_all(part, cause);
-    const std::shared_ptr<void> unfinished(nullptr, [&](void* /*none*/) { fs::remove_all(part, cause); });  // unless renamed
+    const std::shared_ptr<void> unfinished(nullptr, [&](void* /*none*/) { fs::remove_all(part, cause); });  // none if renamed
     if (!fs::create_directory(part, cause)) throw OutputError(fmt::format("{}: cannot be made: {}", folder, cause.message()));
     for (std::size_t i = 0; i < count; ++i) {
         throw_if_interrupted();

@@ -28,7 +28,7 @@ void append_line(std::string& text, Numbers... numbers) {
     text.back() = '\n';
 }
 
-/// A name as Gmsh reads it: without quotes and control characters.
+/// A name for Gmsh, without quotes and control characters.
 std::string gmsh_name(std::string_view name) {
     std::string shown = printable(name);
     std::replace(shown.begin(), shown.end(), '"', '\'');
@@ -94,7 +94,7 @@ std::vector<std::string> losses(const SharedMesh& mesh) {
 
 namespace {
 
-/// The point of each node; adds the points to the mesh.
+/// Returns the point of each node and adds the points to the mesh.
 std::vector<std::int32_t> join_nodes(const Specimen& s, SharedMesh& mesh) {
     UnionFind sets(s.n_nodes());
     for (const auto& [a1, a2, b1, b2] : s.contact_nodes) {
@@ -114,16 +114,16 @@ std::vector<std::int32_t> join_nodes(const Specimen& s, SharedMesh& mesh) {
     return point;
 }
 
-/// Every name that a side can have: those of the parts, then two for each class of flaws, the first of which is of no class: open
-/// boundaries, and cracks.
+/// All possible names of sides: those of the parts, then two for each class of flaws. The first class is "no class": open
+/// boundaries and cracks.
 std::vector<std::string> all_side_names(const Specimen& s) {
     std::vector<std::string> names = s.part_names;
-    names.insert(names.end(), {"open-boundary", "crack"});  // other grain boundaries have none
+    names.insert(names.end(), {"open-boundary", "crack"});  // other grain boundaries have no name
     for (const std::string& flaw : s.flaw_names) names.insert(names.end(), {"flaw-" + flaw, "flaw-" + flaw + "-broken"});
     return names;
 }
 
-/// Leaves the names in use; those that are equal become one.
+/// Keeps the names in use; equal names become one.
 void keep_used_names(SharedMesh& mesh, const std::vector<std::string>& names) {
     std::vector<bool> is_used(names.size(), false);
     for (const NamedSide& side : mesh.sides) is_used[side.name] = true;
@@ -162,7 +162,7 @@ SharedMesh share_nodes(const Specimen& s) {
     for (std::size_t c = 0; c < s.n_contacts(); ++c) {
         const std::size_t flaw = s.contact_flaw.empty() ? 0 : s.contact_flaw[c];
         const bool is_broken = s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
-        const bool is_within = s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::within_crystal);  // told by crystals
+        const bool is_within = s.contact_kind[c] == static_cast<std::uint8_t>(ContactKind::within_crystal);  // crystals show it
         if (is_within || (flaw == 0 && !starts_broken(s.contact_kind[c]))) continue;
         const auto& nodes = s.contact_nodes[c];
         mesh.sides.push_back({point_of(nodes[0]), point_of(nodes[1]), s.part_names.size() + 2 * flaw + (is_broken ? 1 : 0)});

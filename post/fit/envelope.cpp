@@ -19,7 +19,7 @@ namespace graincrack {
 
 namespace {
 
-/// Strengths in units of the largest, so that σci and mi are of like size for the solver.
+/// Stresses over the largest strength, so that σci and mi have similar size for the solver.
 struct Data {
     double scale = 1;
     std::vector<double> confining;
@@ -32,12 +32,12 @@ std::vector<double> scaled(std::span<const double> values, double factor) {
     return out;
 }
 
-/// (σ1 − σ3)², but at least a small positive value: the slope of the root stays finite when the solver tries parameters far off.
+/// σ1 of the criterion. The radicand is at least a small positive value, so that the slope stays finite for extreme parameters.
 double envelope(double sigma_ci, double mi, double confining) {
     return confining + std::sqrt(std::max(sigma_ci * (sigma_ci + mi * confining), 1e-12));
 }
 
-/// (σ1 − σ3)² = σci² + mi σci σ3 is a straight line in σ3: exact for exact data.
+/// Parameters of the straight line (σ1 − σ3)² = σci² + mi σci σ3 in σ3, which are exact for exact data.
 std::vector<double> first_guess(const Data& data) {
     std::vector<double> squares(data.confining.size());
     for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = std::pow(data.strength[i] - data.confining[i], 2);
@@ -72,7 +72,7 @@ double cohesion_variance(const Line& line, double cohesion) {
            by_slope * by_slope * line.slope_variance;
 }
 
-/// \throws InputError if two compression tests do not belong to one envelope
+/// Checks that two compression tests belong to one envelope. \throws InputError if not
 void require_comparable(const RunData& run, const RunData& first, const EnvelopeOptions& options) {
     const auto refuse = [&](const std::string& what) {
         throw InputError(run.name + ": differs from " + first.name + " in " + what +
@@ -87,7 +87,7 @@ void require_comparable(const RunData& run, const RunData& first, const Envelope
     }
 }
 
-/// Why a run has no strength of a kind.
+/// The reason why a run has no strength of a kind.
 std::string reason_left_out(const RunData& run, const Strength& strength) {
     if (!is_compression(run.header)) return fmt::format("{}: {}", run.name, did_not_fail);
     if (!strength.first_peak) {
@@ -107,7 +107,7 @@ std::string reason_left_out(const RunData& run, const Strength& strength) {
         run.name, 100 * residual_strains[1]);
 }
 
-/// \throws InputError if a run was left out and the others have one confining pressure or none
+/// Checks the runs after others were left out. \throws InputError if they have fewer than two confining pressures
 void require_two_pressures(const EnvelopeTests& tests) {
     if (tests.left_out.empty() || tests.pressures().size() > 1) return;
     throw InputError(
@@ -116,7 +116,7 @@ void require_two_pressures(const EnvelopeTests& tests) {
                     tests.left_out.front(), tests.compression.size(), tests.compression_runs));
 }
 
-/// The tests of each seed; only seeds that have tests at all pressures.
+/// The tests of each seed, for seeds with tests at all pressures.
 std::vector<EnvelopeTests> whole_seeds(const EnvelopeTests& tests) {
     std::map<std::int64_t, EnvelopeTests> by_seed;
     for (const auto& test : tests.compression) by_seed[test.seed].compression.push_back(test);
@@ -171,7 +171,7 @@ Envelope fit_envelope(std::span<const double> confining, std::span<const double>
     const Line& line = envelope.line;
     if (line.freedom < 1 || !(line.slope > 0)) return envelope;
     const double half_slope = student_t_95(line.freedom) * std::sqrt(line.slope_variance);
-    if (!(line.slope > half_slope)) return envelope;  // a falling line among those possible: φ and C are not determined
+    if (!(line.slope > half_slope)) return envelope;  // the interval includes a falling line: φ and C are not determined
     envelope.friction_angle.low = friction_angle_of(line.slope - half_slope);
     envelope.friction_angle.high = friction_angle_of(line.slope + half_slope);
     envelope.cohesion = estimate(envelope.cohesion.value, cohesion_variance(line, envelope.cohesion.value), line.freedom);

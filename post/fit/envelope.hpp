@@ -1,4 +1,4 @@
-// Failure envelopes of a set of tests: Mohr–Coulomb and Hoek–Brown with 95 % intervals, beside the tensile strengths.
+// Fits failure envelopes to a set of tests, Mohr–Coulomb and Hoek–Brown with 95 % intervals, and compares tensile strengths.
 #pragma once
 
 #include <iosfwd>
@@ -16,19 +16,19 @@
 
 namespace graincrack {
 
-/// σ1 = σ3 + σci (mi σ3/σci + 1)^½ (s = 1, a = ½).
+/// The criterion σ1 = σ3 + σci (mi σ3/σci + 1)^½ of intact rock (s = 1, a = ½; Hoek & Brown 1980).
 struct HoekBrown {
     Estimate sigma_ci;  ///< Pa
     Estimate mi;
-    /// σ1 at σ3, Pa; NaN where the envelope ends in tension.
+    /// σ1 at σ3, Pa; NaN beyond the tensile end of the envelope.
     [[nodiscard]] double strength(double confining) const;
     /// The σ3 at which σ1 = 0, positive: σci (√(mi² + 4) − mi)/2, Pa.
     [[nodiscard]] double tensile_strength() const;
 };
 
-/// Non-linear least squares in σ1; intervals from the covariance at the optimum and Student's t.
+/// Fits the criterion by non-linear least squares in σ1. Intervals follow from the covariance at the optimum and Student's t.
 ///
-/// \param confining σ3, Pa \param strength peak σ1, Pa; equally long
+/// \param confining σ3, Pa \param strength peak σ1, Pa; of equal length
 /// \return empty if there are fewer than two confining pressures, or if no σci > 0 fits
 std::optional<HoekBrown> fit_hoek_brown(std::span<const double> confining, std::span<const double> strength);
 
@@ -38,31 +38,30 @@ struct Envelope {
     Estimate cohesion;        ///< C = a/(2√b), Pa
     Estimate friction_angle;  ///< sin φ = (b − 1)/(b + 1), rad
     std::optional<HoekBrown> hoek_brown;
-    /// Tensile strength that the line has at σ1 = 0: a/b = 2C cos φ/(1 + sin φ), Pa.
+    /// Tensile strength of the line at σ1 = 0: a/b = 2C cos φ/(1 + sin φ), Pa.
     [[nodiscard]] double tensile_strength() const { return line.intercept / line.slope; }
-    /// C and φ have intervals.
+    /// True if C and φ have intervals.
     [[nodiscard]] bool is_determined() const { return friction_angle.low.has_value(); }
 };
-/// An estimate that has an interval; empty without one: so few tests do not determine it.
+/// The estimate if it has an interval; otherwise empty, because too few tests do not determine it.
 inline std::optional<Estimate> determined(const std::optional<Estimate>& e) { return e && e->low ? e : std::nullopt; }
-/// "not determined by 2 tests", in the place of such a value.
+/// The text "not determined by 2 tests", which replaces such a value.
 std::string not_determined(std::size_t tests);
 
-/// Fits both envelopes. The interval of φ is that of the slope b, through which it is monotone; the interval of C is
-/// linearised (C and φ come from the same line, so their errors are not independent). Both are empty with two tests, and where
-/// the interval of b reaches zero: these do not determine them.
+/// Fits both envelopes. The interval of φ is that of the slope b, of which φ is a monotone function. The interval of C is
+/// linearised (the errors of a and b are correlated). Both are empty with two tests, and if the interval of b reaches zero.
 ///
-/// \param confining σ3, Pa \param strength peak σ1, Pa; equally long
+/// \param confining σ3, Pa \param strength peak σ1, Pa; of equal length
 /// \throws InputError unless there are strengths at two or more confining pressures
 Envelope fit_envelope(std::span<const double> confining, std::span<const double> strength);
 
-/// Which runs belong to an envelope, and which stress of them.
+/// The choice of the runs of an envelope and of their strength.
 struct EnvelopeOptions {
     StrainLimitRuns strain_limit_runs = StrainLimitRuns::refuse;
-    StrengthKind strength = StrengthKind::first_peak;  ///< of compression tests; that of others is the largest stress
+    StrengthKind strength = StrengthKind::first_peak;  ///< for compression tests; other tests have the largest stress
 };
 
-/// The strengths of a set of runs of one material, sorted by test. Pa.
+/// The strengths of a set of runs of one material, sorted by test, Pa.
 struct EnvelopeTests {
     struct Test {
         double confining = 0;
@@ -71,34 +70,34 @@ struct EnvelopeTests {
     };
     StrengthKind kind = StrengthKind::largest;
     std::vector<Test> compression;
-    std::size_t compression_runs = 0;    ///< also those left out
+    std::size_t compression_runs = 0;    ///< all of them, with those left out
     std::vector<std::string> left_out;   ///< runs without a strength of this kind: their names and the reason
     std::vector<double> brazilian;       ///< tensile strengths by 2Fmax/(π t D)
     std::vector<double> direct_tension;  ///< tensile strengths
     std::size_t at_strain_limit = 0;     ///< runs whose largest stress stands for a peak
     [[nodiscard]] std::vector<double> confining() const;
-    [[nodiscard]] std::set<double> pressures() const;  ///< each once
+    [[nodiscard]] std::set<double> pressures() const;  ///< distinct confining pressures, Pa
     [[nodiscard]] std::vector<double> strength() const;
 };
 
-/// Sorts runs by test. Runs without a strength are left out, unless the largest stress of compression tests is the strength.
-/// \throws InputError for a run without a peak where the largest stress is the strength: one stopped at the strain limit, unless
-///         accepted, or stopped otherwise; for one that differs from the first in law, rock or contact parameters, or in the
-///         plane condition from the other compression tests: one envelope is the envelope of one material; if runs were left out
-///         and the others have fewer than two confining pressures
+/// Sorts runs by test. Runs without a strength are left out, unless the largest stress is the strength of compression tests.
+/// \throws InputError if the largest stress is the strength and a run has no peak, because it stopped at the strain limit without
+/// `strain_limit_runs` accepting it, or for another reason; if a run differs from the first in law, rock or contact parameters,
+/// or from other compression tests in the plane condition, because an envelope describes one material; if the runs that are not
+/// left out have fewer than two confining pressures
 EnvelopeTests collect_envelope_tests(const std::vector<RunData>& runs, const EnvelopeOptions& options);
 
-/// The strength of a run for a fit. \param what needs it, with an article \param left_out gets the name of a run without one and
-/// the reason \param at_strain_limit counts runs whose largest stress stands for a peak \throws InputError as
-/// `stopped_at_strain_limit` where the largest stress is the strength
+/// Returns the strength of a run for a fit. \param what the fit, with an article \param left_out receives the name of a run
+/// without a strength and the reason \param at_strain_limit counts runs whose largest stress replaces a peak \throws InputError
+/// as `stopped_at_strain_limit` if the largest stress is the strength
 std::optional<double> strength_for_fit(const RunData& run, const Strength& strength, const EnvelopeOptions& options,
                                        const std::string& what, std::vector<std::string>& left_out, std::size_t& at_strain_limit);
 
-/// A line for each run that was left out. \param command whose fit it is
+/// Prints a line for each run that was left out. \param command the command that makes the fit
 void print_left_out(std::ostream& diagnostics, const std::string& command, const std::vector<std::string>& left_out);
 
-/// Each seed with tests at all pressures of the set gives C and φ of its own; samples over these seeds. Empty with fewer than two
-/// such seeds.
+/// Samples of C and φ over the seeds with tests at all pressures of the set, each fitted alone. Empty with fewer than two such
+/// seeds.
 struct SeedEnvelopes {
     std::size_t seeds = 0;
     Sample cohesion;
@@ -106,6 +105,6 @@ struct SeedEnvelopes {
 };
 std::optional<SeedEnvelopes> fit_seed_envelopes(const EnvelopeTests& tests);
 
-/// Options --capped and --strength: which runs an envelope has, and which stress of them.
+/// Adds the options --capped and --strength, which select runs and strength.
 void add_envelope_options(OptionSet set, EnvelopeOptions& options);
 }  // namespace graincrack

@@ -85,7 +85,7 @@ Estimate PowerLaw::strength_at(double edge) const {
 
 namespace {
 
-/// What may differ: the size of the grains, with that of the specimen if it is as many times as large.
+/// Settings that may differ: the grain size, and the size of the specimen if both have the same ratio.
 SettingGroups of_sizes(const std::vector<RunData>& runs) {
     constexpr double slack = 0.1;
     const auto scale = [](const RunData& run) { return run.specimen.width / run.specimen.mean_edge; };

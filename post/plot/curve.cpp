@@ -53,7 +53,7 @@ std::vector<Run> prepare(const std::vector<RunData>& data) {
     return runs;
 }
 
-/// The range of all curves together, in the units of the axes.
+/// The common range of all curves, in the units of the axes.
 struct Extent {
     double stress = 0;
     double strain = 0;
@@ -64,7 +64,7 @@ double max_cracks(const RunData& run) {
     return std::max(largest(run.history[HistoryColumn::tensile_cracks]), largest(run.history[HistoryColumn::shear_cracks]));
 }
 
-/// The strength as a laboratory reports it, and a largest stress that is another one.
+/// The strength as laboratories report it, and the largest stress if it differs.
 std::string strength_label(const Run& run) {
     const LoadCurve& curve = run.curve;
     const auto label = [&](const std::string& name, double stress, std::size_t row) {
@@ -75,7 +75,7 @@ std::string strength_label(const Run& run) {
     return label(run.peak_name(), curve.strength->stress, curve.peak) + (curve.exceeds_strength() ? "; " + largest : "");
 }
 
-/// \param title of several runs
+/// The heading. \param title used for several runs
 ChartText curve_heading(const std::vector<Run>& runs, const std::string& title, const std::string& definition) {
     const RunData& run = *runs[0].data;
     if (runs.size() > 1) return {title, {fmt::format("{} runs", runs.size())}};
@@ -87,10 +87,10 @@ ChartText curve_heading(const std::vector<Run>& runs, const std::string& title, 
     return text;
 }
 
-/// How far lateral branches are drawn: rims that burst after the peak have large strains, which would compress all else.
+/// Limit of the drawn lateral branches: boundaries that burst after the peak have strains that would compress everything else.
 double drawn_lateral(const Extent& extent) { return std::max(extent.lateral, -0.75 * extent.strain); }
 
-/// \param definition of the cracks that are counted; empty if none are
+/// The page of a chart. \param definition definition of the cracks that are counted; empty if none are
 Chart curve_page(const std::vector<Run>& runs, const std::string& title, const Extent& extent, const std::string& definition,
                  const std::vector<std::string>& caveats, const PictureStyle& style) {
     const double lateral = drawn_lateral(extent);
@@ -106,7 +106,7 @@ Chart curve_page(const std::vector<Run>& runs, const std::string& title, const E
 constexpr Stroke shear_stroke{palette::shear, 4, Dash::dotted};
 constexpr Stroke tensile_stroke{palette::tensile, 3, Dash::dashed};
 
-/// Counts of cracks against axial strain, on a scale of their own at the right.
+/// Draws counts of cracks against axial strain on a separate scale at the right.
 void draw_counts(Chart& chart, const Run& run) {
     const std::vector<double> strain = times(run.curve.axial_strain, 100);
     const History& history = run.data->history;
@@ -118,8 +118,8 @@ constexpr Marker largest_marker{palette::ink, MarkerShape::triangle, 13};
 constexpr Marker leaves_marker{palette::ink, MarkerShape::leaves, 18};
 constexpr Stroke residual_stroke{palette::rim, 5};
 
-/// The strength as a disc, a largest stress that is none as a triangle, the residual strength as a line over the strains that it
-/// is a mean of.
+/// Draws the strength as a disc, a different largest stress as a triangle, and the residual strength as a line over the strains
+/// of its mean.
 void draw_strength(Chart& chart, const Run& run, const Colour& colour) {
     const auto mark = [&](double strain, double stress, const Marker& marker) {
         chart.point({100 * strain, 1e-6 * stress}, marker);
@@ -143,7 +143,7 @@ void draw_run(Chart& chart, const Run& run, std::size_t index) {
     draw_strength(chart, run, colour);
 }
 
-/// Arrows where lateral branches leave the frame, and how far they go on.
+/// Draws arrows where lateral branches leave the frame, with their extent.
 void mark_cut_branches(Chart& chart, const std::vector<Run>& runs, const Extent& extent, double left) {
     if (extent.lateral >= left) return;
     for (const Run& run : runs) {

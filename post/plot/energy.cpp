@@ -33,7 +33,7 @@ const std::vector<Term>& terms() {
     return all;
 }
 
-/// Terms smaller than this share of the largest are nothing in a picture.
+/// Terms below this fraction of the largest are not visible in a picture.
 constexpr double least_share = 1e-3;
 
 double magnitude(const std::vector<double>& values) { return std::max(largest(values), -smallest(values)); }

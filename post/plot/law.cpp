@@ -18,7 +18,7 @@ namespace graincrack {
 
 namespace {
 
-/// A path of motions and the tractions on it, in µm and MPa.
+/// A path of displacements (µm) and tractions (MPa).
 struct Path {
     std::vector<double> displacement;
     std::vector<double> traction;
@@ -26,11 +26,11 @@ struct Path {
 
 constexpr double micro = 1e6;
 
-/// Leads a contact in straight legs of equal steps.
+/// Moves a contact along straight legs in equal steps.
 class Walk {
 public:
     explicit Walk(const ContactLaw& law) : law_(law) {}
-    /// \param path gets each step, if it is given: of sliding, or of opening
+    /// \param path receives each step of sliding, or of opening, unless it is null
     void go(const ContactMotion& end, Path* path = nullptr, bool sliding = false) {
         constexpr int steps = 600;
         const ContactMotion from = history_.motion;
@@ -51,7 +51,7 @@ private:
     ContactHistory history_;
 };
 
-/// Opens a contact to `reach`, with an unloading from half the softening down if that lies before.
+/// Opens a contact to `reach`, with an unloading half-way down the softening if that lies before.
 Path open_path(const ContactLaw& law, const ContactParameters& contact, double reach) {
     Path path{{0}, {0}};
     const double half = (contact.critical_opening + contact.ultimate_opening) / 2;
@@ -92,8 +92,7 @@ std::vector<LawDescription> chosen(const LawPlotOptions& options) {
 
 Axis up_to(const std::string& label, double high) { return {label, 0, high}; }
 
-/// True if curves over the same displacements cannot be distinguished in the picture: within half a percent of the largest
-/// traction.
+/// True if curves over equal displacements look alike in the picture: within half a percent of the largest traction.
 bool agree(const std::vector<Path>& paths) {
     double highest = 0;
     double apart = 0;
@@ -106,7 +105,7 @@ bool agree(const std::vector<Path>& paths) {
     return apart < 0.005 * highest;
 }
 
-/// Sets of curves that cannot be told apart, each by the index of its first.
+/// Sets of curves that look alike, as indices.
 std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths) {
     std::vector<std::vector<std::size_t>> sets;
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -117,7 +116,7 @@ std::vector<std::vector<std::size_t>> like_curves(const std::vector<Path>& paths
     return sets;
 }
 
-/// Curves of laws beside that of a law of their own, which is black and covers those that cannot be told from it.
+/// Curves of laws in addition to that of the own law, which is black and covers those that look alike.
 struct LawCurves {
     std::vector<ContactLaw> laws;
     std::size_t own = 0;
@@ -132,14 +131,14 @@ void draw_paths(Chart& chart, const LawCurves& curves, const std::vector<Path>& 
     };
     for (const auto& set : like_curves(paths)) {
         if (std::find(set.begin(), set.end(), curves.own) != set.end()) continue;
-        for (std::size_t k = 0; k < set.size(); ++k) {  // earlier ones show at the sides
+        for (std::size_t k = 0; k < set.size(); ++k) {  // earlier ones remain visible at the sides
             draw(set[k], 4 + 1.8 * static_cast<double>(set.size() - 1 - k));
         }
     }
     draw(curves.own, 4);
 }
 
-/// Height of a frame on a page: three stand below one another in a column, side by side over two.
+/// Height of a frame on a page, pixels: three are in one column below one another, or side by side over two columns.
 double frame_height(const PictureStyle& style) { return style.page_width < 700 ? 340 : 290; }
 
 Drawing draw_open(const LawCurves& curves, const ContactParameters& contact, const std::string& caption, double reach,
@@ -215,7 +214,7 @@ Drawing draw_laws(const ContactParameters& contact, const std::string& title, co
 }
 
 Drawing draw_lennard_jones(const PictureStyle& style) {
-    // The corners and the middle of Table 9.
+    // corners and middle of Table 9
     static constexpr std::array<std::array<int, 2>, 5> pairs{{{8, 13}, {8, 18}, {10, 15}, {12, 13}, {12, 18}}};
     Chart chart(style, {"Lennard-Jones potential", {"P(z)/X = a [(ζ/z)ⁿ − (ζ/z)ᵐ], Eqs 20–22; b gives w = Gf/(b σt)"}},
                 Axis{"z/ζ", 0.9, 1.6}, Axis{"P/X", -1.1, 1});

@@ -1,4 +1,4 @@
-// Maps of a specimen: its grains, its cracks.
+// Draws maps of a specimen with its grains and cracks.
 #include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
@@ -30,15 +30,15 @@ namespace graincrack {
 
 namespace {
 
-/// Strain and stress of the test at the time of the frame; also the platens' approach for drawing them.
+/// Strain and stress of the test at the time of a frame, and the approach of the platens.
 struct Standing {
     double strain = 0;        ///< positive in the sense of the test
     double stress = 0;        ///< Pa
-    double share = 0;         ///< of the peak
-    bool before = false;      ///< the peak
+    double share = 0;         ///< stress over that at the peak
+    bool before = false;      ///< true before the peak
     double axial_strain = 0;  ///< elongation positive
-    std::string peak;         ///< what the stress at the peak is called
-    /// \param of what stands behind the share
+    std::string peak;         ///< name of the stress at the peak
+    /// \param of text after the fraction
     [[nodiscard]] std::string share_label(const std::string& of = "") const {
         if (share > 0.9995) return peak;
         if (before && std::abs(share) < 0.0005) return "before loading";
@@ -56,7 +56,7 @@ Standing standing(const RunData& run, const LoadCurve& curve, double time) {
             curve.peak_name()};
 }
 
-/// \param stress what the stress is called
+/// \param stress name of the stress
 std::string standing_label(const Standing& now, const std::string& stress, double magnification) {
     std::string label =
         fmt::format("strain {:.3f} %, {} {:.1f} MPa ({})", 100 * now.strain, stress == "axial stress" ? "stress" : stress,
@@ -74,7 +74,7 @@ struct Scene {
     std::vector<Crack> cracks = read_labelled_cracks(run, specimen, options.label);
     RunData data = run_data(run);
     LoadCurve curve = load_curve(data);
-    /// Below the maps: the definition of the cracks, and the caveats of the strength.
+    /// Notes below the maps: the definition of the cracks, and the caveats of the strength.
     std::vector<std::string> notes = crack_notes(specimen, options.label.of(data.header));
     Scene(const RunReader& of, const CrackMapOptions& by, const PictureStyle& in) : run(of), options(by), style(in) {
         for (const Caveat& caveat : caveats_of(run, data)) notes.push_back(note_line(caveat));
@@ -82,7 +82,7 @@ struct Scene {
     [[nodiscard]] Standing at(double time) const { return standing(data, curve, time); }
 };
 
-/// Cracks by mode and from before the test, and phases. \param tensile what stands behind the words for tensile cracks
+/// Legend of cracks by mode, older cracks and phases. \param tensile text after the words for tensile cracks
 std::vector<LegendEntry> crack_legend(const Scene& scene, const std::string& tensile, const std::string& shear) {
     std::vector<LegendEntry> legend{{Stroke{palette::tensile, 6}, "tensile cracks" + tensile},
                                     {Stroke{palette::shear, 6}, "shear cracks" + shear}};
@@ -98,7 +98,7 @@ const char* label_of(MapFill fill) {
                                      : "displacement, mm";
 }
 
-/// The numbers of the elements in the unit of `label_of`; none of minerals.
+/// Values of the elements in the unit of `label_of`; none for minerals.
 std::vector<double> values_of(const Specimen& specimen, const Frame& frame, MapFill fill) {
     std::vector<double> values;
     for (std::size_t e = 0; fill != MapFill::mineral && e < specimen.n_elements(); ++e) {
@@ -115,7 +115,7 @@ std::vector<double> values_of(const Specimen& specimen, const Frame& frame, MapF
     return values;
 }
 
-/// The part of a frame that a map shows; the frame itself is released.
+/// The part of a frame that a map shows; the rest is released.
 struct Snapshot {
     double time;
     Positions places;
@@ -158,7 +158,7 @@ Drawing single_map(const Scene& scene, Snapshot shot, const MapPage& page) {
     return std::move(map).drawing();
 }
 
-/// Above a map among others.
+/// The caption above one of several maps.
 ChartText caption(const Scene& scene, double time, char letter) {
     const std::vector<Crack> present = cracks_until(scene.cracks, time);
     const Standing now = scene.at(time);
@@ -169,7 +169,7 @@ ChartText caption(const Scene& scene, double time, char letter) {
          "tensile: " + cracked_contacts(present, CrackMode::tensile), "shear: " + cracked_contacts(present, CrackMode::shear)}};
 }
 
-/// How many maps stand side by side: as many as have room for their captions, in rows that are filled about evenly.
+/// Number of maps side by side that leaves room for their captions and fills the rows about evenly.
 std::size_t maps_in_a_row(std::size_t maps, double page_width) {
     constexpr double room = 245;  // for a caption, pixels
     const std::size_t most = std::max<std::size_t>(1, static_cast<std::size_t>(page_width / room));
@@ -177,7 +177,7 @@ std::size_t maps_in_a_row(std::size_t maps, double page_width) {
     return (maps + rows - 1) / rows;
 }
 
-/// Maps of one row, their captions of one height. \param letter of the first \param scale of the maps
+/// A row of maps with captions of equal height. \param letter of the first \param scale receives the scale of the maps
 Drawing row_of_maps(const Scene& scene, std::span<const std::size_t> frames, char letter, MapPage page, MapScale& scale) {
     const std::vector<double> times = scene.run.frame_times();
     const TextColumn column{page.margin, page.style.page_width - page.margin};
@@ -196,7 +196,7 @@ Drawing row_of_maps(const Scene& scene, std::span<const std::size_t> frames, cha
     return side_by_side(maps);
 }
 
-/// A page for maps of some frames, of one scale: a box that holds what is seen in any of them, and colours for their numbers.
+/// A page for maps of several frames at one scale, with a box that holds all of them and common colours for their values.
 MapPage common_page(const Scene& scene, const std::vector<std::size_t>& frames, MapPage page) {
     MapBox view;
     ColourScale colours{label_of(scene.options.fill)};
@@ -210,7 +210,7 @@ MapPage common_page(const Scene& scene, const std::vector<std::size_t>& frames, 
     return page;
 }
 
-/// Maps side by side under one title, of one scale.
+/// Maps of one scale side by side under one title.
 Drawing panels(const Scene& scene, const std::vector<std::size_t>& frames) {
     const double page_width = scene.style.page_width;
     const std::size_t in_a_row = maps_in_a_row(frames.size(), page_width);

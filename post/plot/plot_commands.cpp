@@ -22,14 +22,14 @@ namespace graincrack {
 
 namespace {
 
-/// The options of all pictures; each declares those that it has.
+/// The options of all pictures; each picture declares its own.
 struct PlotOptions {
     std::string picture;  ///< .png, .svg or .pdf, or the folder of all frames
     PictureSize size;
     PictureStyle style;
     std::vector<std::string> labels;  ///< "RUN=TEXT"
     std::string material;
-    CrackMapOptions map;  ///< its label also of pictures that are no maps
+    CrackMapOptions map;  ///< its label also serves pictures that are not maps
     EnvelopeOptions envelope;
     ccd::SolveOptions problem;
     LawPlotOptions law;
@@ -38,7 +38,7 @@ struct PlotOptions {
     TablePlotOptions columns;
 };
 
-/// A picture: what `plot NAME` takes, and the function that draws it.
+/// A picture: the arguments of `plot NAME`, and its drawing function.
 struct Plot {
     const char* name;
     const char* help;
@@ -122,7 +122,7 @@ void columns(OptionSet set, PlotOptions& options) {
 Drawing curve_picture(const PlotOptions& options, const Call& call) {
     std::vector<RunData> runs;
     CaveatCount doubts;
-    std::vector<std::string> lines;  // of the only run
+    std::vector<std::string> lines;  // lines of a single run
     for (const std::string& file : call.files) {
         const RunReader reader(file);
         runs.push_back(run_data(reader, options.map.label));
@@ -261,7 +261,7 @@ std::vector<Plot> plots_of_sets() {
     };
 }
 
-/// The style on a page that fits the size of the picture, with the labels of its files. \throws UsageError for another label
+/// The style for the size of the picture, with the labels of its files. \throws UsageError for a label of another file
 PictureStyle style_of(const PlotOptions& options, const std::vector<std::string>& files) {
     PictureStyle style = options.style;
     const bool is_pdf = options.picture.ends_with(".pdf");

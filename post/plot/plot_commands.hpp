@@ -1,4 +1,4 @@
-// The pictures as commands of `plot`: a row each.
+// The pictures as commands of `plot`, one row each.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace graincrack {
 
-/// In the order of --help. \throws UsageError for the name of a picture before it is drawn
+/// Returns the commands in the order of --help. \throws UsageError for an unsuitable picture name before drawing
 std::vector<Command> plot_commands();
 
 }  // namespace graincrack

@@ -25,14 +25,14 @@ Bins shares(Bins lengths) {
     return lengths;
 }
 
-/// Shares at which rings are drawn, two or three.
+/// Fractions at which two or three rings are drawn.
 std::vector<double> rings_within(double largest) {
     std::vector<double> rings = round_ticks(0, largest, 3);
     std::erase_if(rings, [](double ring) { return ring == 0; });
     return rings;
 }
 
-/// One rose around a centre, with petals of full length at `scale`.
+/// A rose around a centre, whose petals have full length at `scale`.
 class Rose {
 public:
     Rose(Drawing& drawing, Pixel centre, double radius, double scale)
@@ -46,7 +46,7 @@ public:
         }
         for (int i = 0; i < 12; ++i) drawing_.line(centre_, at(std::numbers::pi * i / 6, scale_), 1, palette::faint);
     }
-    /// The labels of the rings, drawn last, inside them: perpendicular to the load, where the fewest cracks are.
+    /// Draws the labels of the rings last, inside them and perpendicular to the load, where the fewest cracks are.
     void scale_labels() {
         constexpr double size = letters::text;
         for (const double ring : rings_within(scale_)) {
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// The arc at the end of a bin.
+    /// Adds the arc at the end of a bin.
     void add_rim(std::vector<Pixel>& line, const Bins& share, std::size_t bin) const {
         for (int k = 0; k <= 5; ++k) {
             const double turn = std::numbers::pi * (static_cast<double>(bin) + k / 5.0) / Rosette::n_bins;

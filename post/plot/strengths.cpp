@@ -1,4 +1,4 @@
-// Strengths of several tests: as an envelope, and against the size of grains.
+// Draws strengths of several tests: as an envelope, and against grain size.
 #include "post/plot/plots.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ struct Points {
     }
 };
 
-/// Half circle over two principal stresses.
+/// Draws a half circle over two principal stresses.
 void draw_circle(Chart& chart, double low, double high, const Stroke& stroke) {
     Points points;
     constexpr int steps = 120;
@@ -52,7 +52,7 @@ Points line_of(const Envelope& envelope, double high) {
     return points;
 }
 
-/// The points at which the circles of the curve σ1(σ3) touch their envelope: σn = σ3 + (σ1 − σ3)/(s + 1), τ = (σn − σ3) √s, s =
+/// The points at which the circles of the curve σ1(σ3) meet their envelope: σn = σ3 + (σ1 − σ3)/(s + 1), τ = (σn − σ3) √s, s =
 /// dσ1/dσ3.
 Points hull_of(const HoekBrown& fit, double largest) {
     Points points;
@@ -60,7 +60,7 @@ Points hull_of(const HoekBrown& fit, double largest) {
     constexpr int steps = 200;
     for (int i = 1; i <= steps; ++i) {
         const double share = static_cast<double>(i) / steps;
-        const double confining = lowest + (largest - lowest) * share * share;  // finer where it bends
+        const double confining = lowest + (largest - lowest) * share * share;  // finer where the curve bends
         const double root = fit.strength(confining) - confining;
         const double slope = 1 + fit.mi.value * fit.sigma_ci.value / (2 * root);
         const double normal = confining + root / (slope + 1);
@@ -82,7 +82,7 @@ std::string line_label(const Envelope& envelope, std::size_t tests) {
                        envelope.line.r_squared);
 }
 
-/// Which stress of the tests is drawn, and how many of them have it.
+/// The strength that is drawn, and the number of tests that have it.
 std::string strength_label(const EnvelopeTests& tests) {
     std::string label = fmt::format("σ1 is the {} of a test", label_of(tests.kind));
     if (tests.compression.size() < tests.compression_runs) {
@@ -154,7 +154,7 @@ Drawing draw_envelope(const EnvelopeTests& tests, const std::string& title, cons
 
 namespace {
 
-/// The range of the values with a tenth of a decade on both sides.
+/// A logarithmic axis over the values, with a tenth of a decade on both sides.
 Axis logarithmic(const std::string& label, const std::vector<double>& values) {
     const auto [low, high] = padded_range(values, 0);
     return {label, low / 1.25, high * 1.25, true};
@@ -166,7 +166,7 @@ void draw_law(Chart& chart, double from, double to, double at_one, double expone
     chart.line({from, strength(from)}, {to, strength(to)}, stroke, label);
 }
 
-/// Where the mean strength lies with 95 %. \return whether there is such an interval
+/// Draws the 95 % interval of the mean strength. \return false if there is none
 bool draw_band(Chart& chart, const PowerLaw& law, double from, double to) {
     constexpr int steps = 100;
     std::vector<double> edge, low, high;
@@ -197,7 +197,7 @@ void draw_series(Chart& chart, const SizeSeries& s, std::size_t index) {
     if (law->exponent.low) label += fmt::format(" [{:.2f}, {:.2f}]", *law->exponent.low, *law->exponent.high);
     draw_law(chart, low, high, law->coefficient * 1e-6, law->exponent.value, series_stroke(index), label);
     if (s.test != "brazilian" && s.test != "tension") return;
-    // The slopes of theory and, for its rock, of the paper through the middle of the points.
+    // The slopes of theory and, for its rock, of the paper go through the middle of the points.
     double x = 0;
     double y = 0;
     for (std::size_t i = 0; i < edge.size(); ++i) {

@@ -32,13 +32,13 @@ struct Corner {
     double value;
 };
 
-/// The point between two corners at which the level is crossed.
+/// The point between two corners at which the value is the level.
 Place crossing(const Corner& a, const Corner& b, double level) {
     const double share = (level - a.value) / (b.value - a.value);
     return {a.place[0] + share * (b.place[0] - a.place[0]), a.place[1] + share * (b.place[1] - a.place[1])};
 }
 
-/// A triangle is crossed by one segment or none: no ambiguous saddle.
+/// Adds the segment of a level in a triangle. Each triangle has at most one, so there is no ambiguous saddle.
 void add_triangle(const std::array<Corner, 3>& corners, double level, std::vector<std::array<Place, 2>>& segments) {
     std::vector<Place> points;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -50,7 +50,7 @@ void add_triangle(const std::array<Corner, 3>& corners, double level, std::vecto
     if (points.size() == 2) segments.push_back({points[0], points[1]});
 }
 
-/// Lines of equal value (marching triangles); cells with a NaN corner are left out.
+/// Contours of a level by marching triangles; cells with a NaN corner are left out.
 std::vector<std::array<Place, 2>> contour_segments(const GridValues& grid, double level) {
     std::vector<std::array<Place, 2>> segments;
     const std::size_t nx = grid.x.size();
@@ -67,7 +67,7 @@ std::vector<std::array<Place, 2>> contour_segments(const GridValues& grid, doubl
 constexpr std::size_t fine = 161;
 constexpr Colour region_fill{214, 230, 243};
 
-/// The plane of the first two factors through the optimum, over the design.
+/// The plane of the first two factors through the optimum, within the design.
 class Plane {
 public:
     explicit Plane(const ccd::Problem& problem)
@@ -130,7 +130,7 @@ void draw_region(Chart& chart, const Plane& plane, const ccd::Problem& problem) 
     chart.legend(region_fill, "joint 95 % region of the factors");
 }
 
-/// A contour with the level that is written on it.
+/// A contour and its label.
 struct LabelledContour {
     std::vector<Place> places;
     std::string label;
@@ -143,12 +143,12 @@ std::vector<Place> places_of(const GridValues& grid, double level) {
     return places;
 }
 
-/// Round levels of a response, thin, and the target, thick. \return what is to be labelled
+/// Draws contours of a response: thin at round levels, thick at the target. \return contours for labelling
 std::vector<LabelledContour> draw_response(Chart& chart, const Plane& plane, const LinearModel& model, const ccd::Goal& goal,
                                            std::size_t index) {
     const Colour colour = palette::series(index);
     const bool odd = index % 2 == 1;
-    const double width = odd ? 2.8 : 1.4;  // apart without colour
+    const double width = odd ? 2.8 : 1.4;  // distinguishable without colour
     const GridValues grid = plane.on_grid([&](const std::vector<double>& place) { return model.value(place); });
     const auto [low, high] = padded_range(grid.value, 0);
     std::vector<LabelledContour> contours;
@@ -161,13 +161,13 @@ std::vector<LabelledContour> draw_response(Chart& chart, const Plane& plane, con
     if (goal.kind != ccd::Goal::Kind::target) return contours;
     const double thick = odd ? 7 : 4.5;
     draw_contour(chart, grid, goal.target, Stroke{colour, thick});
-    contours.push_back({places_of(grid, goal.target), "", colour});  // no other's label covers it
+    contours.push_back({places_of(grid, goal.target), "", colour});  // unlabelled, but no label may cover it
     chart.legend(Stroke{colour, thick}, fmt::format("{} wanted: {}{}{}", axis.label.substr(0, axis.label.find(", ")),
                                                     format_number(goal.target, 6), axis.unit() == "°" ? "" : " ", axis.unit()));
     return contours;
 }
 
-/// Writes levels on their contours, where no other contour runs; the places nearest to the middle of a contour come first.
+/// Labels contours where no other contour runs, preferably near their middles.
 void label_contours(Chart& chart, const std::vector<LabelledContour>& contours) {
     for (std::size_t i = 0; i < contours.size(); ++i) {
         if (contours[i].label.empty()) continue;

@@ -33,7 +33,7 @@ std::vector<ColumnCurve> column_curves(const std::vector<std::string>& files, co
     return curves;
 }
 
-/// Label of an axis that several columns share: their names, or, where these are long, their unit.
+/// Label of an axis for several columns: their names or, if these are long, their unit.
 std::string common_label(const std::vector<std::string>& columns) {
     if (columns.size() == 1) return column_label(columns[0]);
     std::string names;
@@ -45,7 +45,7 @@ std::string common_label(const std::vector<std::string>& columns) {
         unit = axis.unit();
         names += (names.empty() ? "" : "; ") + axis.label.substr(0, axis.label.find(", "));
     }
-    if (!same) return "";  // the legend says the unit of each
+    if (!same) return "";  // the legend has the units
     constexpr std::size_t long_label = 50;
     if (names.size() > long_label) names = unit->empty() ? "" : "value";
     return names + (unit->empty() || names.empty() ? "" : ", " + *unit);

@@ -20,9 +20,9 @@ namespace {
 struct Strains {
     std::vector<double> stress;  ///< MPa
     std::vector<double> axial;
-    std::vector<double> lateral;  ///< contraction positive, like the others
+    std::vector<double> lateral;  ///< positive in contraction, like the others
     std::vector<double> volume;   ///< pseudo-3D
-    std::vector<double> cracks;   ///< `volume` less its elastic line; empty without such a line
+    std::vector<double> cracks;   ///< `volume` minus its elastic line; empty without one
     std::size_t peak = 0;
 };
 
@@ -48,7 +48,7 @@ std::pair<double, double> range_to_peak(const Strains& s, const std::vector<doub
     return padded_range(std::span(values).first(std::min(values.size(), s.peak + 1)), 0);
 }
 
-/// The value of a column where a threshold is, whose stress is that of a row.
+/// The value of a column at a threshold, whose stress is that of a row.
 double at_stress(const Strains& s, const std::vector<double>& column, double stress) {
     const auto row = std::find(s.stress.begin(), s.stress.end(), stress);
     return column[std::min(static_cast<std::size_t>(row - s.stress.begin()), column.size() - 1)];
@@ -61,7 +61,7 @@ struct Threshold {
     const char* by;
     std::optional<double> stress;  ///< MPa
     Stroke stroke;
-    Marker marker;  ///< where it is read
+    Marker marker;  ///< marker at its place
 };
 
 std::array<Threshold, 2> default_thresholds(const AllThresholds& all) {
@@ -95,7 +95,7 @@ std::string legend_of(const Threshold& threshold, double peak_stress) {
 
 using Places = std::vector<Chart::Place>;
 
-/// Symbols on the curves and lines of the upper chart, where they cover nothing.
+/// Labels the curves and lines of the upper chart at free places.
 void label_curves(Chart& chart, const Strains& s, const std::array<Threshold, 2>& defaults, const Axis& x) {
     struct Curve {
         const std::vector<double>& strain;
@@ -138,7 +138,7 @@ void label_curves(Chart& chart, const Strains& s, const std::array<Threshold, 2>
     }
 }
 
-/// The frames of both charts begin at one place.
+/// Left edge of both frames, pixels.
 constexpr double left_edge = 140;
 
 Drawing stress_chart(const RunData& run, const Strains& s, const AllThresholds& all, const PictureStyle& style) {
@@ -169,7 +169,7 @@ Drawing volume_chart(const Strains& s, const AllThresholds& all, const PictureSt
     PictureStyle style = whole.of_part(whole.page_width);
     style.x_limits.reset();
     style.y_limits.reset();
-    // Bursting shortly before the peak and behind it would compress the part of interest.
+    // Bursting around the peak would compress the part of interest.
     const double axial = range_to_peak(s, s.axial).second;
     const double largest_volume = std::max(range_to_peak(s, s.volume).second, 0.1 * axial);
     const double smallest_volume = std::min(range_to_peak(s, s.volume).first, range_to_peak(s, s.cracks).first);

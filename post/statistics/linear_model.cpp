@@ -18,7 +18,7 @@ namespace graincrack {
 
 namespace {
 
-constexpr double dependent = 1e-10;  // of the largest pivot: a term that depends on the others
+constexpr double dependent = 1e-10;  // over the largest pivot, below which a term depends on the others
 
 double power_of(double value, int power) {
     double product = 1;
@@ -26,13 +26,13 @@ double power_of(double value, int power) {
     return product;
 }
 
-/// About their mean.
+/// Sum of squared deviations from the mean.
 double sum_of_squares(const std::vector<double>& values) {
     const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
     return (all - all.mean()).square().sum();
 }
 
-/// Residuals that runs have when each is predicted without itself.
+/// Sum of squared residuals when each run is predicted without itself.
 double sum_of_deleted(const Eigen::VectorXd& residuals, const Eigen::VectorXd& leverages) {
     return (residuals.array() / (1 - leverages.array()).max(1e-9)).square().sum();
 }
@@ -136,7 +136,7 @@ double LinearModel::make_independent(const std::vector<std::string>& specimens, 
     double log_determinant = 0;
     for (const auto& [specimen, own] : members) {
         const auto others = static_cast<double>(own.size()) - 1;
-        const double left = std::sqrt((1 - correlation) / (1 + others * correlation));  // of their mean
+        const double left = std::sqrt((1 - correlation) / (1 + others * correlation));  // factor on their mean
         const Eigen::RowVectorXd mean = both(own, Eigen::all).colwise().mean();
         for (const Eigen::Index i : own) both.row(i) = (both.row(i) - (1 - left) * mean) / std::sqrt(1 - correlation);
         log_determinant += std::log(left) - (others + 1) / 2 * std::log(1 - correlation);
@@ -169,7 +169,7 @@ std::optional<LinearModel> LinearModel::fit_restricted(std::vector<SurfaceTerm> 
     };
     for (int round = 0; round < (share ? 2 : 1); ++round) {
         for (double each = 1; each < 1e4; each *= 1.5) attempt(each, correlation);
-        for (double own = 1; share && own > 0.01; own *= 0.75) attempt(weight, 1 - own);  // the rest of the variance
+        for (double own = 1; share && own > 0.01; own *= 0.75) attempt(weight, 1 - own);  // the rest is of specimens
     }
     return best;
 }
@@ -194,7 +194,7 @@ double LinearModel::press() const { return sum_of_deleted(residuals, leverages);
 
 double LinearModel::press_with(const SurfaceTerm& term) const {
     const Eigen::VectorXd whole = column(term, factors);
-    Eigen::VectorXd own = whole;  // less what the other terms have of it
+    Eigen::VectorXd own = whole;  // minus the part along the other terms
     for (int twice = 0; twice < 2; ++twice) own -= design * (inverse * (design.transpose() * own));
     const double length = own.norm();
     if (!(length > 1e-8 * whole.norm())) return std::numeric_limits<double>::infinity();
@@ -322,7 +322,7 @@ double f_tail(double f, int numerator_freedom, int denominator_freedom) {
     return gsl_cdf_fdist_Q(f, numerator_freedom, denominator_freedom);
 }
 
-// By bisection: GSL's own search (gsl_cdf_fdist_Qinv) does not converge for one in some hundred degrees of freedom.
+// This is a bisection: GSL's search (gsl_cdf_fdist_Qinv) fails to converge for one in some hundred degrees of freedom.
 double f_quantile(double tail, int numerator_freedom, int denominator_freedom) {
     const auto exceeds = [&](double f) { return f_tail(f, numerator_freedom, denominator_freedom) > tail; };
     double high = 1;

@@ -17,7 +17,7 @@ using NonlinearWorkspace = std::unique_ptr<gsl_multifit_nlinear_workspace, declt
 
 int call_residuals(const gsl_vector* x, void* pointer, gsl_vector* f) {
     const auto& residuals = *static_cast<const Residuals*>(pointer);
-    // GSL hands over columns of matrices too: their elements are a stride apart.
+    // GSL also passes columns of matrices, whose elements are a stride apart.
     std::vector<double> parameters(x->size);
     std::vector<double> values(f->size);
     for (std::size_t i = 0; i < x->size; ++i) parameters[i] = gsl_vector_get(x, i);
@@ -26,7 +26,7 @@ int call_residuals(const gsl_vector* x, void* pointer, gsl_vector* f) {
     return GSL_SUCCESS;
 }
 
-/// A start that cannot be improved, as for data without scatter, is reported as EMAXITER with the reason ENOPROG.
+/// True for convergence. For a start that cannot be improved (no scatter) GSL reports EMAXITER with the reason ENOPROG.
 bool settles(gsl_multifit_nlinear_workspace* work) {
     int reason = 0;
     const int status = gsl_multifit_nlinear_driver(500, 1e-12, 1e-12, 0, nullptr, nullptr, &reason, work);
@@ -78,7 +78,7 @@ Logistic fit_logistic(const Eigen::MatrixXd& factors, const Eigen::VectorXd& hap
         const Eigen::VectorXd w = (p.array() * (1 - p.array())).max(1e-12);
         const Eigen::MatrixXd information = x.transpose() * w.asDiagonal() * x;
         const Eigen::LDLT<Eigen::MatrixXd> solver(information);
-        // h_i, the leverages, of the weighted regression
+        // leverages h_i of the weighted regression
         const Eigen::VectorXd h = w.array() * (x.array() * solver.solve(x.transpose()).transpose().array()).rowwise().sum();
         Eigen::VectorXd step = solver.solve(x.transpose() * (happened - p + (h.array() * (0.5 - p.array())).matrix()));
         const double longest = step.lpNorm<Eigen::Infinity>();

@@ -30,7 +30,7 @@ namespace {
 
 using Number = std::optional<double>;
 
-/// One number from the values of one argument or of two; an entry may be empty.
+/// A statistic computes one number from the values of one or two arguments; entries may be empty.
 struct Statistic {
     std::size_t arguments = 1;
     std::function<Number(const std::vector<std::vector<Number>>&)> of;
@@ -38,7 +38,7 @@ struct Statistic {
 
 using Values = std::vector<double>;
 
-/// A statistic of one argument, from the entries that there are; empty without any.
+/// A statistic of one argument from its non-empty entries; empty without any.
 template <class Function>
 Statistic of_one(Function function) {
     return {1, [function](const std::vector<std::vector<Number>>& arguments) -> Number {
@@ -51,7 +51,7 @@ Statistic of_one(Function function) {
             }};
 }
 
-/// A statistic of the pairs of which both entries are there, with at least two different x.
+/// A statistic of pairs without empty entries, with at least two different x.
 template <class Function>
 Statistic of_pairs(Function function) {
     return {2, [function](const std::vector<std::vector<Number>>& arguments) -> Number {
@@ -91,7 +91,7 @@ Number lack_of_fit_p(const Values& x, const Values& y) {
 
 using Fit = std::optional<Estimate> (*)(const Values& x, const Values& y);
 
-/// A fitted value under a name, and the ends of its 95 % interval as NAME_low and NAME_high.
+/// Adds a fitted value under a name, and the ends of its 95 % interval as NAME_low and NAME_high.
 void add_fit(std::map<std::string, Statistic>& all, const std::string& name, Fit fit) {
     const auto part = [fit](auto of) {
         return of_pairs([fit, of](const Values& x, const Values& y) -> Number {
@@ -104,7 +104,7 @@ void add_fit(std::map<std::string, Statistic>& all, const std::string& name, Fit
     all[name + "_high"] = part([](const Estimate& e) { return e.high; });
 }
 
-/// Statistics by the names that queries call them with.
+/// Statistics by their names in queries.
 const std::map<std::string, Statistic>& statistics() {
     static const std::map<std::string, Statistic> all = [] {
         std::map<std::string, Statistic> named{
@@ -150,7 +150,7 @@ std::string formatted(double number, const std::string& format) {
     throw UsageError(fmt::format("\"{}\" is no format of a number; .1f, +.2f or .0e fits", shortened(format, 80)));
 }
 
-/// An entry by itself: numbers with seven digits.
+/// An entry alone: numbers with seven digits.
 std::string plain(sqlite3_value* value) {
     switch (sqlite3_value_type(value)) {
         case SQLITE_INTEGER: return Cell(static_cast<std::int64_t>(sqlite3_value_int64(value))).text();
@@ -163,7 +163,7 @@ void give(sqlite3_context* context, const std::optional<std::string>& text) {
     if (text) sqlite3_result_text(context, text->data(), static_cast<int>(text->size()), SQLITE_TRANSIENT);
 }
 
-/// Runs what may throw; SQLite is C and takes error codes.
+/// Runs a body and turns its exceptions into error codes, because SQLite is C.
 template <class Body>
 void guarded(sqlite3_context* context, const Body& body) {
     try {
@@ -178,7 +178,7 @@ void guarded(sqlite3_context* context, const Body& body) {
     }
 }
 
-/// An aggregate whose values are gathered in a `State`, made at the first row. `step` takes the arguments of a row.
+/// An aggregate that collects values in a `State`, created at the first row. `step` takes the arguments of a row.
 template <class State>
 struct Gathered {
     static State* of(sqlite3_context* context, bool make) {

@@ -26,7 +26,7 @@ namespace {
 
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
-/// Empty if the text cannot be prepared, or has nothing but comments. \param rest what follows the first statement
+/// Prepares a statement; empty for invalid text or comments only. \param rest receives the text after the first statement
 Statement prepare(sqlite3* database, const std::string& sql, const char** rest = nullptr) {
     sqlite3_stmt* statement = nullptr;
     sqlite3_prepare_v2(database, sql.c_str(), static_cast<int>(sql.size()), &statement, rest);
@@ -68,7 +68,7 @@ struct NamedTable {
     TableFile file;
 };
 
-/// A file as NAME=FILE or FILE.
+/// Reads NAME=FILE or FILE.
 NamedTable read(const std::string& text) {
     const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     const std::size_t at = std::min(text.find('='), text.size());
@@ -82,7 +82,7 @@ NamedTable read(const std::string& text) {
     return {name, stem_of(text), TableFile(text)};
 }
 
-/// Queries read tables, and do nothing else.
+/// Allows queries to read tables only.
 int authorize(void* /*unused*/, int action, const char* /*a*/, const char* /*b*/, const char* /*c*/, const char* /*d*/) {
     return action == SQLITE_SELECT || action == SQLITE_READ || action == SQLITE_FUNCTION ? SQLITE_OK : SQLITE_DENY;
 }
@@ -93,7 +93,7 @@ void execute(sqlite3* database, const std::string& sql, const std::string& file)
     }
 }
 
-/// Makes the table of files that have one name. \return its columns
+/// Creates the table of the files with one name. \return its columns
 std::vector<std::string> load(sqlite3* database, const std::vector<const NamedTable*>& parts, const std::string& label) {
     std::vector<std::string> columns;
     if (!label.empty()) columns.push_back(label);
@@ -134,7 +134,7 @@ std::vector<std::string> load(sqlite3* database, const std::vector<const NamedTa
     return columns;
 }
 
-/// For messages.
+/// The tables and columns, for messages.
 std::string what_there_is(const std::map<std::string, std::vector<std::string>>& tables) {
     std::string text;
     for (const auto& [table, columns] : tables) text += fmt::format("; {} has {}", table, fmt::join(columns, ", "));
@@ -147,21 +147,22 @@ struct Answer {
     std::vector<std::vector<Cell>> rows;
 };
 
-/// A table a name. Entries that are numbers are real numbers, empty ones are NULL, others are texts.
+/// A database with one table per name. Numeric entries are real numbers, empty ones NULL, others texts.
 class Database {
 public:
-    /// \param files NAME=FILE, or FILE, whose stem is the name, with _ for what is neither letter nor digit; "-" is `stdin`.
-    /// Files of one name make one table: their rows one behind the other, NULL in columns that only others have.
+    /// \param files NAME=FILE, or FILE, whose stem is the name, with _ for other characters than letters and digits; "-" is
+    /// `stdin`.
+    /// Files with one name form one table: their rows in sequence, with NULL in columns that only others have.
     /// \param label empty, or a column that is added to every table: the stem of the file of the row
-    /// \throws InputError if a file cannot be read, has a column twice or a column `label`
+    /// \throws InputError if a file cannot be read, or has a column twice or a column `label`
     Database(const std::vector<std::string>& files, const std::string& label);
 
     /// Names of the tables, in the order of the files.
     [[nodiscard]] const std::vector<std::string>& tables() const { return tables_; }
 
     /// \param name of the query, for messages \param settings values of :NAME in it
-    /// \throws UsageError for what is no query, a :NAME without a value or a value without :NAME; InputError for a text where a
-    ///         number is needed
+    /// \throws UsageError for an invalid query, a :NAME without a value or a value without :NAME; InputError for a text in place
+    /// of a number
     [[nodiscard]] Answer query(const std::string& sql, const std::string& name,
                                const std::map<std::string, std::string>& settings) const;
 
@@ -175,7 +176,7 @@ Database::Database(const std::vector<std::string>& files, const std::string& lab
     sqlite3* database = nullptr;
     sqlite3_open(":memory:", &database);
     database_.reset(database, sqlite3_close);
-    // A name in quotation marks that is no column would be taken as a text.
+    // Otherwise a quoted name that is no column would be a text.
     sqlite3_db_config(database, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
     constexpr int longest_text = 10'000'000;
     sqlite3_limit(database, SQLITE_LIMIT_LENGTH, longest_text);
@@ -246,7 +247,7 @@ std::map<std::string, std::string> settings_of(const SummaryOptions& options) {
     return settings;
 }
 
-/// The place of an entry, which is added if it is new.
+/// Index of an entry, which is added if it is new.
 template <class Entry, class Same>
 std::size_t place_of(std::vector<Entry>& entries, const Entry& entry, Same same) {
     const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& other) { return same(other, entry); });
