@@ -1,4 +1,4 @@
-// graincrack-mesh: from shapes to specimens of grains.
+// graincrack-mesh makes specimens of grains from shapes.
 //
 //     graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5
 //     graincrack-mesh disc --diameter 80mm --edge 5.13mm --seed 7 --material augig-granite -o disc.h5
@@ -38,7 +38,7 @@ void print(std::ostream& stream, const std::vector<Line>& lines) {
     }
 }
 
-/// Writes the specimen with what made it.
+/// Writes the specimen with its provenance.
 void write(H5Output& file, const Specimen& specimen, const std::string& input_digest, const MeshOptions& options, int argc,
            char** argv, std::chrono::steady_clock::time_point start) {
     write_specimen(file, specimen);
@@ -55,7 +55,7 @@ void write(H5Output& file, const Specimen& specimen, const std::string& input_di
     file.commit();
 }
 
-/// Says what a specimen is and what is wrong with it, and if asked for more the rest of the lines.
+/// Prints the summary of a specimen and its warnings, and with --verbose the other lines.
 void tell(const MeshOptions& options, const Specimen& specimen, std::vector<Remark> lines) {
     std::ostream& out = diagnostics(options.verbosity);
     for (const std::string& line : summary_of(specimen, options.output)) say(out, line);
@@ -82,7 +82,7 @@ int run(int argc, char** argv) {
     if (!options) return 0;
     const Request& request = options->request;
 
-    // A mesh from elsewhere
+    // Imported mesh
     if (options->imported && !options->imported->new_key.empty()) {
         const std::vector<std::string> labels = write_new_key(*options->imported);
         if (options->dry_run || options->verbosity != Verbosity::quiet) print(options->dry_run ? std::cout : std::cerr, labels);

@@ -18,8 +18,8 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double element_count_tolerance = 0.02;  ///< of a requested number of elements a crystal
-constexpr double least_angle = 0.2;               ///< of elements on round holes, rad
+constexpr double element_count_tolerance = 0.02;  ///< of a requested number of elements per crystal
+constexpr double least_angle = 0.2;               ///< smallest angle of elements on round holes, rad
 constexpr int max_element_trials = 8;
 constexpr std::int64_t crystals_of_trial = 500;
 
@@ -33,8 +33,8 @@ PlaneMesh divided_crystals(const Request& request, const TessellatedRegion& made
     return divided_cells(made.cells, bodies, element_size, relative_size);
 }
 
-/// The size of elements that gives a crystal as many of them as requested, tried on these crystals, or on fewer of the same sizes
-/// where there are many: their corners ask for elements of their own, so that the number is not that of the size alone.
+/// Element size that gives crystals the requested number of elements, by trial on these crystals or, if they are many, on fewer
+/// with the same sizes. Corners require additional elements, so that the number does not follow from the size alone.
 double element_size_for(const Request& request, const TessellatedRegion& made) {
     double size = made.plan.element_size;
     if (!request.fabric.elements_per_crystal) return size;
@@ -44,7 +44,7 @@ double element_size_for(const Request& request, const TessellatedRegion& made) {
         const double side = std::sqrt(area(made.plan.region) * crystals_of_trial / static_cast<double>(made.plan.n_grains));
         trial.region = rectangle(side, side);
         centre_region(trial.region);
-        trial.fabric.grading.reset();  // crystals have as many elements everywhere
+        trial.fabric.grading.reset();  // crystals have equal numbers of elements everywhere
         MeshPlan plan;
         plan.region = trial.region;
         plan.n_grains = crystals_of_trial;
@@ -61,7 +61,7 @@ double element_size_for(const Request& request, const TessellatedRegion& made) {
     return size;
 }
 
-/// Whether a flaw or a joint ends on a hole, which then stays as its cells have it.
+/// True if a flaw or a joint ends on a hole, which then keeps the shape of its cells.
 bool meets_flaw(const PlaneMesh& mesh, int part) {
     std::set<int> on_hole;
     for (const Side& side : mesh.sides) {
@@ -91,8 +91,8 @@ double smallest_angle_at(const PlaneMesh& mesh, int part) {
     return smallest;
 }
 
-/// Moves the points on round holes, of which cells have few, to circles at the radius that gives the polygons through them the
-/// areas of the holes; but not where elements would become bad.
+/// Moves the points on round holes, where cells have few points, to circles of the radius at which their polygons have the areas
+/// of the holes, unless elements would become bad.
 void round_holes(const Region& region, PlaneMesh& mesh) {
     bool has_moved = false;
     for (const Loop& loop : region.loops) {
@@ -100,7 +100,7 @@ void round_holes(const Region& region, PlaneMesh& mesh) {
         if (!loop.circle || &loop == &region.loops.front() || meets_flaw(mesh, part)) continue;
         const Point centre = loop.circle->centre;
         const auto from_centre = [&](int p) { return unit(mesh.points[index(p)] - centre); };
-        double doubled_area = 0;  // of the polygon at radius 1
+        double doubled_area = 0;  // of the polygon of radius 1
         for (const Side& side : mesh.sides) {
             if (side.part == part) doubled_area += std::abs(cross(from_centre(side.from), from_centre(side.to)));
         }
@@ -116,7 +116,7 @@ void round_holes(const Region& region, PlaneMesh& mesh) {
     if (has_moved) mesh.complete_bodies();
 }
 
-/// Elements of the cells, turned so that the loaded diameter lies along y. The elongation is measured on the way.
+/// Makes the elements of the cells, rotated so that the loaded diameter lies along y, and measures the elongation.
 PlaneMesh elements_of(const Request& request, TessellatedRegion& made) {
     const Fabric& fabric = request.fabric;
     PlaneMesh elements;
@@ -134,7 +134,7 @@ PlaneMesh elements_of(const Request& request, TessellatedRegion& made) {
     return fabric.has_crystals() ? elements : lattice_mesh(std::move(made.cells), fabric.elements_per_edge);
 }
 
-/// Statistics of crystals are those of their specimen but for the elongation, which is that of their cells.
+/// Statistics of crystals: those of their specimen, with the elongation of their cells.
 MeshStatistics statistics_of_crystals(const Specimen& specimen, const Region& region, const MeshStatistics& of_cells) {
     MeshStatistics statistics = statistics_of(specimen);
     const double total = std::accumulate(specimen.grain_area.begin(), specimen.grain_area.end(), 0.0);
@@ -144,19 +144,19 @@ MeshStatistics statistics_of_crystals(const Specimen& specimen, const Region& re
     return statistics;
 }
 
-/// For each grain a number with the sign of its centroid's y, [g].
+/// [g] a number with the sign of the y of the grain's centroid.
 std::vector<double> grain_heights(const Specimen& s) {
     std::vector<double> height(s.n_grains(), 0.0);
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        // All elements of a grain have the same size, so that the mean of their nodes is the grain's centroid.
+        // Elements of a grain have equal size, so the mean of their nodes is the grain's centroid.
         for (const std::int32_t node : s.element_nodes[e]) height[index(s.element_grain[e])] += s.node_position[index(node)][1];
     }
     return height;
 }
 
-/// Breaks the grain boundaries along a horizontal notch through the centre: those between a grain whose centroid lies above y = 0
-/// and one whose centroid lies below, with their middle within half the length, m, of x = 0. Such boundaries make one zigzag
-/// line, as a notch between whole grains must be, whose length differs from the requested one by an edge at most.
+/// Breaks the grain boundaries along a horizontal notch through the centre: those between grains with centroids above and below y
+/// = 0, with their middle within half the length (m) of x = 0. They form one zigzag line, as a notch between whole grains must,
+/// whose length differs from the requested one by at most an edge.
 void cut_notch(Specimen& specimen, double length) {
     const std::vector<double> height = grain_heights(specimen);
     const std::vector<std::int32_t> grain = grain_of_nodes(specimen);

@@ -8,9 +8,9 @@
 
 namespace graincrack::mesher {
 
-/// Makes the specimen: region with fitted flaws → cells → elements → bodies → fabric. The same request gives the same specimen,
-/// bit for bit.
-/// \param report filled unless null \throws UsageError as `plan_mesh`; Interrupted on a signal
+/// Makes the specimen: region with fitted flaws → cells → elements → bodies → fabric. Equal requests give equal specimens, bit
+/// for bit.
+/// \param report receives the measures unless it is null \throws UsageError as `plan_mesh`; Interrupted on a signal
 Specimen mesh(const Request& request, const ProgressCallback& progress = {}, MeshReport* report = nullptr);
 
 }  // namespace graincrack::mesher

@@ -23,7 +23,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr int max_diameters = 36;  ///< along which a disc can be loaded
+constexpr int max_diameters = 36;  ///< loaded diameters of a disc
 
 constexpr const char* examples =
     "  graincrack-mesh rectangle --width 80mm --height 160mm --grains 1122 -o specimen.h5\n"
@@ -34,20 +34,20 @@ constexpr const char* examples =
     "  graincrack-mesh import thin-section.png --write-key labels.tsv\n"
     "  graincrack-mesh import thin-section.png --pixel-size 0.1mm --phase-key minerals.tsv --crystals break -o section.h5";
 
-/// What the options of a kind of specimens set; kinds share them.
+/// Values of the options of a kind of specimens, which kinds share.
 struct KindOptions {
     double width = 0, height = 0, diameter = 0, inner_diameter = 0;
     Pole pole = Pole::facet;
     int diameters = 1, loaded_diameter = 0;
     std::optional<double> flats;
     std::optional<double> notch;
-    std::optional<double> angle;  ///< of a slit
-    std::optional<double> place;  ///< of a slit from below, along x
+    std::optional<double> angle;  ///< angle of a slit
+    std::optional<double> place;  ///< place of a slit from below, along x
     std::string file;
     std::optional<double> grain_size;  ///< equal-area diameter
 };
 
-/// A kind of specimens: a subcommand with its options, and how they make the region of a request.
+/// A kind of specimens: a subcommand with its options, which make the region of a request.
 struct Kind {
     const char* name;
     const char* help;
@@ -178,7 +178,7 @@ const Kind kinds[] = {
      [](const KindOptions& options, Request& request) { request.region = read_polygon(options.file); }},
 };
 
-/// What is cut into a specimen of any kind.
+/// Cuts in a specimen of any kind.
 struct CutOptions {
     std::vector<std::string> holes;
     std::vector<std::string> joint_sets;
@@ -201,7 +201,7 @@ void add_cuts(OptionSet set, CutOptions& options) {
         "length=30mm (mean; default: the spacing), class=broken|intact|NAME, state=broken|intact; may be given again");
 }
 
-/// Notes what bare lengths in a list were taken for: in "X,Y,RADIUS" all of them, in "KEY=VALUE,..." those of these keys.
+/// Notes the units assumed for bare lengths in a list: for all in "X,Y,RADIUS", for these keys in "KEY=VALUE,...".
 void note_lengths(std::string_view text, const std::string& option) {
     constexpr std::array<std::string_view, 4> keys{"", "spacing", "length", "distance"};
     for (const std::string_view item : split(text, ',')) {
@@ -213,7 +213,7 @@ void note_lengths(std::string_view text, const std::string& option) {
     }
 }
 
-/// The fields of a text. \throws UsageError naming `where` unless there are as many as requested
+/// The fields of a text. \throws UsageError naming `where` unless their number is the requested one
 std::vector<std::string_view> parts_of(std::string_view text, std::size_t n, const std::string& where, const char* requested) {
     std::vector<std::string_view> parts = split(text, ',');
     if (parts.size() == n) return parts;
@@ -225,7 +225,7 @@ Point parse_point(const std::string& text, const std::string& where) {
     return {parse_quantity(parts[0], quantity::coordinate, where), parse_quantity(parts[1], quantity::coordinate, where)};
 }
 
-/// The text of a hole: its centre and radius. \throws UsageError naming `where`
+/// Cuts a hole from the text of its centre and radius. \throws UsageError naming `where`
 void cut_hole(const std::string& text, const std::string& where, Region& region) {
     const auto parts = parts_of(text, 3, where, "X,Y,RADIUS as 10mm,-5mm,4mm");
     add_hole(region,
@@ -233,8 +233,8 @@ void cut_hole(const std::string& text, const std::string& where, Region& region)
              parse_quantity(parts[2], quantity::hole_radius, where), where);
 }
 
-/// Cuts holes and flaws; their coordinates are those of the kind, before the region is centred.
-/// \return the translation
+/// Cuts holes and flaws, whose coordinates are those of the kind before the region is centred.
+/// \return the translation, m
 Point make_cuts(const CutOptions& options, Request& request) {
     const auto numbered = [](const char* option, std::size_t i, std::size_t n) {
         return std::string(option) + (n > 1 ? " " + std::to_string(i + 1) : "");
@@ -256,14 +256,14 @@ Point make_cuts(const CutOptions& options, Request& request) {
     return centre_region(request.region);
 }
 
-/// Of edges of triangles at most 0.35, of diameters of crystals more.
+/// Spread: of edges of triangles at most 0.35, of diameters of crystals more.
 constexpr Quantity spread_of_grains = [] {
     Quantity spread = quantity::edge_spread;
     spread.upper = quantity::size_variation.upper;
     return spread;
 }();
 
-/// Options of the size of grains, of which one holds.
+/// Adds the options of the size of grains, of which one applies.
 void add_sizes(OptionSet set, KindOptions& kind, Fabric& fabric) {
     Option edge =
         add_quantity(
@@ -281,7 +281,7 @@ void add_sizes(OptionSet set, KindOptions& kind, Fabric& fabric) {
     grains.excludes(grain_size);
 }
 
-/// Options of the grains that are made.
+/// Adds the options of the grains.
 void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
     add_choice<Tessellation>(
         set.usual(), "--tessellation", fabric.tessellation,
@@ -337,7 +337,7 @@ void add_grains(OptionSet set, KindOptions& kind, Fabric& fabric) {
         .of(SettingGroup::fabric);
 }
 
-/// Options of all kinds: phases, strengths, and where the specimen goes.
+/// Adds the options of all kinds: phases, strengths and output.
 void add_fabric_options(OptionSet set, MeshOptions& options) {
     Fabric& fabric = options.request.fabric;
     add_integer<std::uint64_t>(set.usual(), "--seed", options.request.seed, "seed of the random numbers", 0)
@@ -380,7 +380,7 @@ void add_fabric_options(OptionSet set, MeshOptions& options) {
     add_output_file(set.usual(), options.output, "specimen file to write; - for stdout", {".h5"}).type_name("FILE|-");
 }
 
-/// A mesh or a picture from elsewhere.
+/// Adds the options of imported meshes and pictures.
 void add_import(OptionSet set, ImportRequest& request) {
     add_text(set, "file", request.file,
              "mesh of Gmsh (MSH 2.2, 4.1) or Neper (.msh), or picture of labels (PNG, or integers as text); - for stdin")
@@ -433,13 +433,13 @@ void add_import(OptionSet set, ImportRequest& request) {
                "takes a beam for a rectangle");
 }
 
-/// A value of [fabric], and the option that stands for it.
+/// A value of [fabric] and its option.
 struct FabricRow {
     const char* option;
     std::optional<double> GrainFabric::*value;
     Dimension dimension;
     void (*take)(MeshOptions&, KindOptions&, double);
-    bool of_kind = false;  ///< whether it holds only for triangles, or only for crystals, as those of the material
+    bool of_kind = false;  ///< true if it applies to triangles only, or to crystals only, like the material's
 };
 constexpr FabricRow fabric_rows[] = {
     {"--grain-size", &GrainFabric::grain_size, Dimension::length,
@@ -454,9 +454,9 @@ constexpr FabricRow fabric_rows[] = {
      [](MeshOptions& options, KindOptions&, double value) { options.request.fabric.elements_per_crystal = value; }, true},
 };
 
-/// Gives the request what a material says of its grains and no option says.
+/// Takes values of grains from a material unless options give them.
 void take_grains(CommandLine& line, const GrainFabric& grains, MeshOptions& options, KindOptions& kind) {
-    constexpr int digits = 15;  // that every number of a file keeps
+    constexpr int digits = 15;  // every number of a file keeps these digits
     Fabric& fabric = options.request.fabric;
     const bool are_triangles = grains.tessellation.empty() || grains.tessellation == "delaunay";
     if (!grains.tessellation.empty() && line.replace_default("--tessellation", grains.tessellation)) {
@@ -471,7 +471,7 @@ void take_grains(CommandLine& line, const GrainFabric& grains, MeshOptions& opti
     }
 }
 
-/// Gives the request the phases of a material and its scatter of strengths, unless options give others.
+/// Takes phases and scatter of strengths from a material unless options give them.
 void take_fabric(const MaterialFabric& material, Fabric& fabric) {
     if (fabric.phases.fractions.empty()) {
         fabric.phases.yield = true;
@@ -484,8 +484,8 @@ void take_fabric(const MaterialFabric& material, Fabric& fabric) {
     }
 }
 
-/// As many grains as have this mean diameter. The mean area of crystals whose diameters vary by s is that of the mean diameter
-/// times 1 + s²; diameters of triangles hardly vary. \throws UsageError if no specimen has so few or so many
+/// Number of grains with this mean diameter (m). The mean area of crystals whose diameters vary by s is that of the mean diameter
+/// times 1 + s²; diameters of triangles hardly vary. \throws UsageError if no specimen has this number
 std::int64_t grains_of_size(const Request& request, double diameter) {
     const double spread = request.fabric.has_crystals() ? request.fabric.spread : 0;
     const double n = std::round(area(request.region) / (std::numbers::pi / 4 * diameter * diameter * (1 + spread * spread)));

@@ -1,4 +1,4 @@
-// The command line of graincrack-mesh.
+// Reads the command line of graincrack-mesh.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,18 @@ namespace graincrack::mesher {
 /// The options of a call.
 struct MeshOptions {
     Request request;
-    std::optional<ImportRequest> imported;  ///< a mesh from elsewhere, of which the request has the fabric and the seed
-    std::string material_name;              ///< as it was given
-    std::optional<Material> material;       ///< whose fabric the request has where no option says otherwise
+    std::optional<ImportRequest> imported;  ///< imported mesh; the request has its fabric and seed
+    std::string material_name;              ///< name as given
+    std::optional<Material> material;       ///< its fabric provides the defaults of the request
     std::string output;                     ///< file or "-"
     Point moved;                            ///< translation of a polygon to the origin, m
     Verbosity verbosity = Verbosity::normal;
     bool dry_run = false;
-    std::string configuration;  ///< effective options as TOML
-    Settings settings;          ///< their effective values, for the file
+    std::string configuration;  ///< options in use as TOML
+    Settings settings;          ///< values in use, for the file
 };
 
-/// Reads the command line. \return nothing after --help, --version or --print-config, which were answered
+/// Reads the command line. \return empty after --help, --version or --print-config, which are answered
 /// \throws UsageError
 std::optional<MeshOptions> read_options(int argc, const char* const* argv);
 

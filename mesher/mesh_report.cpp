@@ -23,16 +23,16 @@ namespace {
 
 constexpr double fewest_of_zone = 1;  ///< elements
 
-/// The contacts between crystals, or those within, and their contact zones.
+/// The contacts between or within crystals, and their softening zones.
 struct Zones {
     double shortest = std::numeric_limits<double>::infinity();  ///< m
     double longest = 0;
-    std::string of;  ///< class of the shortest
+    std::string of;  ///< class with the shortest zone
     double length = 0, number = 0;
     [[nodiscard]] double elements() const { return shortest * number / length; }
 };
 
-/// Whether the solver has parameters for the contacts between phases of a specimen.
+/// True if the material has parameters for the contacts between phases of a specimen.
 bool has_phases_of(const Material& material, const Specimen& specimen) {
     const auto& phases = material.fabric.phases;
     const auto is_known = [&](const std::string& name) { return phases.contains(name); };
@@ -50,7 +50,7 @@ std::vector<Remark> describe_zones(const Material& material, const Specimen& spe
     const std::vector<std::uint8_t> classes = contact_classes(specimen);
     const auto is_within = [&](std::size_t i) { return !phase_of_within_class(names[i]).empty(); };
     std::vector<bool> is_present(names.size(), false);
-    std::array<Zones, 2> kinds;  // between and within crystals; other flaws are neither
+    std::array<Zones, 2> kinds;  // between and within crystals; other flaws are left out
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
         is_present[classes[c]] = true;
         if (classes[c] >= between.size() && !is_within(classes[c])) continue;
@@ -87,17 +87,17 @@ std::vector<Remark> describe_zones(const Material& material, const Specimen& spe
 
 namespace {
 
-// Measured, of specimens of 2,000 to 100,000 grains:
-constexpr double bytes_of_element = 28;  ///< of a file
+// Measured on specimens of 2,000 to 100,000 grains:
+constexpr double bytes_of_element = 28;  ///< size in a file
 constexpr double bytes_of_contact = 30;
 constexpr double time_of_triangle = 1e-5;  ///< s
 constexpr double time_of_crystal = 3e-4;
-constexpr double fewest_elements = 5;  ///< of a crystal
+constexpr double fewest_elements = 5;  ///< elements of a crystal
 constexpr double contacts_of_element = 1.5;
-constexpr double contacts_of_crystal = 3;  ///< whose elements do not break
+constexpr double contacts_of_crystal = 3;  ///< of crystals that do not break
 
-constexpr double largest_area_error = 0.05;  ///< of a crystal, that is left unsaid
-constexpr std::size_t fewest_on_hole = 16;   ///< sides, whose rise is then below 2 % of the radius
+constexpr double largest_area_error = 0.05;  ///< area error of a crystal up to which there is no note
+constexpr std::size_t fewest_on_hole = 16;   ///< sides, whose rise is below 2 % of the radius
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
@@ -107,14 +107,14 @@ std::string size_line(const char* what, double mean, double variation, double mi
                        mm(max));
 }
 
-/// A number with a comma behind each thousand.
+/// A number with commas between thousands.
 std::string with_commas(std::size_t number) {
     std::string digits = std::to_string(number);
     for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
     return digits;
 }
 
-/// Sizes and angles of crystals, which are made once and have no preferred direction to speak of.
+/// Describes sizes and angles of crystals, which are made once and have no notable preferred direction.
 void describe_crystals(const Specimen& specimen, const Fabric& fabric, const MeshReport& r, std::vector<Remark>& lines) {
     const MeshStatistics& s = specimen.statistics;
     lines.push_back(fmt::format(
@@ -143,7 +143,7 @@ void describe_triangles(const MeshStatistics& s, const MeshReport& report, std::
                                 degrees(s.min_angle), s.psi6, report.psi6_of_parts, s.area_error));
 }
 
-/// The round hole with the fewest sides, if it is more of a polygon than of a circle; "" otherwise.
+/// A note on the round hole with the fewest sides if it is rather a polygon; "" otherwise.
 std::string note_on_holes(const Specimen& specimen, const Request& request) {
     std::string note;
     std::size_t fewest = fewest_on_hole;
@@ -167,7 +167,7 @@ std::string note_on_holes(const Specimen& specimen, const Request& request) {
     return note;
 }
 
-/// Triangles that are not as they should be.
+/// Notes on triangles that miss their bounds.
 void add_notes_on_triangles(const Specimen& specimen, const Request& request, const MeshReport& report,
                             std::vector<Remark>& lines) {
     const MeshStatistics& s = specimen.statistics;

@@ -58,7 +58,7 @@ void add_flaws(const Request& request, Settings& settings) {
     add(settings, "joint_class", SettingGroup::cuts, std::move(joint_classes));
 }
 
-/// The corners of a polygon, and the holes of regions but for that of a ring.
+/// Adds the corners of a polygon, and the holes of regions except that of a ring.
 void add_loops(const Region& region, Settings& settings) {
     Numbers corners, holes;
     Texts parts;

@@ -1,4 +1,4 @@
-// The settings of a specimen that are more than the value of one option.
+// Settings of a specimen that are not single option values.
 #pragma once
 
 #include "mesher/fabric/fabric.hpp"
@@ -6,8 +6,8 @@
 
 namespace graincrack::mesher {
 
-/// Adds the sizes that are graded, the phases with their fractions, the outline of a polygon, holes, flaws and sets of joints.
-/// Coordinates are those of the centred region, m; relative to the options of one value, such as --slit, nothing stands twice.
+/// Adds graded sizes, phases with fractions, the outline of a polygon, holes, flaws and sets of joints. Coordinates are those of
+/// the centred region, m. Values of single options, such as --slit, are not repeated.
 void add_settings(const Request& request, Settings& settings);
 
 }  // namespace graincrack::mesher

@@ -12,14 +12,14 @@ namespace {
 
 constexpr int none = -1;
 
-/// One side of a triangle, on the outside of its body.
+/// A side of a triangle on the outside of its body.
 struct OuterSide {
     int from;  ///< points
     int to;
-    int side;       ///< 3 element + its corner at `from`
-    int facing;     ///< the side of another body, or none on the boundary
-    int neighbour;  ///< its body, or none
-    int place;      ///< along the boundary of the body
+    int side;       ///< 3 · element + its corner at `from`
+    int facing;     ///< the side of another body, or `none` on the boundary
+    int neighbour;  ///< body of that side, or `none`
+    int place;      ///< position along the boundary of the body
 };
 
 class Builder {
@@ -61,7 +61,7 @@ private:
         specimen_.element_nodes.reserve(mesh_.triangles.size());
         specimen_.element_grain.reserve(mesh_.triangles.size());
         triangles_.reserve(mesh_.triangles.size());
-        std::vector<std::int32_t> node_at(mesh_.points.size());  // of the grain in hand
+        std::vector<std::int32_t> node_at(mesh_.points.size());  // of the current grain
         for (const int body : hilbert_order(centres)) {
             const auto b = index(body);
             for (const int p : points_of(b)) {
@@ -86,7 +86,7 @@ private:
         return {mesh_.body_points.data() + mesh_.body_start[body], mesh_.body_points.data() + mesh_.body_start[body + 1]};
     }
 
-    /// Sides of all triangles by the point they start from (compressed list).
+    /// Sorts the sides of all triangles by their first points (compressed list).
     void sort_sides() {
         start_.assign(mesh_.points.size() + 1, 0);
         for (const Triangle& t : triangles_) {
@@ -103,12 +103,12 @@ private:
     [[nodiscard]] int from(int side) const { return triangles_[index(side / 3)][index(side % 3)]; }
     [[nodiscard]] int to(int side) const { return triangles_[index(side / 3)][index((side + 1) % 3)]; }
     [[nodiscard]] std::int32_t body(int side) const { return specimen_.element_grain[index(side / 3)]; }
-    /// Node of a side, at its start (0) or its end (1).
+    /// Node of a side at its start (0) or its end (1).
     [[nodiscard]] std::int32_t node(int side, int end) const {
         return specimen_.element_nodes[index(side / 3)][index((side % 3 + end) % 3)];
     }
 
-    /// The side that runs from one point to another, or none.
+    /// The side from one point to another, or `none`.
     [[nodiscard]] int side_from(int from_point, int to_point) const {
         const auto p = index(from_point);
         for (int k = start_[p]; k < start_[p + 1]; ++k) {
@@ -151,7 +151,7 @@ private:
         }
     }
 
-    /// Orders the outer sides of a body so that each begins where the one before ends, beginning where its neighbour changes.
+    /// Orders the outer sides of a body so that each begins at the end of the previous one, starting where its neighbour changes.
     static void order_along_boundary(std::vector<OuterSide>& outer) {
         for (std::size_t i = 0; i + 1 < outer.size(); ++i) {
             const auto next = std::find_if(outer.begin() + static_cast<std::ptrdiff_t>(i) + 1, outer.end(),
@@ -174,7 +174,7 @@ private:
         return found != kinds_.end() && found->first == edge ? found->second : FlawKind{};
     }
 
-    /// Of a class of flaws, 1 the first; 0 without a class.
+    /// Number of a class of flaws, from 1; 0 without a class.
     [[nodiscard]] std::uint8_t number_of(const std::string& flaw_class) const {
         if (flaw_class.empty()) return 0;
         const std::vector<std::string>& names = specimen_.flaw_names;
@@ -194,11 +194,11 @@ private:
 
     const PlaneMesh& mesh_;
     std::vector<int>* crystal_of_grain_;
-    std::vector<std::pair<Edge, FlawKind>> kinds_;  ///< of prescribed sides that are no plain grain boundaries, ascending
+    std::vector<std::pair<Edge, FlawKind>> kinds_;  ///< kinds of prescribed sides other than plain grain boundaries, ascending
     std::vector<Triangle> triangles_;               ///< in the order of the elements
     std::vector<int> start_;
     std::vector<int> sides_;
-    std::size_t n_boundary_ = 0;  ///< sides of triangles that face none
+    std::size_t n_boundary_ = 0;  ///< number of sides that face none
     Specimen specimen_;
 };
 

@@ -1,4 +1,4 @@
-// From a mesh of bodies to an assemblage: bodies with nodes of their own, contacts between them, boundary edges around them.
+// Turns a mesh of bodies into an assemblage: bodies with nodes of their own, contacts between them, boundary edges around them.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace graincrack::mesher {
 
-/// Makes every body a grain.
+/// Makes every body a grain. The cost is linear in the number of triangles but for sorting.
 ///
-/// Grains follow a Hilbert curve of their centres; nodes and elements follow their grains; contacts are ordered by
-/// (grain a, grain b), those of one grain boundary along a1→a2; boundary edges are in the order of the mesh's sides.
-/// Sets the arrays; the caller sets what the specimen is, its fabric, seed and statistics.
-/// \param crystal_of_grain filled unless null: the crystal of every grain
+/// Grains follow a Hilbert curve of their centres; nodes and elements follow their grains; contacts are ordered by (grain a,
+/// grain b), those of one grain boundary along a1→a2; boundary edges are in the order of the mesh's sides. The function sets the
+/// arrays; the caller sets shape, fabric, seed and statistics.
+/// \param crystal_of_grain receives the crystal of every grain unless it is null
 Specimen separate_bodies(const PlaneMesh& mesh, std::vector<int>* crystal_of_grain = nullptr);
 
 }  // namespace graincrack::mesher

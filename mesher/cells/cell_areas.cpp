@@ -11,12 +11,12 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double cut_off = 3;               ///< standard deviations
-constexpr double smallest_diameter = 0.25;  ///< of a normal distribution, over its middle
+constexpr double smallest_diameter = 0.25;  ///< smallest diameter of a normal distribution, over its middle
 constexpr double widest_scatter = 4;
 
 double normal_probability(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
-/// The inverse of `normal_probability`, good to 1e-9 (P. J. Acklam's rational approximation).
+/// The inverse of `normal_probability` with an error of 1e-9 (rational approximation of P. J. Acklam).
 double normal_quantile(double q) {
     const auto tail = [](double p) {
         const double r = std::sqrt(-2 * std::log(p));
@@ -44,7 +44,7 @@ double normal_quantile(double q) {
             1);
 }
 
-/// Standard deviation over mean.
+/// Standard deviation over the mean.
 double variation(const std::vector<double>& values) {
     const auto n = static_cast<double>(values.size());
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
@@ -53,8 +53,8 @@ double variation(const std::vector<double>& values) {
     return std::sqrt(squares / n) / mean;
 }
 
-/// Relative diameters at quantiles of a distribution whose middle is 1. \param scatter of their normal distribution, or of that
-/// of their logarithms
+/// Relative diameters at quantiles of a distribution with the middle 1. \param scatter standard deviation of the diameters if
+/// they are normal, otherwise of their logarithms
 std::vector<double> diameters_at(const std::vector<double>& quantiles, double scatter, SizeDistribution distribution) {
     const bool is_normal = distribution == SizeDistribution::normal;
     const double lowest = is_normal ? std::max(-cut_off, (smallest_diameter - 1) / scatter) : -cut_off;
@@ -77,7 +77,7 @@ std::vector<double> requested_areas(std::size_t n, double total, double spread, 
                                     RandomNumbers& random) {
     std::vector<double> diameters(n, 1.0);
     if (spread > 0 && n > 1) {
-        // One quantile in each n-th of the distribution, in random order.
+        // There is one quantile in each n-th of the distribution, in random order.
         std::vector<double> quantiles(n);
         for (std::size_t i = 0; i < n; ++i) quantiles[i] = (static_cast<double>(i) + random.uniform()) / static_cast<double>(n);
         for (std::size_t i = n; i > 1; --i) std::swap(quantiles[i - 1], quantiles[random.below(i)]);

@@ -11,12 +11,12 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double same_point = 1e-9;  ///< over the extent
-/// Distance over the root of the mean area, within which a point of cells is moved onto a wall.
+constexpr double same_point = 1e-9;  ///< distance of equal points, over the extent
+/// Distance, over the root of the mean area, within which a point of cells moves onto a wall. Chosen by trial.
 constexpr double reach_of_lines = 0.2;
-constexpr double beside_an_end = 0.01;  ///< fraction of a wall at whose ends no point is moved onto it
+constexpr double beside_an_end = 0.01;  ///< fraction of a wall near its ends at which no point is moved onto it
 
-/// A point on a line, and the fraction of the line there.
+/// The fraction of a line, and the point there.
 using Stop = std::pair<double, int>;
 
 class LineMaker {
@@ -58,7 +58,7 @@ public:
 private:
     [[nodiscard]] Point at(int p) const { return lines_.points[index(p)]; }
     [[nodiscard]] double size_at(Point p) const { return mean_size_ * graded_.graded(p); }
-    /// The first side of walls that is not one of the hull.
+    /// Number of the first side of walls that is not one of the hull.
     [[nodiscard]] std::size_t first_wall() const { return walls_.is_convex ? walls_.n_sides_of_outline() : 0; }
     [[nodiscard]] bool is_free(int p) const { return lines_.is_fixed[index(p)] == 0 && is_outer_[index(p)] == 0; }
 
@@ -68,7 +68,7 @@ private:
         return static_cast<int>(lines_.points.size()) - 1;
     }
 
-    /// The edge of a cell on which a place lies, if there is one.
+    /// The edge of a cell at a place; empty if there is none.
     [[nodiscard]] std::optional<Edge> edge_at(Point place) const {
         for (const Edge& e : cells_.edges) {
             const Point foot = at(e[0]) + nearest_fraction(place, at(e[0]), at(e[1])) * (at(e[1]) - at(e[0]));
@@ -92,7 +92,7 @@ private:
         return corners;
     }
 
-    /// The sides of prescribed edges that begin or end in a point of walls, and whether there is none else.
+    /// The side of a prescribed edge that ends at a point of walls; empty unless it is the only one.
     [[nodiscard]] std::optional<std::size_t> only_side_at(int wall_point) const {
         std::optional<std::size_t> only;
         for (std::size_t i = 0; i < walls_.sides.size(); ++i) {
@@ -103,7 +103,7 @@ private:
         return only;
     }
 
-    /// Makes a point of each corner and end of walls, unless a point of cells lies there.
+    /// Adds a point for each corner and end of walls, unless a point of cells lies there.
     void add_corners() {
         for (std::size_t w = 0; w < walls_.points.size(); ++w) {
             const Point corner = walls_.points[w];
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    /// Moves free points that lie near a wall straight onto it.
+    /// Moves free points near a wall perpendicularly onto it.
     void snap_to_walls() {
         for (int p = 0; p < static_cast<int>(cells_.points.size()); ++p) {
             if (!is_free(p)) continue;
@@ -146,7 +146,7 @@ private:
     [[nodiscard]] Point from_of(std::size_t side) const { return walls_.at(walls_.sides[side].from); }
     [[nodiscard]] Point to_of(std::size_t side) const { return walls_.at(walls_.sides[side].to); }
 
-    /// The fractions of two lines at which they cross.
+    /// The fractions of two lines at which they cross; empty if they do not.
     static std::optional<std::pair<double, double>> crossing(Point a, Point b, Point c, Point d) {
         const double start = cross(b - a, c - a);
         const double end = cross(b - a, d - a);
@@ -157,7 +157,7 @@ private:
         return std::pair(on_one, on_other);
     }
 
-    /// Divides a wall and an edge of cells where they cross, unless one of their ends lies on the other.
+    /// Divides a wall and an edge of cells where they cross, unless an end of one lies on the other.
     void meet(std::size_t side, const Edge& edge) {
         const auto is_stop = [](const std::vector<Stop>& stops, int p) {
             return std::any_of(stops.begin(), stops.end(), [p](const Stop& stop) { return stop.second == p; });
@@ -175,7 +175,7 @@ private:
         stops_of_edge_[edge].emplace_back(met->second, added);
     }
 
-    /// Continues a wall that ends inside of a cell to the side of that cell, or to a wall that comes before it.
+    /// Extends a wall that ends inside a cell to the side of that cell, or to an earlier wall.
     void extend(int wall_point) {
         const auto side = only_side_at(wall_point);
         if (!side || std::find(is_inside_cell_.begin(), is_inside_cell_.end(), wall_point) == is_inside_cell_.end()) return;
@@ -213,7 +213,7 @@ private:
     }
 
     void divide_edges() {
-        std::map<Edge, std::vector<int>> line_of;  // from the first to the last point
+        std::map<Edge, std::vector<int>> line_of;  // [line] points from its first to its last
         for (const Edge& e : cells_.edges) {
             std::vector<int>& line = line_of[e];
             line = {e[0]};
@@ -258,11 +258,11 @@ private:
     const SizeField& graded_;
     double tolerance_ = 0;
     CellLines lines_;
-    std::vector<char> is_outer_;  ///< points of cells on the hull
+    std::vector<char> is_outer_;  ///< true for points of cells on the hull
     std::vector<std::vector<std::size_t>> cells_at_;
     std::map<Edge, int> hull_side_;
-    std::vector<int> number_;          ///< [points of walls] of the lines
-    std::vector<int> is_inside_cell_;  ///< points of walls
+    std::vector<int> number_;          ///< [points of walls] numbers in the lines
+    std::vector<int> is_inside_cell_;  ///< points of walls inside cells
     std::vector<std::vector<Stop>> stops_of_wall_;
     std::map<Edge, std::vector<Stop>> stops_of_edge_;
 };

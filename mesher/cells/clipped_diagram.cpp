@@ -13,7 +13,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-/// A convex outline, to ask whether points are inside and where segments cross it.
+/// A convex outline, which tells whether points are inside and where segments cross it.
 class Clipper {
 public:
     explicit Clipper(const ConvexOutline& outline) : outline_(outline), centre_(moments(outline.corners).centroid) {
@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] bool contains(Point p) const {
         const double distance = squared_length(p - centre_);
-        // Round-off decides at neither circle.
+        // Round-off cannot matter beyond these distances.
         if (distance < 0.99 * inner_radius_ * inner_radius_) return true;
         if (distance > 1.01 * reach_ * reach_) return false;
         for (std::size_t k = 0; k < normals_.size(); ++k) {
@@ -40,7 +40,7 @@ public:
         return true;
     }
 
-    /// Where the segment enters and leaves the outline, as shares of its length, and the sides that it crosses.
+    /// Fractions of a segment at which it enters and leaves the outline, and the sides that it crosses.
     struct Span {
         double enter = 0, leave = 1;
         std::size_t enter_side = 0, leave_side = 0;
@@ -68,7 +68,7 @@ public:
         return span;
     }
 
-    /// The point of a side of the outline that is nearest to a crossing, as the share of the side.
+    /// The fraction of a side of the outline at the point nearest to a crossing.
     [[nodiscard]] double share_of(std::size_t k, Point p) const {
         const Point from = outline_.corner(k);
         const Point along = outline_.corner(k + 1) - from;
@@ -90,7 +90,7 @@ double reach_of(const ConvexOutline& outline) {
 
 constexpr int corner_offset = std::numeric_limits<int>::min();
 
-/// The number by which sides of cells know a corner of the outline.
+/// The number of a corner of the outline in sides of cells.
 constexpr int corner_point(std::size_t corner) { return corner_offset + static_cast<int>(corner); }
 
 }  // namespace

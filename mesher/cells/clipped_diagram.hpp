@@ -1,4 +1,4 @@
-// A power diagram within a convex outline: areas and centroids of its cells, and their sides.
+// Clips a power diagram to a convex outline: areas, centroids and sides of its cells.
 #pragma once
 
 #include <span>
@@ -23,29 +23,29 @@ public:
         int to_point = 0;
     };
     [[nodiscard]] const std::vector<Side>& sides() const { return sides_; }
-    /// Areas of the cells, m²; 0 of those that are empty.
+    /// Areas of the cells, m²; 0 for empty cells.
     [[nodiscard]] const std::vector<double>& areas() const { return areas_; }
-    /// Centroids of cells that are not empty.
+    /// Centroids of the cells; undefined for empty cells.
     [[nodiscard]] const std::vector<Point>& centroids() const { return centroids_; }
-    /// Whether each stretch of the outline has one cell, which round-off can prevent where a vertex all but meets it.
+    /// True if each stretch of the outline has one cell. Round-off can prevent this if a vertex nearly meets the outline.
     [[nodiscard]] bool is_consistent() const { return is_consistent_; }
 
-    /// The cells, as polygons that share points: the corners of the outline first, in their order.
+    /// The cells as polygons that share points. Corners of the outline come first, in order.
     [[nodiscard]] PlaneCells cells() const;
 
 private:
-    /// Where a side between two cells ends on the outline.
+    /// The point at which a side between two cells ends on the outline.
     struct Crossing {
         std::size_t outline_side;
-        double share;  ///< along the side of the outline
+        double share;  ///< fraction of the side of the outline
         int after;     ///< cell that follows counter-clockwise
         int before, number;
         Point at;
     };
     void clip(const PowerDiagram& diagram);
     void sum_up();
-    /// Calls `visit(cell, from, to, outline side)` for the sides of cells along the outline, counter-clockwise. Points are
-    /// numbered as those of sides, and corners of the outline by `corner_point`.
+    /// Calls `visit(cell, from, to, outline side)` for the sides of cells along the outline, counter-clockwise. Points have the
+    /// numbers of sides; corners of the outline are numbered by `corner_point`.
     template <class Visit>
     void for_each_outer_side(const Visit& visit) const;
 

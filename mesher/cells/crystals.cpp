@@ -28,9 +28,9 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr int most_rounds = 2;  ///< of removing short edges and restoring areas, which can make further ones
+constexpr int most_rounds = 2;  ///< rounds of removing short edges and restoring areas, which can create further ones
 
-constexpr std::size_t last_areas = 8;  ///< of each zone: they fill what the others leave
+constexpr std::size_t last_areas = 8;  ///< last areas of each zone, which fill the room left by others
 
 constexpr std::int64_t max_crystals = 1'000'000;
 constexpr double max_elements = 15e6;
@@ -38,16 +38,16 @@ constexpr double max_elements = 15e6;
 /// at spread 0.6.
 constexpr double element_over_edge = 0.36;
 
-constexpr int most_attempts = 12;  ///< at cells between walls
-constexpr double enough = 1e-6;    ///< error of areas that needs no further attempt
+constexpr int most_attempts = 12;  ///< attempts at cells between walls
+constexpr double enough = 1e-6;    ///< area error at which no further attempt is made
 
-/// Cells with the areas they are to have, and how many points are fixed.
+/// Cells with their requested areas, and the number of fixed points.
 struct CrystalsInPlane {
     PlaneCells cells;
     std::size_t n_fixed = 0;
     std::vector<double> areas;
     double largest_error = 0, loading_arc = 0;
-    std::size_t n_short_edges = 0;  ///< that were removed
+    std::size_t n_short_edges = 0;  ///< number of removed short edges
 };
 
 std::vector<double> drawn_areas(const Fabric& fabric, const MeshPlan& plan, double total, RandomNumbers& random) {
@@ -63,9 +63,9 @@ CrystalsInPlane plain_crystals(const Request& request, const MeshPlan& plan, con
     return {std::move(made.cells), walls.hull.size(), std::move(made.requested), made.largest_error, walls.loading_arc};
 }
 
-/// Shares areas between the zones inside, so that each has large and small ones by its room; the last, smallest ones are for the
-/// zone that has the most left. None is left without.
-/// \param room of the zones (`Zones::graded_area`), whose sum inside is that of the areas
+/// Distributes areas to the inner zones by their room, so that each has large and small ones. The last and smallest areas go to
+/// the zone with most room left. No zone is left empty.
+/// \param room room of the zones (`Zones::graded_area`), whose sum inside is that of the areas
 std::vector<std::size_t> zones_for(std::vector<double>& areas, const Zones& zones, const std::vector<double>& room) {
     std::vector<double> left;
     std::vector<std::size_t> inside;
@@ -93,7 +93,7 @@ std::vector<std::size_t> zones_for(std::vector<double>& areas, const Zones& zone
     return zone_of;
 }
 
-/// Adds cells that fill the zones outside, and scales all to the zones they are in.
+/// Adds cells that fill the outer zones, and scales all areas to their zones.
 void fill_zones(std::vector<double>& areas, std::vector<std::size_t>& zone_of, const Zones& zones,
                 const std::vector<double>& room) {
     const double mean = std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
@@ -110,7 +110,7 @@ void fill_zones(std::vector<double>& areas, std::vector<std::size_t>& zone_of, c
     for (std::size_t i = 0; i < areas.size(); ++i) areas[i] *= zones.area(zone_of[i]) / sum[zone_of[i]];
 }
 
-/// Refuses crystals that have no room, at a position if that is known: by the names of the flaws there.
+/// Refuses crystals without room, naming the flaws at a position if it is known.
 [[noreturn]] void refuse_without_room(const Region& region, double edge, const std::optional<Point>& position) {
     std::vector<std::pair<double, std::string>> near;
     for (const PrescribedEdge& e : region.edges) {
@@ -143,7 +143,7 @@ CrystalsInPlane crystals_between_walls(const Request& request, const MeshPlan& p
         std::vector<double> requested = drawn_areas(request.fabric, plan, inside, random);
         std::vector<std::size_t> zone_of = zones_for(requested, zones, room);
         fill_zones(requested, zone_of, zones, room);
-        // Zones outside that are smaller than a cell have none.
+        // Outer zones smaller than a cell have no cells.
         const double scale = whole / std::accumulate(requested.begin(), requested.end(), 0.0);
         std::vector<double> scaled = requested;
         for (double& area : scaled) area *= scale;
@@ -170,7 +170,7 @@ CrystalsInPlane crystals_between_walls(const Request& request, const MeshPlan& p
     refuse_without_room(plan.region, plan.edge, no_room);
 }
 
-/// Removes short edges and restores areas. Where that cannot be done, fewer edges count as short; the very short ones are always
+/// Removes short edges and restores areas. If this is impossible, fewer edges count as short; the very short ones are always
 /// removed.
 void merge_short_edges(CrystalsInPlane& made, MeshReport& report) {
     for (const double short_below : {short_edge, 0.5 * (short_edge + very_short_edge), very_short_edge}) {

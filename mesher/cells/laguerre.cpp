@@ -15,19 +15,19 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr int growing_rounds = 12;              ///< of Lloyd in which weights grow to those of circles of the requested areas
-constexpr int grown_rounds = 4;                 ///< in which they have these weights
-constexpr double coarse_error = 0.5;            ///< of areas, from which seeds may move
-constexpr double coarse_error_in_zones = 0.05;  ///< where cells are cut later
+constexpr int growing_rounds = 12;              ///< rounds of Lloyd in which weights grow to those of circles of the areas
+constexpr int grown_rounds = 4;                 ///< further rounds with these weights; both numbers chosen by trial
+constexpr double coarse_error = 0.5;            ///< area error below which seeds may move; chosen by trial
+constexpr double coarse_error_in_zones = 0.05;  ///< the same if cells are cut later; chosen by trial
 constexpr int most_fillings = 5;
-constexpr double filling = 0.05;  ///< of the weight of a cell that was empty beyond that with which it is a point, over its area
+constexpr double filling = 0.05;  ///< weight of an empty cell beyond that of a mere point, over its area
 constexpr int most_weight_steps = 100;
 constexpr int most_weight_halvings = 40;
 constexpr double allowed_error = 1e-6;
-constexpr double distance_from_walls = 0.45;  ///< of seeds, over the root of the area
-constexpr double kept_share = 0.2;            ///< of an area, or of the one aimed at if that is less, that a step leaves
+constexpr double distance_from_walls = 0.45;  ///< distance of seeds from walls, over the root of the area; chosen by trial
+constexpr double kept_share = 0.2;            ///< fraction of an area or smaller target that a step must leave; by trial
 
-/// Seeds at random inside of the outline.
+/// Random seeds inside the outline.
 std::vector<Point> random_seeds(const ConvexOutline& outline, const GradedAreas& areas, RandomNumbers& random) {
     const Box box = box_of(outline.corners);
     const auto inside = [&] {
@@ -48,7 +48,7 @@ std::vector<Point> random_seeds(const ConvexOutline& outline, const GradedAreas&
     return seeds;
 }
 
-/// Seeds, weights and cells, step by step.
+/// Seeds, weights and cells of the iteration.
 class Solver {
 public:
     Solver(const ConvexOutline& outline, std::vector<Point> seeds)
@@ -62,7 +62,7 @@ public:
         return largest;
     }
 
-    /// Takes weights, larger ones for cells that would be empty.
+    /// Sets weights, larger ones for cells that would be empty.
     void set_weights(std::vector<double> weights, const std::vector<double>& areas) {
         weights_ = std::move(weights);
         diagram_ = ClippedDiagram(outline_, seeds_, weights_);
@@ -71,8 +71,8 @@ public:
 
     [[nodiscard]] const std::vector<Point>& seeds() const { return seeds_; }
 
-    /// Moves seeds to the centroids of their cells, whatever that does to their areas; those of empty cells stay.
-    /// \param zones in which seeds stay, or null
+    /// Moves seeds to the centroids of their cells, whatever their areas become; those of empty cells stay. \param zones zones in
+    /// which seeds stay, or null
     void spread(const std::vector<double>& areas, const Zones* zones) {
         for (std::size_t k = 0; k < seeds_.size(); ++k) {
             if (!(diagram_.areas()[k] > 0)) continue;
@@ -85,7 +85,7 @@ public:
         return diagram_.is_consistent() && *std::min_element(diagram_.areas().begin(), diagram_.areas().end()) > 0;
     }
 
-    /// One step of Newton's method towards areas, halved until it improves them. \return whether it did
+    /// Makes one step of Newton's method towards areas, halved until it improves them. \return false if no step does
     bool improve(const std::vector<double>& aim) {
         const std::vector<double> step = newton_step(aim);
         const double before = residual(diagram_, aim);
@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    /// Makes the weights of empty cells so large that their seeds come to lie inside of them. \return whether there were any
+    /// Increases the weights of empty cells until their seeds lie inside. \return false if no cell was empty
     bool fill_cells(const std::vector<double>& areas) {
         bool were_empty = false;
         for (std::size_t i = 0; i < seeds_.size(); ++i) {
@@ -126,14 +126,14 @@ private:
         return true;
     }
 
-    /// Root of the sum of the squares of differences from areas.
+    /// Root of the sum of squared differences from areas, m².
     static double residual(const ClippedDiagram& diagram, const std::vector<double>& aim) {
         double sum = 0;
         for (std::size_t i = 0; i < aim.size(); ++i) sum += (diagram.areas()[i] - aim[i]) * (diagram.areas()[i] - aim[i]);
         return std::sqrt(sum);
     }
 
-    /// Solves for the changes of weights that would give the areas if these were linear in them; the last weight stays.
+    /// Solves the linearised equations for changes of weights that give the areas; the last weight stays.
     [[nodiscard]] std::vector<double> newton_step(const std::vector<double>& aim) const {
         const auto n = static_cast<int>(aim.size()) - 1;
         std::vector<double> diagonal(aim.size(), 0);
@@ -167,7 +167,7 @@ private:
     ClippedDiagram diagram_;
 };
 
-/// A share of the squares of the radii of circles with given areas.
+/// A fraction of the squared radii of circles with given areas, m².
 std::vector<double> weights_of(const std::vector<double>& areas, double share) {
     std::vector<double> weights;
     weights.reserve(areas.size());
@@ -175,7 +175,7 @@ std::vector<double> weights_of(const std::vector<double>& areas, double share) {
     return weights;
 }
 
-/// Cells of seeds that are spread. \param error of areas that is enough
+/// Cells after their seeds are spread. \param error sufficient area error
 LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seeds, const GradedAreas& requested, double error,
                            const Zones* zones, const std::function<void(double)>& progress) {
     constexpr int rounds = growing_rounds + grown_rounds;
@@ -206,7 +206,7 @@ LaguerreCells solved_cells(const ConvexOutline& outline, std::vector<Point> seed
     for (int round = 0; round < growing_rounds; ++round) spread(static_cast<double>(round) / growing_rounds);
     for (int round = 0; round < grown_rounds; ++round) spread(1);
     solve(coarse_error);
-    // Where cells were empty or far from their areas, seeds now have places.
+    // Seeds of cells that were empty or far from their areas now have places.
     move_seeds();
     for (int round = 0; round < grown_rounds; ++round) spread(1);
     solve(error);

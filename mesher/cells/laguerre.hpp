@@ -1,4 +1,4 @@
-// Polygonal cells of given areas: the Laguerre tessellation of a convex outline.
+// Makes polygonal cells of given areas: the Laguerre tessellation of a convex outline.
 #pragma once
 
 #include <functional>
@@ -13,25 +13,26 @@ namespace graincrack::mesher {
 
 struct LaguerreCells {
     PlaneCells cells;               ///< convex; the corners of the outline are the first points
-    std::vector<double> areas;      ///< of the cells, m²
-    std::vector<double> requested;  ///< of the cells where they came to lie, m²
-    double largest_error = 0;       ///< of an area, over the requested one
+    std::vector<double> areas;      ///< areas of the cells, m²
+    std::vector<double> requested;  ///< requested areas at the final places, m²
+    double largest_error = 0;       ///< largest error of an area, over the requested one
     std::vector<Point> seeds;
 };
 
-/// Cells at random places with the requested areas, to 1e-6 of each, and compact shapes.
+/// Makes compact cells at random places with the requested areas, to 1e-6 of each.
 ///
-/// The cells are those of a power diagram. Its weights solve for the areas: they are the maximum of a concave function whose
-/// gradient is requested less present areas and whose second derivatives are −length/(2 distance of seeds) of the sides between
-/// cells (Aurenhammer, Hoffmann & Aronov 1998); Newton's method with steps that leave every cell an area converges from any seeds
-/// (Kitagawa, Mérigot & Thibert 2019). Between first steps of it seeds move to the centroids of their cells (Lloyd), which makes
-/// cells compact. Graded areas are those at the seeds, which lie the denser the smaller the cells are.
-/// \param areas requested, m², whose sum is the area of the outline \param progress called with the share that is done
-/// \throws Error if the areas are not reached, which no areas above 0 make likely; Interrupted on a signal
+/// The cells are those of a power diagram. The weights that give the requested areas maximise a concave function; its gradient is
+/// requested minus present areas, its second derivatives are −length/(2 distance of seeds) of the sides between cells
+/// (Aurenhammer, Hoffmann & Aronov 1998). Newton's method with steps that leave every cell an area converges from any seeds
+/// (Kitagawa, Mérigot & Thibert 2019); a step solves a sparse linear system in the number of cells. Between its first steps seeds
+/// move to the centroids of their cells (Lloyd), which makes them compact. Graded areas are those at the seeds, which are denser
+/// where cells are smaller.
+/// \param areas requested areas, m², whose sum is the area of the outline \param progress called with the completed fraction
+/// \throws Error if the areas are not reached, which is unlikely for areas above 0; Interrupted on a signal
 LaguerreCells laguerre_cells(const ConvexOutline& outline, const GradedAreas& areas, RandomNumbers& random,
                              const std::function<void(double)>& progress = {});
 
-/// Cells of about the requested areas whose seeds stay in their zones, away from walls: few cells lie across one.
+/// Makes cells of about the requested areas whose seeds stay in their zones, away from walls, so that few cells cross a wall.
 /// \param zone_of_cell [cells] \throws Interrupted on a signal
 LaguerreCells laguerre_cells_in_zones(const Walls& walls, const Zones& zones, const std::vector<std::size_t>& zone_of_cell,
                                       const GradedAreas& areas, RandomNumbers& random,

@@ -7,7 +7,7 @@ namespace graincrack::mesher {
 
 namespace {
 
-/// Least area of the triangles between the centroid and the sides, over that of the polygon and its number of sides.
+/// Least area of the triangles between centroid and sides, over that of the polygon and its number of sides. Chosen by trial.
 constexpr double least_share = 1e-3;
 
 }  // namespace

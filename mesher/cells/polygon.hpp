@@ -1,4 +1,4 @@
-// Polygons by their corners, counter-clockwise, and cells as polygons.
+// Measures of polygons given by their corners, counter-clockwise, and of cells.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct PolygonMoments {
 };
 PolygonMoments moments(const std::vector<Point>& corners);
 
-/// Whether all sides are clearly seen from the centroid, so that the polygon has an area and does not cross itself.
+/// True if all sides are clearly visible from the centroid, so that the polygon has an area and does not cross itself.
 bool is_sound(std::span<const Point> loop);
 
 std::vector<Point> corners_of(const PlaneCells& cells, std::size_t cell);
@@ -25,12 +25,12 @@ std::vector<Point> corners_of(const PlaneCells& cells, std::size_t cell);
 /// Areas of cells, m².
 std::vector<double> areas_of(const PlaneCells& cells);
 
-/// Of each point the direction of a side on which it lies, along which alone it may move; 0 inside.
+/// [points] direction of the side on which a point lies and may move; 0 inside.
 std::vector<Point> tangents_of(const PlaneCells& cells);
 
 /// Elongation of cells: the square root of the ratio of the principal values of Σ e⊗e over their edges e, and the direction of
-/// the larger, −90° to 90°. An affine map of cells without a preferred direction is found as it is. The square of the length as
-/// weight makes equal areas count equally, whatever their grain sizes.
+/// the larger, −90° to 90°. It recovers an affine map of cells without a preferred direction. The squared length as weight gives
+/// equal areas equal weight, whatever their grain sizes.
 Elongation elongation_of(const PlaneCells& cells);
 
 }  // namespace graincrack::mesher

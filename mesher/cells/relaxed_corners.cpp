@@ -17,9 +17,9 @@ namespace {
 
 constexpr int most_moves = 12;
 constexpr int most_halvings_of_a_move = 8;
-constexpr double smallest_pivot = 1e-12;  ///< over the largest
+constexpr double smallest_pivot = 1e-12;  ///< over the largest pivot
 
-/// The change of a cell's area with the move of one of its corners over the reach of that corner, m².
+/// Derivative of a cell's area by the move of a corner over the reach of that corner, m².
 struct Gradient {
     std::size_t cell, point;
     Point value;
@@ -42,7 +42,7 @@ public:
 
     [[nodiscard]] double largest_error() const { return largest_error(present_); }
 
-    /// One step, halved until it improves the areas. \return whether it did
+    /// Makes one step, halved until it improves the areas. \return false if no step does
     bool improve() {
         const std::vector<Point> step = least_step();
         const std::vector<Point> before = cells_.points;
@@ -74,13 +74,13 @@ private:
         return true;
     }
 
-    /// A move that a point cannot make is left out.
+    /// Removes the part of a move that a point cannot make.
     [[nodiscard]] Point possible(std::size_t point, Point move) const {
         if (point < n_fixed_) return {};
         return squared_length(tangent_[point]) > 0 ? dot(move, tangent_[point]) * tangent_[point] : move;
     }
 
-    /// By ascending points.
+    /// Gradients of all areas, by ascending points.
     [[nodiscard]] std::vector<Gradient> gradients() const {
         std::vector<Gradient> all;
         for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
@@ -96,8 +96,8 @@ private:
         return all;
     }
 
-    /// The moves of points that change areas as requested, were these linear; the squares of moves over reach have the least sum.
-    /// The area of the last cell is what the others leave of the whole.
+    /// Moves of points that give the requested areas in linear approximation, with the least sum of squared moves over reach. The
+    /// area of the last cell is the rest of the whole.
     [[nodiscard]] std::vector<Point> least_step() const {
         const std::vector<Gradient> all = gradients();
         const std::size_t n = cells_.size() - 1;
@@ -118,7 +118,7 @@ private:
         Eigen::VectorXd difference(size);
         for (std::size_t i = 0; i < n; ++i) difference[static_cast<Eigen::Index>(i)] = requested_[i] - present_[i];
         Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky;
-        cholesky.setShift(smallest_pivot * matrix.diagonal().maxCoeff());  // for areas that depend on one another
+        cholesky.setShift(smallest_pivot * matrix.diagonal().maxCoeff());  // for linearly dependent areas
         cholesky.compute(matrix);
         const Eigen::VectorXd factor = cholesky.solve(difference);
         std::vector<Point> step(cells_.points.size());
@@ -132,7 +132,7 @@ private:
     std::size_t n_fixed_;
     const std::vector<double>& requested_;
     std::vector<double> present_;
-    std::vector<double> reach_;  ///< the shortest edge at a point
+    std::vector<double> reach_;  ///< [points] shortest edge at the point, m
     std::vector<Point> tangent_;
 };
 
@@ -148,14 +148,14 @@ double restore_areas(PlaneCells& cells, std::size_t n_fixed, const std::vector<d
 
 namespace {
 
-/// Longest moves of a corner in each sweep, over the root of the area of the smallest cell there.
+/// Longest moves of a corner in each sweep, over the root of the area of the smallest cell there. Chosen by trial.
 constexpr std::array<double, 8> longest_moves{0.08, 0.08, 0.06, 0.06, 0.04, 0.04, 0.03, 0.02};
-constexpr double acceptable_error = 1e-6;  ///< of areas
-constexpr double hexagon_side = 0.6204;    ///< of a regular one, over the root of its area
+constexpr double acceptable_error = 1e-6;  ///< largest error of areas
+constexpr double hexagon_side = 0.6204;    ///< side of a regular hexagon, over the root of its area
 constexpr double weight_of_flat_corners = 0.2;
 
-/// Cost of a corner between sides in the directions `next` and `last`: of a sharp one that of the triangle it must have, of a
-/// nearly straight one that of a shape which crystals do not have.
+/// Cost of a corner between sides in the directions `next` and `last`: for a sharp corner that of its triangle, for a nearly
+/// straight one a penalty on shapes that crystals do not have.
 double corner_cost(Point next, Point last) {
     const double both = length(next) * length(last);
     const double cosine = dot(next, last) / both;
@@ -237,7 +237,7 @@ private:
         cells_.points[p] = best;
     }
 
-    /// Cost of what the move of a point changes, but for the middles of cells.
+    /// Cost of everything that the move of a point changes, except for the middles of cells.
     [[nodiscard]] double cost_at(std::size_t p, double size) const {
         const double good = step_length_over_side * hexagon_side * size;
         double sum = 0;
@@ -254,9 +254,9 @@ private:
 
     PlaneCells& cells_;
     std::size_t n_fixed_;
-    std::vector<Point> tangent_;  ///< of the boundary or prescribed edge of a point, else 0
+    std::vector<Point> tangent_;  ///< direction of the boundary or prescribed edge at a point, else 0
     std::vector<std::vector<Corner>> places_of_point_;
-    std::vector<Point> middles_;  ///< of cells
+    std::vector<Point> middles_;  ///< middles of cells
     std::vector<double> sizes_;
 };
 

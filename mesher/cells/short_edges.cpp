@@ -14,7 +14,7 @@ namespace {
 
 constexpr int rounds = 2;
 
-/// Cells whose points can be merged.
+/// Merges points of cells.
 class Merger {
 public:
     Merger(PlaneCells& cells, std::size_t n_fixed, double short_below)
@@ -35,7 +35,7 @@ public:
         areas_ = areas_of(cells);
     }
 
-    /// An edge with its length; points ascending.
+    /// An edge with its length, m; points ascending.
     struct Each {
         double length;
         int p, q;
@@ -62,14 +62,14 @@ public:
         return found;
     }
 
-    /// Merges the ends of an edge that is still there and short, if that is possible.
+    /// Merges the ends of an edge if it still exists, is short, and can be removed.
     bool merge(const Each& edge) {
         const std::vector<int> beside = cells_beside(edge.p, edge.q);
         if (beside.empty() || !is_short({length(at(edge.q) - at(edge.p)), edge.p, edge.q})) return false;
         for (const int cell : beside) {
             if (loops_[index(cell)].size() < 4) return false;
         }
-        // Two cells that meet in both ends but not along the edge would come to touch in a point.
+        // Otherwise two cells that share both ends but not the edge would meet in a point.
         for (const int cell : cells_of_point_[index(edge.p)]) {
             if (has(cells_of_point_[index(edge.q)], cell) && !has(beside, cell)) return false;
         }
@@ -102,7 +102,7 @@ public:
         return true;
     }
 
-    /// Writes loops, edges and sides back, and leaves out points that are gone.
+    /// Writes loops, edges and sides back without removed points.
     void finish() {
         std::vector<int> number(cells_.points.size(), -1);
         int n = 0;
@@ -112,7 +112,7 @@ public:
             cells_.points[index(n++)] = cells_.points[p];
         }
         cells_.points.resize(index(n));
-        std::reverse(replaced_.begin(), replaced_.end());  // what stands for a point may have been replaced after it
+        std::reverse(replaced_.begin(), replaced_.end());  // a replacement may have been replaced later
         for (const auto& [gone, kept] : replaced_) number[index(gone)] = number[index(kept)];
         cells_.corners.clear();
         cells_.start = {0};
@@ -166,7 +166,7 @@ private:
         return edge.length < short_below_ * std::sqrt(area);
     }
 
-    /// Which end of an edge stays, and where it comes to lie; nothing if both must stay where they are.
+    /// The end of an edge that stays, and its new place; empty if both are fixed.
     [[nodiscard]] std::optional<std::pair<int, Point>> place(int p, int q, bool is_along_boundary) const {
         const auto is_fixed = [&](int point) { return index(point) < n_fixed_; };
         const auto is_outer = [&](int point) { return is_outer_[index(point)] != 0; };
@@ -196,8 +196,8 @@ private:
     std::vector<std::vector<int>> loops_;
     std::vector<std::vector<int>> cells_of_point_;
     std::vector<char> is_outer_;
-    std::vector<Edge> along_;    ///< of the boundary and prescribed edges
-    std::vector<double> areas_;  ///< before anything was merged
+    std::vector<Edge> along_;    ///< edges of the boundary and prescribed edges
+    std::vector<double> areas_;  ///< areas before the first merge
     std::vector<std::pair<int, int>> replaced_;
 };
 

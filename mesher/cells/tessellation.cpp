@@ -17,11 +17,11 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr std::size_t max_edges = 3000;  ///< prescribed; each is compared with each
-constexpr double smallest_radius = 0.9;  ///< of a round boundary, over the edge: a polygon of five edges or so
-constexpr double thinnest_wall = 0.5;    ///< between round holes and the boundary, over the edge
+constexpr std::size_t max_edges = 3000;  ///< prescribed edges; each is compared with each
+constexpr double smallest_radius = 0.9;  ///< radius of a round boundary over the edge: a polygon of about five edges
+constexpr double thinnest_wall = 0.5;    ///< width between round holes and the boundary, over the edge
 
-/// An option that one kind of grains has, and the other has not.
+/// An option of triangles or crystals only.
 struct OptionOfKind {
     const char* message;
     bool of_crystals;

@@ -19,15 +19,14 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr int max_attempts = 100;
-constexpr int attempts_to_promise = 20;  ///< if the best of so many is far above the bounds, further attempts are useless
+constexpr int attempts_to_promise = 20;  ///< if the best of so many is far beyond the bounds, further attempts are useless
 constexpr int max_corrections = 4;
-constexpr std::int64_t max_grains = 700'000'000;  ///< that fit the indices of a specimen file
+constexpr std::int64_t max_grains = 700'000'000;  ///< limit by the indices of a specimen file
 constexpr double edge_tolerance = 0.005;
-constexpr double spread_tolerance = 0.02;   ///< of a spread that is made by sizes that scatter
-constexpr double sampling_distance = 0.77;  ///< over the edge: gives about the requested number of points
-constexpr double sampling_margin = 0.7;     ///< over the edge: distance of the first row of inner points from the boundary
-constexpr double outline_spread =
-    0.7;  ///< spread of the outline's edges over that of all edges: points of the outline are not relaxed
+constexpr double spread_tolerance = 0.02;   ///< of a spread made by scattered sizes
+constexpr double sampling_distance = 0.77;  ///< over the edge; fitted: gives about the requested number of points
+constexpr double sampling_margin = 0.7;     ///< distance of the first inner points from the boundary over the edge; by trial
+constexpr double outline_spread = 0.7;      ///< spread of outline edges over that of all edges, as outline points are not relaxed
 
 struct Attempt {
     PlaneCells cells;
@@ -37,16 +36,16 @@ struct Attempt {
     double psi6 = 0;
 };
 
-/// Spread that springs are to leave.
+/// Spread that springs leave.
 double spring_spread(double spread) { return spread > widest_spring_spread ? tight_spread : spread; }
 
-/// First standard deviation of the logarithm of sizes, which the relaxation adapts: with the spread that springs leave it makes
-/// the requested one. The factor, as measured, is for what edges lose as means over their length.
+/// First standard deviation of the logarithm of sizes, which the relaxation adapts: with the spread left by springs it gives the
+/// requested one. The factor 1.2 is measured; it makes up for the variation that edges lose as means over their length.
 double first_scatter(double spread) {
     return spread > widest_spring_spread ? 1.2 * std::sqrt(spread * spread - tight_spread * tight_spread) : 0;
 }
 
-/// Mean edge over that of equilateral triangles of the mean area, of equal grains; measured, good to 1 %.
+/// Mean edge of equal grains over that of equilateral triangles of the mean area. Fitted to meshes, with an error of 1 %.
 double edge_over_equilateral(double spread) {
     const double s = std::clamp(spring_spread(spread), 0.1, 0.18);
     return 1 + 1.15 * s * s - 0.4 * std::max(0.0, s - 0.11);
@@ -72,12 +71,12 @@ void check_triangles(const Region& region, const Fabric& fabric) {
         throw UsageError("--edge: " + format_length(*fabric.edge) + " is too large for a specimen " + format_length(smallest) +
                          " across; give at most half of that");
     }
-    // More grains than this would exceed the file's indices, whatever the number of elements.
+    // More grains would exceed the indices of the file for any number of elements.
     if (fabric.edge && area(region) / (*fabric.edge * *fabric.edge) > 3e8) {
         throw UsageError("--edge: " + format_length(*fabric.edge) +
                          " would make more than 700 million grains; choose a larger edge");
     }
-    // With two edges across the specimen an equilateral mesh has this many grains.
+    // An equilateral mesh with two edges across the specimen has this many grains.
     const double fewest = std::ceil(16 * area(region) / (std::sqrt(3.0) * smallest * smallest));
     if (fabric.grains && static_cast<double>(*fabric.grains) < fewest) {
         throw UsageError("--grains: " + std::to_string(*fabric.grains) + " is too few for this shape; give at least " +
@@ -125,7 +124,7 @@ Attempt make_attempt(const Request& request, const MeshPlan& plan, int number, c
     const std::vector<Point> fixed_points = fixed.points;
     for (Point& p : fixed.points) p = stretch.equiaxed(p);
     const auto inner = sample_points(region, depth, sampling_distance * edge, sampling_margin * edge, random, size);
-    // Points added to loops, and those on prescribed edges, stand for inner points: see `plan_mesh`.
+    // Points added to loops, and those on prescribed edges, replace inner points: see `plan_mesh`.
     const auto on_loops = std::count_if(fixed.sides.begin(), fixed.sides.end(), [](const Side& side) { return side.part >= 0; });
     const auto n_free = static_cast<std::ptrdiff_t>(plan.n_inner) - (on_loops - plan.n_boundary) / 2 -
                         (static_cast<std::ptrdiff_t>(fixed.n_fixed) - on_loops);
@@ -155,10 +154,10 @@ Attempt make_attempt(const Request& request, const MeshPlan& plan, int number, c
     return attempt;
 }
 
-/// The first mesh without a preferred direction, without slivers and with the requested spread, or the best of all attempts.
+/// The first mesh without a preferred direction and slivers and with the requested spread, or the best of all attempts.
 Attempt best_attempt(const Request& request, const MeshPlan& plan, const ProgressCallback& progress, int& n_attempts) {
     Attempt best;
-    // Where holes and flaws make a small angle, it hardly depends on random numbers.
+    // Small angles at holes and flaws hardly depend on random numbers.
     const int most = is_plain(plan.region) ? max_attempts : 2 * attempts_to_promise;
     for (int number = 0; number < most && best.excess > 1; ++number) {
         if (number >= attempts_to_promise && best.excess > 1.5) break;
@@ -195,7 +194,7 @@ MeshPlan plan_triangles(const Request& request) {
     const double n_grains = 4 * area(region) / (std::sqrt(3.0) * equilateral * equilateral);
     MeshPlan plan = plan_for(request, 2 * std::max<std::int64_t>(1, std::llround(n_grains / 2)));
     if (plan.size.is_uniform()) return plan;
-    // Of sizes that differ it takes more grains or fewer.
+    // Varying sizes change the number of grains for a mean edge.
     const double ratio = plan.edge / *fabric.edge;
     return plan_for(request, 2 * std::max<std::int64_t>(1, std::llround(n_grains * ratio * ratio / 2)));
 }

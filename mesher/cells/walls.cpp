@@ -13,26 +13,26 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double on_one_line = 1e-9;  ///< sine of the angle below which two sides are one
+constexpr double on_one_line = 1e-9;  ///< sine of the angle below which two sides are collinear
 
-// Of triangles over which sizes are integrated:
-constexpr double even_sizes = 0.1;  ///< change of the size in one that is not divided further
+// Triangles over which sizes are integrated:
+constexpr double even_sizes = 0.1;  ///< relative change of size up to which a triangle is not divided
 constexpr int fewest_divisions = 3;
 constexpr int most_divisions = 9;
 
-/// Points on a rim that flaws may move: whose polygon then has its middle in the disc's to 0.1 % of the diameter.
+/// Number of rim points with which flaws that move them shift the middle of the polygon by at most 0.1 % of the diameter.
 constexpr double fewest_on_rim = 48;
 
-constexpr int fewest_on_circle = 24;  ///< chords, whose rise is then below 1 % of the radius
-/// Where chords differ: none is longer than those of so many equal ones, whose ends have their middle in the circle's to 0.1 % of
-/// the diameter.
+constexpr int fewest_on_circle = 24;  ///< chords, whose rise is below 1 % of the radius
+/// Bound for unequal chords: none is longer than those of so many equal ones, whose middle is the circle's to 0.1 % of the
+/// diameter.
 constexpr int fewest_graded_on_circle = 48;
 
 bool has_arcs(const Loop& loop) {
     return std::any_of(loop.centres.begin(), loop.centres.end(), [](const auto& centre) { return centre.has_value(); });
 }
 
-/// Number of points on the loops of a region, about `edge` times the local size apart, more on small round ones.
+/// Number of points on the loops of a region, about `edge` times the local size apart, and more on small round loops.
 double outline_count(const Region& region, double edge, const SizeField& size) {
     const Loop& loop = region.loops.front();
     double requested = (size.varies() ? relative_perimeter(region, size) : perimeter(region)) / edge;
@@ -53,7 +53,7 @@ ConvexOutline box_around(const std::vector<Point>& points, double margin) {
     return {{low, {high.x, low.y}, high, {low.x, high.y}}, {0, 0, 0, 0}};
 }
 
-/// Integral of one over the square of the graded size over a triangle, which is divided until the size hardly changes in it.
+/// Integral of one over the squared graded size over a triangle, which is divided until its size hardly varies.
 double graded_integral(Point a, Point b, Point c, const SizeField& size, int depth) {
     const Point ab = midpoint(a, b);
     const Point bc = midpoint(b, c);
@@ -73,7 +73,7 @@ double graded_integral(Point a, Point b, Point c, const SizeField& size, int dep
            graded_integral(ca, bc, c, size, depth + 1) + graded_integral(ab, bc, ca, size, depth + 1);
 }
 
-/// Whether two segments have an inner point of both in common.
+/// True if two segments share an inner point of both.
 bool do_cross(Point a, Point b, Point c, Point d) {
     return signed_area(a, b, c) * signed_area(a, b, d) <= 0 && signed_area(c, d, a) * signed_area(c, d, b) <= 0;
 }
@@ -81,13 +81,13 @@ bool do_cross(Point a, Point b, Point c, Point d) {
 /// The region without holes and prescribed edges.
 Region outline_of(const Region& region) { return {region.name, {region.loops.front()}, {}, region.part_names, region.flats}; }
 
-/// Points on the loops at equal distances, and the ends and meetings of prescribed edges.
+/// Points on the loops at equal distances, and ends and meetings of prescribed edges.
 Seeds seeds_of_walls(const Region& region, double edge, const SizeField& size) {
     double requested = outline_count(region, edge, size);
     if (is_round(region) && !is_plain(region)) {
         requested = std::max(requested, fewest_on_rim * perimeter(region) / perimeter(outline_of(region)));
     }
-    RandomNumbers random(0);  // of which equal distances need none
+    RandomNumbers random(0);  // unused by equal distances
     const int n = admissible_boundary_count(region, requested, false);
     return fixed_seeds(region, n, std::numeric_limits<double>::infinity(), 0, random, size);
 }
@@ -129,7 +129,7 @@ Walls walls_of(const Region& region, double edge, const Stretch& stretch, const 
         return known;
     };
     const auto at = [&](int p) { return seeds.points[index(p)]; };
-    // Points within straight sides of loops are left out.
+    // Points inside straight sides of loops are omitted.
     const std::size_t n_loop_sides = static_cast<std::size_t>(
         std::count_if(seeds.sides.begin(), seeds.sides.end(), [](const Side& side) { return side.part >= 0; }));
     for (std::size_t first = 0; first < n_loop_sides;) {

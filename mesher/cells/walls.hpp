@@ -1,4 +1,4 @@
-// Lines that polygonal cells must follow, and the zones that they divide the plane into.
+// Walls are lines that polygonal cells must follow; they divide the plane into zones.
 #pragma once
 
 #include <array>
@@ -16,39 +16,39 @@ namespace graincrack::mesher {
 /// The loops of a region as polygons, its prescribed edges, and a convex outline around both.
 struct Walls {
     std::vector<Point> points;  ///< corners of loops; ends and meetings of prescribed edges
-    std::vector<Side> sides;    ///< of loops, with the region on their left, then of prescribed edges from meeting to meeting
-    ConvexOutline hull;         ///< the first loop if that is convex, else a box around it
-    bool is_convex = true;      ///< whether the hull is the first loop
-    double loading_arc = 0;     ///< as of `Seeds`
+    std::vector<Side> sides;    ///< sides of loops, with the region on their left, then of prescribed edges between meetings
+    ConvexOutline hull;         ///< the first loop if it is convex, else a box around it
+    bool is_convex = true;      ///< true if the hull is the first loop
+    double loading_arc = 0;     ///< see `Seeds`
 
-    /// Whether there are walls within the hull.
+    /// True if there are walls within the hull.
     [[nodiscard]] bool divide() const { return !is_convex || sides.size() > n_sides_of_outline(); }
-    /// Whether a point is inside of the loops.
+    /// True if a point is inside the loops.
     [[nodiscard]] bool contains(Point p) const;
     /// The number of sides of the first loop, which come first.
     [[nodiscard]] std::size_t n_sides_of_outline() const;
     [[nodiscard]] Point at(int p) const { return points[index(p)]; }
 };
 
-/// Straight sides are whole, round ones have the fixed points of meshes at a distance of about `edge` times the local size, more
-/// on small ones, so that a circle keeps its area and the facets at its poles their places. \param edge distance of points on
-/// round sides, m \param stretch of elongated cells: walls are those of the plane in which they are equiaxed \param size over
-/// `edge`, if that varies
+/// Makes the walls of a region. Straight sides stay whole. Round ones get the fixed points of meshes about `edge` times the local
+/// size apart, or more points if they are small, so that circles keep their areas and pole facets their places. \param edge
+/// distance of points on round sides, m \param stretch elongation of cells: walls are those of the plane where they are equiaxed
+/// \param size relative to `edge`, if it varies
 Walls walls_of(const Region& region, double edge, const Stretch& stretch = {}, const SizeField& size = {});
 
-/// Parts of the hull that walls separate from one another.
+/// The parts of the hull that walls separate.
 class Zones {
 public:
     explicit Zones(const Walls& walls);
 
     [[nodiscard]] std::size_t size() const { return areas_.size(); }
     [[nodiscard]] double area(std::size_t zone) const { return areas_[zone]; }
-    /// Integral of one over the square of the graded size: the cells of a zone are a share of all by it, m².
+    /// Integral of one over the squared graded size, m², to which the number of cells of a zone is proportional.
     [[nodiscard]] double graded_area(std::size_t zone, const SizeField& size) const;
     [[nodiscard]] bool is_inside(std::size_t zone) const { return is_inside_[zone] != 0; }
     [[nodiscard]] std::size_t zone_at(Point p) const;
     [[nodiscard]] Point random_point(std::size_t zone, RandomNumbers& random) const;
-    /// A seed moved towards a place within its zone, and away from walls that are nearer than a distance.
+    /// A seed moved towards a place within its zone, and away from walls that are nearer than `distance` (m).
     [[nodiscard]] Point moved(Point from, Point to, double distance) const;
 
 private:
@@ -69,7 +69,7 @@ private:
     std::vector<char> is_inside_;
 };
 
-/// The point of a segment that is nearest to a point, as a fraction of the segment.
+/// The fraction of a segment at its point nearest to a point.
 double nearest_fraction(Point p, Point from, Point to);
 
 }  // namespace graincrack::mesher

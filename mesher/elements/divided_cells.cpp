@@ -20,7 +20,7 @@ namespace {
 
 constexpr double most_points = 10e6;
 
-/// The points between the ends of each edge of cells.
+/// The points that divide each edge of cells.
 class DividedEdges {
 public:
     /// \param size_at side of elements at a place, m
@@ -46,7 +46,7 @@ public:
         }
     }
 
-    /// Points of cells, and between the ends of their edges.
+    /// All points: those of cells, then those that divide their edges.
     [[nodiscard]] std::vector<Point> points() const {
         std::vector<Point> points = cells_.points;
         points.reserve(static_cast<std::size_t>(first_.back()));
@@ -59,7 +59,7 @@ public:
         return points;
     }
 
-    /// Adds the start of an edge and the points between its ends, in the direction from `from` to `to`.
+    /// Appends the start of an edge and its inner points, in the direction from `from` to `to`.
     void append(int from, int to, std::vector<int>& loop) const {
         const Edge edge = edge_between(from, to);
         const auto found = std::lower_bound(cells_.edges.begin(), cells_.edges.end(), edge);
@@ -77,7 +77,7 @@ private:
     std::vector<int> first_;  ///< [edges + 1] number of the first point between the ends of each
 };
 
-/// Sides in the pieces of their edges.
+/// Sides divided like their edges.
 std::vector<Side> pieces_of(const std::vector<Side>& sides, const DividedEdges& edges) {
     std::vector<Side> pieces;
     std::vector<int> line;
@@ -90,7 +90,7 @@ std::vector<Side> pieces_of(const std::vector<Side>& sides, const DividedEdges& 
     return pieces;
 }
 
-/// A triangle from its point of lowest index on, so that the file does not depend on how a triangulation stores it.
+/// A triangle starting at its point of lowest index, so that the file does not depend on the storage of a triangulation.
 Triangle from_lowest(Triangle triangle) {
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
     return triangle;
@@ -126,7 +126,7 @@ private:
         }
     }
 
-    /// Index of an edge; not needed if it is not divided.
+    /// Index of an edge; unused if edges are not divided.
     [[nodiscard]] int edge_of(int from, int to) const {
         if (n_ == 1) return 0;
         const Edge edge = edge_between(from, to);
@@ -145,7 +145,7 @@ private:
         c = from_lowest(c);
         const std::array<int, 3> edges{edge_of(c[0], c[1]), edge_of(c[1], c[2]), edge_of(c[0], c[2])};
         const auto first = mesh_.body_points.size();
-        // Point (i, j) lies i steps from corner 0 to corner 1 and j steps to corner 2.
+        // Point (i, j) lies i steps from corner 0 towards corner 1 and j steps towards corner 2.
         for (int j = 0; j <= n_; ++j) {
             for (int i = 0; i + j <= n_; ++i) mesh_.body_points.push_back(point(c, edges, i, j));
         }

@@ -1,4 +1,4 @@
-// Cells divided into triangles: polygons by a given size, triangles into similar ones.
+// Divides cells into triangles: polygons by a given size, triangles into similar ones.
 #pragma once
 
 #include <functional>
@@ -8,9 +8,9 @@
 
 namespace graincrack::mesher {
 
-/// Divides cells into triangles with sides of about `element_size`, times `relative_size` there, if given. Each edge of the cells
-/// is divided evenly, into pieces that both of its cells have, and each cell is divided between its pieces (`divided_polygon`).
-/// \param bodies whether each cell is a body, or each triangle
+/// Divides cells into triangles with sides of about `element_size` (m), times `relative_size` there, if given. Each edge is
+/// divided into equal pieces, which both adjacent cells share, and each cell is divided between its pieces (`divided_polygon`).
+/// \param bodies each cell, or each triangle, is a body
 /// \throws UsageError if more than ten million points are needed
 PlaneMesh divided_cells(const PlaneCells& cells, Bodies bodies, double element_size,
                         const std::function<double(Point)>& relative_size = {});

@@ -14,18 +14,18 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double least_distance = 0.72;  ///< of a new point from the others, over the size of elements
-constexpr double farthest = 1.5;         ///< distance over the size from which on places are alike
-constexpr int n_levels = 32;             ///< of distances that are told apart
+constexpr double least_distance = 0.72;  ///< distance of a new point from others, over the element size; chosen by trial
+constexpr double farthest = 1.5;         ///< distance over the size beyond which places are equivalent
+constexpr int n_levels = 32;             ///< levels of distance
 constexpr double places_per_size = 5;
-constexpr double points_over_sides = 1.15;  ///< a distance from a side counts as so much of one from a point
+constexpr double points_over_sides = 1.15;  ///< weight of a distance from a side against one from a point; chosen by trial
 
-/// Places on a grid over a polygon, each with its distance from what is there.
+/// Places on a grid over a polygon, each with its distance from boundary and points.
 class FreePlaces {
 public:
     FreePlaces(std::span<const Point> boundary, double size) : size_(size), spacing_(size / places_per_size) {
         const Box box = box_of(boundary);
-        // At least some places across a polygon, and as many below its middle as above it.
+        // A polygon has several places across, as many below its middle as above it.
         spacing_ = std::min(spacing_, std::min(box.width(), box.height()) / places_per_size);
         columns_ = static_cast<int>(std::ceil(box.width() / spacing_));
         rows_ = static_cast<int>(std::ceil(box.height() / spacing_));
@@ -39,7 +39,7 @@ public:
         }
     }
 
-    /// Takes a place that is about the farthest from everything. \return whether there is one
+    /// Takes a place that is approximately the farthest. \return false if there is none
     bool take(Point& place) {
         while (!levels_.empty()) {
             std::vector<std::size_t>& highest = levels_.back();
@@ -61,14 +61,14 @@ public:
     }
 
 private:
-    /// A number from 0 to 2³² − 1 without a pattern along rows or columns.
+    /// A hash from 0 to 2³² − 1 without patterns along rows or columns.
     static std::uint32_t scattered(std::size_t index) {
         std::uint64_t x = (index + 1) * 0x9e3779b97f4a7c15U;
         x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
         return static_cast<std::uint32_t>((x ^ (x >> 27U)) >> 16U);
     }
 
-    /// A place lies anywhere in its square of the grid, so that elements have no preferred direction.
+    /// The place is random in its square of the grid, so that elements have no preferred direction.
     [[nodiscard]] Point at(std::size_t index) const {
         const std::size_t row = index / static_cast<std::size_t>(columns_);
         const std::size_t column = index % static_cast<std::size_t>(columns_);
@@ -77,7 +77,7 @@ private:
                                        static_cast<double>(row) + (bits >> 16U) / 65536.0};
     }
 
-    /// Of places that a point may take by their distance; below 0 of others.
+    /// Level of a place by its distance; negative if no point may be there.
     [[nodiscard]] int level_of(double distance) const {
         return static_cast<int>(std::floor(n_levels * (distance / size_ - least_distance) / (farthest - least_distance)));
     }
@@ -87,7 +87,7 @@ private:
         if (level >= 0) levels_[static_cast<std::size_t>(level)].push_back(index);
     }
 
-    /// Gives places inside the largest distance: those between an odd and an even crossing of their row with the boundary.
+    /// Sets the largest distance at places inside: those between an odd and an even crossing of their row with the boundary.
     void mark_inside(std::span<const Point> boundary) {
         std::vector<std::vector<double>> crossings(static_cast<std::size_t>(rows_));
         const auto row_above = [&](double y) {
@@ -120,7 +120,7 @@ private:
         keep_from(from, to, points_over_sides);
     }
 
-    /// Lowers the distances of places near a segment to the distance from it times a factor.
+    /// Limits the distances of places near a segment to their distance from it times a factor.
     void keep_from(Point from, Point to, double factor) {
         const double reach = farthest * size_ / factor;
         const auto index_at = [&](double x, int n) { return std::clamp(static_cast<int>(std::floor(x / spacing_)), 0, n - 1); };
@@ -147,7 +147,7 @@ private:
     Point low_;
     int columns_ = 0, rows_ = 0;
     std::vector<double> distance_;                            ///< negative outside
-    std::vector<std::vector<std::size_t>> levels_{n_levels};  ///< places by the level of a distance that they had
+    std::vector<std::vector<std::size_t>> levels_{n_levels};  ///< [level] places that had such a distance
 };
 
 }  // namespace
@@ -165,10 +165,10 @@ std::vector<Point> placed_points(std::span<const Point> boundary, double size) {
 namespace {
 
 constexpr int triangulations = 3;
-constexpr int smoothings = 4;         ///< after each triangulation
-constexpr double first_reach = 0.12;  ///< of the moves that are tried, over the size; halved with each smoothing
+constexpr int smoothings = 4;         ///< smoothings after each triangulation
+constexpr double first_reach = 0.12;  ///< reach of the tried moves, over the size; halved in each smoothing; by trial
 
-/// Triangles of a polygon, whose inner points can move.
+/// The triangles of a polygon with movable inner points.
 class MovablePoints {
 public:
     MovablePoints(std::span<const Point> boundary, std::vector<Point> inner, double size)
@@ -188,7 +188,7 @@ public:
         }
     }
 
-    /// Moves each point to the best of some places: the middle of its neighbours, and some around it.
+    /// Moves each point to the best of several places: the middle of its neighbours, and places around it.
     void smooth(double reach) {
         for (std::size_t p = n_fixed_; p < points_.size(); ++p) {
             const Point before = points_[p];
@@ -229,12 +229,12 @@ private:
         return sum;
     }
 
-    std::vector<Point> points_;  ///< of the boundary, then inner ones
+    std::vector<Point> points_;  ///< points of the boundary, then inner points
     std::size_t n_fixed_;
     double good_;  ///< step length of an equilateral triangle
     std::vector<Edge> sides_;
     std::vector<Triangle> triangles_;
-    std::vector<std::vector<std::size_t>> triangles_at_;  ///< of inner points
+    std::vector<std::vector<std::size_t>> triangles_at_;  ///< triangles at inner points
 };
 
 MovablePoints smoothed(std::span<const Point> boundary, std::vector<Point> inner, double size) {

@@ -1,4 +1,4 @@
-// A polygon divided into triangles between its points.
+// Divides a polygon into triangles between its points.
 #pragma once
 
 #include <span>
@@ -9,12 +9,11 @@
 
 namespace graincrack::mesher {
 
-/// Places points inside a polygon one after another, each where it is farthest from the boundary's points and from those before,
-/// until no place is left that is about an element's size away from all of them. Time and memory are in proportion to the number
-/// of elements.
+/// Places points inside a polygon one after another. Each is placed farthest from the points of the boundary and earlier points,
+/// until no place is about an element's size away from all of them. Time and memory are linear in the number of elements.
 /// \param boundary corners counter-clockwise, with points on the sides; not necessarily convex
 /// \param size side of elements, m
-/// \return in an order in which neighbours are near each other
+/// \return the points, ordered so that neighbours are near each other
 std::vector<Point> placed_points(std::span<const Point> boundary, double size);
 
 struct DividedPolygon {
@@ -22,8 +21,8 @@ struct DividedPolygon {
     std::vector<Triangle> triangles;  ///< of the points of the boundary, then the inner ones; counter-clockwise
 };
 
-/// Divides a polygon into triangles whose sides are about of a size. No point is added on its boundary. Points inside are placed
-/// (`placed_points`), and moved so that the triangles allow time steps as long as can be.
+/// Divides a polygon into triangles with sides of about a size (m). No point is added on its boundary. Points inside are placed
+/// (`placed_points`) and moved so that triangles allow the longest time steps.
 /// \param boundary corners counter-clockwise, with points on the sides; not necessarily convex
 DividedPolygon divided_polygon(std::span<const Point> boundary, double size);
 

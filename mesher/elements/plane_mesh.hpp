@@ -1,4 +1,4 @@
-// Triangles inside cells, each of a body, each body of a crystal.
+// A mesh of triangles inside cells; each belongs to a body, each body to a crystal.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +9,27 @@
 
 namespace graincrack::mesher {
 
-/// What becomes a body: each cell, or each triangle of it, so that crystals can break.
+/// Bodies are cells, or the triangles of cells, so that crystals can break.
 enum class Bodies { cells, triangles };
 
-/// A body is what stays whole: in a specimen a grain with nodes of its own. A crystal is a cell; it may consist of several
-/// bodies.
+/// A body stays whole: in a specimen it is a grain with nodes of its own. A crystal is a cell and may consist of several bodies.
 struct PlaneMesh {
-    std::vector<Point> points;  ///< shared by the bodies that meet there
+    std::vector<Point> points;  ///< points, shared by adjacent bodies
     std::vector<Triangle> triangles;
     std::vector<int> body_of_triangle;  ///< ascending
     std::vector<int> crystal_of_body;
     std::vector<double> area_of_body;  ///< m²
     std::vector<int> body_points;      ///< points of all bodies, each in the order of its nodes
     std::vector<int> body_start{0};    ///< [bodies + 1] first point of each body
-    std::vector<Side> sides;           ///< as of the cells, in the pieces that triangles have
+    std::vector<Side> sides;           ///< sides of the cells, divided like those of triangles
 
     [[nodiscard]] std::size_t n_bodies() const { return crystal_of_body.size(); }
-    /// Gives bodies, whose triangles are known, their areas and their points, in the order in which their triangles have them.
+    /// Computes areas and points of bodies from their triangles. Points are in the order of the triangles.
     void complete_bodies() {
         area_of_body.assign(n_bodies(), 0);
         body_points.clear();
         body_start.clear();
-        std::vector<int> body_with(points.size(), -1);  // the last body that has a point
+        std::vector<int> body_with(points.size(), -1);  // [point] last body that has it
         for (std::size_t t = 0; t < triangles.size(); ++t) {
             const int body = body_of_triangle[t];
             if (body == static_cast<int>(body_start.size())) body_start.push_back(static_cast<int>(body_points.size()));

@@ -21,7 +21,7 @@ std::vector<std::pair<int, int>> crystals_of_contacts(const Specimen& specimen, 
 void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain) {
     specimen.grain_crystal.assign(crystal_of_grain.begin(), crystal_of_grain.end());
     specimen.contact_flaw.resize(specimen.n_contacts(), 0);
-    std::vector<std::uint8_t> number;  // of the class within crystals of each phase
+    std::vector<std::uint8_t> number;  // class within crystals of each phase
     for (const std::string& phase : specimen.phase_names) {
         std::vector<std::string>& names = specimen.flaw_names;
         auto known = std::find(names.begin(), names.end(), within_class(phase));

@@ -1,4 +1,4 @@
-// Crystals of several grains: what breaks within them, and what between.
+// Names the crystals of several grains, and the contacts within them.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace graincrack::mesher {
 
-/// The crystals on both sides of each contact, the lower number first.
+/// [contacts] crystals on both sides, the lower number first.
 std::vector<std::pair<int, int>> crystals_of_contacts(const Specimen& specimen, std::span<const int> crystal_of_grain);
 
-/// Says of which crystal every grain is. Contacts between grains of one crystal become contacts within it, of the class of
-/// their phase: "within_quartz", named behind the classes of flaws. Contacts on flaws, also on those inside of a crystal, keep
-/// their class and kind. The specimen has its phases.
+/// Stores the crystal of every grain. Contacts between grains of one crystal become contacts within it, of a class per phase,
+/// "within_quartz", which follows the classes of flaws. Contacts on flaws, also inside a crystal, keep their class and kind. \pre
+/// the specimen has its phases
 void name_crystals(Specimen& specimen, std::span<const int> crystal_of_grain);
 
 }  // namespace graincrack::mesher

@@ -1,4 +1,4 @@
-// What is requested of a specimen: a region, flaws, and the fabric of its grains.
+// The request for a specimen: a region, flaws, and the fabric of its grains.
 #pragma once
 
 #include <cstdint>
@@ -17,33 +17,32 @@
 
 namespace graincrack::mesher {
 
-/// How a region is divided into grains.
+/// Division of a region into grains.
 enum class Tessellation {
     delaunay,  ///< triangles
-    voronoi,   ///< crystals: polygons of elements, which are grains
-    trigon,    ///< the same crystals; their triangles are grains, so that they can break
+    voronoi,   ///< grains are crystals: polygons of elements
+    trigon,    ///< the same crystals, whose triangles are grains, so that they can break
 };
 
-/// Distribution of the diameters of crystals, which are those of circles of equal area. Both are cut off three standard
-/// deviations from their middle, the normal one also at a quarter of it.
+/// Distribution of the diameters of crystals, as circles of equal area. Both are truncated three standard deviations from the
+/// middle, the normal one also at a quarter of the middle.
 enum class SizeDistribution { normal, lognormal };
 
 /// The grains of a specimen, their phases, and the strength of their boundaries. Exactly one of `edge` and `grains` is set.
 struct Fabric {
     Tessellation tessellation = Tessellation::delaunay;
-    /// Mean edge over all grain edges, rim included; of crystals that of the equilateral triangle of their mean area, m.
+    /// Mean edge over all grain edges, rim included, m; of crystals the edge of the equilateral triangle of their mean area.
     std::optional<double> edge;
     std::optional<std::int64_t> grains;  ///< exact number of triangles, or of crystals
-    /// Coefficient of variation of the edges of triangles over their graded size, 0 to 0.35; of the equal-area diameters of
-    /// crystals over theirs, 0 to 0.6.
+    /// Coefficient of variation: of triangle edges over their graded size, 0 to 0.35; of equal-area diameters of crystals over
+    /// their graded size, 0 to 0.6.
     double spread = 0.1;
-    std::optional<SizeDistribution> size_distribution;  ///< of crystals; none: normal
-    std::optional<double> element_size;                 ///< side of the elements of crystals, m; none: 0.36 of their edge, graded
-    std::optional<double> elements_per_crystal;         ///< mean number, in place of `element_size`
-    int elements_per_edge = 1;                          ///< each triangle becomes n × n elements
-    std::optional<Grading>
-        grading;            ///< over the region; the mean edge (of crystals area) and the number of grains are as without
-    Elongation elongation;  ///< of the grains; the spread is that of the grains before they are elongated
+    std::optional<SizeDistribution> size_distribution;  ///< crystals; missing: normal
+    std::optional<double> element_size;                 ///< crystals: side of elements, m; missing: 0.36 of their edge, graded
+    std::optional<double> elements_per_crystal;         ///< crystals: mean number, replaces `element_size`
+    int elements_per_edge = 1;                          ///< triangles: each becomes n × n elements
+    std::optional<Grading> grading;  ///< grading over the region; it keeps the mean edge (crystals: area) and number
+    Elongation elongation;           ///< elongation of grains; the spread is that before it
     PhaseRequest phases;
     StrengthRequest strength;
     OpenBoundaryRequest open;
@@ -56,16 +55,16 @@ struct Fabric {
 
 struct Request {
     Region region;                     ///< centred on the origin
-    std::vector<JointSet> joint_sets;  ///< whose joints are added to the edges of the region
+    std::vector<JointSet> joint_sets;  ///< sets of joints, which are added to the edges of the region
     std::optional<double> notch;       ///< length of a notch of whole grain boundaries across the middle of a rectangle, m
     Fabric fabric;
     std::uint64_t seed = 1;
 };
 
-/// Gives crystals phases, the contacts between them scattered strengths and open boundaries, and names the contacts within
-/// crystals that break.
+/// Assigns phases to crystals, scattered strengths and open states to the contacts between them, and names contacts within
+/// crystals that can break.
 /// \param crystal_of_grain the crystal of every grain
-/// \param turn angle by which the specimen was turned from where its field of strengths is, rad
+/// \param turn angle by which the specimen was rotated from its field of strengths, rad
 void give_fabric(Specimen& specimen, std::span<const int> crystal_of_grain, const Fabric& fabric, std::uint64_t seed, double turn,
                  bool can_break);
 

@@ -22,14 +22,14 @@ namespace {
 using Position = std::array<double, 2>;
 
 struct Boundary {
-    std::uint64_t order = 0;  ///< drawn at random
+    std::uint64_t order = 0;  ///< random order
     double length = 0;        ///< m
     std::vector<std::size_t> contacts;
     std::set<Position> ends;       ///< m
-    std::size_t place = SIZE_MAX;  ///< among those in rows
+    std::size_t place = SIZE_MAX;  ///< place among the boundaries in rows
 };
 
-/// The boundaries between two crystals, in the order in which they open.
+/// The boundaries between two crystals, in the order of opening.
 std::vector<Boundary> drawn_boundaries(const Specimen& specimen, std::span<const int> crystal_of_grain, std::uint64_t seed) {
     const auto crystals = crystals_of_contacts(specimen, crystal_of_grain);
     std::map<std::uint64_t, Boundary> in_order;
@@ -46,7 +46,7 @@ std::vector<Boundary> drawn_boundaries(const Specimen& specimen, std::span<const
         boundary.contacts.push_back(c);
         for (const std::size_t end : {0U, 1U}) {
             const Position& place = specimen.node_position[index(specimen.contact_nodes[c][end])];
-            if (!boundary.ends.insert(place).second) boundary.ends.erase(place);  // where another contact of it goes on
+            if (!boundary.ends.insert(place).second) boundary.ends.erase(place);  // another contact of it continues there
         }
     }
     std::vector<Boundary> boundaries;
@@ -54,9 +54,9 @@ std::vector<Boundary> drawn_boundaries(const Specimen& specimen, std::span<const
     return boundaries;
 }
 
-using Meeting = std::map<Position, std::vector<Boundary*>>;  ///< boundaries that end at each place
+using Meeting = std::map<Position, std::vector<Boundary*>>;  ///< boundaries ending at each place
 
-/// The boundary behind a tip of a row that deviates least from the line between its tips, of which that moves; or none.
+/// The boundary at a tip of a row that deviates least from the line between its tips, and moves that tip; null for none.
 Boundary* straightest(const Meeting& meeting, const std::set<Position>& places_of_rows, std::array<Position, 2>& tips) {
     const auto direction = [](const Position& p, const Position& q) { return unit({q[0] - p[0], q[1] - p[1]}); };
     Boundary* best = nullptr;
@@ -76,8 +76,8 @@ Boundary* straightest(const Meeting& meeting, const std::set<Position>& places_o
     return best;
 }
 
-/// Orders boundaries by rows, which go on with the probability q, and those of none behind them. One of several pieces, or all
-/// round a crystal, is a row of its own.
+/// Orders boundaries by rows, which continue with the probability q; the others follow. A boundary of several pieces, or all
+/// around a crystal, is a row by itself.
 void put_in_rows(std::vector<Boundary>& boundaries, double q) {
     Meeting meeting;
     for (Boundary& boundary : boundaries) {
@@ -120,7 +120,7 @@ void open_boundaries(Specimen& specimen, std::span<const int> crystal_of_grain, 
     if (!request.fraction) return;
     std::vector<Boundary> boundaries = drawn_boundaries(specimen, crystal_of_grain, request.seed.value_or(specimen.seed));
     if (request.row > 1) put_in_rows(boundaries, 1 - 1 / request.row);
-    double requested = 0;  // length that is yet to be opened
+    double requested = 0;  // remaining length to open, m
     for (const Boundary& boundary : boundaries) requested += *request.fraction * boundary.length;
     for (const Boundary& boundary : boundaries) {
         if (0.5 * boundary.length > requested) break;

@@ -21,7 +21,7 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double sum_tolerance = 1e-6;
-constexpr std::size_t longest_phase_name = 256;  ///< bytes, as specimens and materials have it
+constexpr std::size_t longest_phase_name = 256;  ///< bytes, as in specimens and materials
 
 [[noreturn]] void refuse(const std::string& option, const std::string& wrong, const std::string& right) {
     throw UsageError(option + ": " + wrong + "; give " + right);
@@ -34,7 +34,7 @@ std::vector<double> crystal_areas(const Specimen& specimen, std::span<const int>
     return area;
 }
 
-/// Pairs of crystals that have a contact, in both orders.
+/// Pairs of crystals with a contact, in both orders.
 std::set<std::pair<int, int>> neighbouring_crystals(const Specimen& specimen, std::span<const int> crystal_of_grain) {
     std::set<std::pair<int, int>> pairs;
     for (const auto& [a, b] : crystals_of_contacts(specimen, crystal_of_grain)) pairs.insert({{a, b}, {b, a}});
@@ -48,13 +48,13 @@ std::vector<int> random_order(std::size_t n, RandomNumbers& random) {
     return order;
 }
 
-/// The cluster of every crystal, grown from the first crystals of `order`.
+/// The cluster of every crystal, grown from the first crystals in `order`.
 std::vector<std::size_t> grown_clusters(const std::vector<int>& order, std::size_t n_clusters,
                                         const std::set<std::pair<int, int>>& neighbours) {
-    std::vector<std::size_t> cluster(order.size(), n_clusters);  // what nothing reaches is one cluster more
+    std::vector<std::size_t> cluster(order.size(), n_clusters);  // unreached crystals have this extra cluster
     std::vector<int> reached(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n_clusters));
     for (std::size_t i = 0; i < n_clusters; ++i) cluster[index(reached[i])] = i;
-    std::sort(reached.begin(), reached.end());  // who is first at a crystal in reach of several must not depend on the order
+    std::sort(reached.begin(), reached.end());  // the winner at a crystal in reach of several must not depend on the order
     for (std::size_t i = 0; i < reached.size(); ++i) {
         const int from = reached[i];
         for (auto pair = neighbours.lower_bound({from, 0}); pair != neighbours.end() && pair->first == from; ++pair) {
@@ -123,7 +123,7 @@ void assign_phases(Specimen& specimen, std::span<const int> crystal_of_grain, co
     std::vector<std::uint8_t> phase_of_crystal(n);
     std::uint8_t phase = 0;
     double before = 0;                                   // area of the crystals before this one
-    double end = whole * request.fractions[0].fraction;  // of the phase in hand, on the line
+    double end = whole * request.fractions[0].fraction;  // end of the current phase on the line, m²
     for (const int crystal : order) {
         const double own = area[index(crystal)];
         while (before + 0.5 * own > end && phase + 1U < request.fractions.size()) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int n_modes = 512;
 
-/// ln(1 − Φ(z)) of the standard normal distribution, also where Φ is small.
+/// ln(1 − Φ(z)) of the standard normal distribution, accurate also if 1 − Φ is small.
 double log_survival(double z) {
     const double tail = 0.5 * std::erfc(std::abs(z) / std::numbers::sqrt2);
     return z > 0 ? std::log(tail) : std::log1p(-tail);
@@ -31,9 +31,9 @@ void check(const StrengthRequest& request) {
 
 double weibull_factor(double log_q, double modulus) { return std::pow(-log_q, 1 / modulus) / std::tgamma(1 + 1 / modulus); }
 
-// The spectral density of exp(−d/L) in the plane is that of wave vectors in all directions whose lengths k have the distribution
-// 1 − (1 + k² L²)^(−1/2). Lengths are drawn one from each of `n_modes` equal parts of it, directions lie golden sections apart,
-// so that one field has the autocorrelation of the mean over all.
+// The spectral density of exp(−d/L) in the plane has wave vectors in all directions, whose lengths k have the distribution 1 − (1
+// + k² L²)^(−1/2). One length is drawn from each of `n_modes` equal parts of it, and directions are golden sections apart, so
+// that a single field has the autocorrelation of the mean over all fields.
 GaussianField::GaussianField(double length, std::uint64_t seed) {
     RandomNumbers random(seed, strength_stream);
     const double first = random.uniform();
@@ -75,7 +75,7 @@ void assign_strength_factors(Specimen& specimen, std::span<const int> crystal_of
     for (std::size_t c = 0; c < specimen.n_contacts();) {
         std::size_t end = c + 1;
         while (end < specimen.n_contacts() && boundary[end] == boundary[c]) ++end;
-        const bool is_flaw = !specimen.contact_flaw.empty() && specimen.contact_flaw[c] > 0;  // has a strength of its own
+        const bool is_flaw = !specimen.contact_flaw.empty() && specimen.contact_flaw[c] > 0;  // flaws have their own strength
         const double factor = is_flaw ? 1 : weibull_factor(log_q(c, end - 1), *request.modulus);
         specimen.contact_strength_factor.resize(end, factor);
         c = end;

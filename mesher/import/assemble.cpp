@@ -20,15 +20,15 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double off_centre = 5e-4;     ///< of an extent: half of what a specimen file allows
+constexpr double off_centre = 5e-4;     ///< over an extent: half of what a specimen file allows
 constexpr double largest_extent = 1e4;  ///< m
 constexpr double smallest_extent = 1e-9;
 
-/// The mesh with the middle of its extent, or the point that was asked for, at the origin.
+/// Moves the middle of the extent, or the requested point, of a mesh to the origin.
 void place(ImportedMesh& mesh, Outline& outline, const Placement& placement, std::vector<Remark>& notes) {
     Point origin = placement.origin.value_or(outline.middle);
     if (!placement.origin) {
-        // What is off by no more than its roundness is not moved.
+        // Deviations within its roundness are not corrected.
         double longest = 0;
         for (const Side& side : outline.sides) {
             if (side.part < 0) continue;
@@ -57,7 +57,7 @@ PlaneMesh plane_mesh_of(ImportedMesh& mesh, std::vector<Side> sides) {
     return plane;
 }
 
-/// Phases that grains have, those with an order first.
+/// Assigns the phases of grains, those with a given order first.
 void give_phases(Specimen& specimen, const std::vector<int>& imported_grain, const ImportedMesh& mesh,
                  std::vector<Remark>& notes) {
     const auto name_of = [&](std::size_t grain) {
@@ -86,7 +86,7 @@ void give_phases(Specimen& specimen, const std::vector<int>& imported_grain, con
     }
 }
 
-/// Grains that touch make one body of rock; more than one is told.
+/// Notes the number of bodies of connected grains if it exceeds one.
 void tell_bodies(const Specimen& specimen, std::vector<Remark>& notes) {
     const auto grains = grain_of_nodes(specimen);
     UnionFind bodies(specimen.n_grains());

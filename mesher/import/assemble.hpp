@@ -1,4 +1,4 @@
-// From an imported mesh to a specimen.
+// Makes a specimen from an imported mesh.
 #pragma once
 
 #include <optional>
@@ -10,26 +10,26 @@
 
 namespace graincrack::mesher {
 
-/// Where and as what a mesh is placed.
+/// Position and shape of an imported mesh.
 struct Placement {
-    double scale = 1;             ///< m for one unit of the file
-    std::optional<Point> origin;  ///< point of the file, m, that becomes the origin; none: the middle of the extent
-    std::string shape;            ///< of the specimen; "" by its outline
+    double scale = 1;             ///< length of the unit of the file, m
+    std::optional<Point> origin;  ///< point of the file that becomes the origin, m; missing: the middle of the extent
+    std::string shape;            ///< shape of the specimen; "": by its outline
 };
 
-/// What is a body of the specimen: each grain of the file, whose elements deform together, or each element, so that the grains
-/// are crystals that can break.
+/// Bodies of the specimen: grains of the file, whose elements deform together, or elements, so that grains are crystals that can
+/// break.
 enum class CrystalChoice { elastic, breaking };
 
-/// Makes a grain of each triangle. \return what its grain was
+/// Makes each triangle a grain. \return [triangles] its former grain
 std::vector<int> make_grains_of_triangles(ImportedMesh& mesh);
 
-/// Derives bodies, contacts, parts of the boundary, shape, phases and statistics. Grains of one triangle keep its corners in
-/// their order, grains their order where the Hilbert curve of their centres has it, and a mesh whose middle is the origin is not
-/// moved: a specimen that was exported comes back as it was. \param name of the file, for messages
-/// \param notes what was decided, those of the mesh first. The crystals that grains are of are given to the specimen, the classes
-/// of contacts within them are not (`name_crystals`): they follow from the phases. \throws InputError as `clean`, or if the
-/// specimen is none that can be tested, or each crystal that is to break has one element
+/// Derives bodies, contacts, boundary parts, shape, phases and statistics. Grains of one triangle keep the order of its corners;
+/// grains keep their order if it is that of the Hilbert curve of their centres; a mesh centred on the origin is not moved. An
+/// exported specimen is therefore imported unchanged. \param name of the file, for messages
+/// \param notes receives decisions, after those of the mesh. The specimen gets the crystals of grains but not the classes of
+/// contacts within them (`name_crystals`), which follow from the phases. \throws InputError as `clean`, or if the specimen cannot
+/// be tested, or each breaking crystal has one element
 Specimen assemble(ImportedMesh mesh, const Placement& placement, CrystalChoice crystals, const std::string& name,
                   std::vector<Remark>& notes);
 

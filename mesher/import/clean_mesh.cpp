@@ -16,14 +16,14 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double same_place = 1e-9;  ///< over the extent: as contacts of a specimen must conform
-/// Unit vector along which sides and points are compared with the next: in no lattice many lie at one place along it.
+constexpr double same_place = 1e-9;  ///< over the extent, as required of contacts
+/// Unit vector along which sides and points are sorted: few points of any lattice share a position along it.
 constexpr Point oblique{0.8506508083520400, 0.5257311121191336};
-constexpr double on_side = 1e-6;  ///< distance of a point from a side over the side's length: far below any angle of a grain
+constexpr double on_side = 1e-6;  ///< distance of a point from a side over its length: far below any angle of a grain
 
 std::string position_text(Point p) { return fmt::format("({}, {})", format_number(p.x, 6), format_number(p.y, 6)); }
 
-/// Sides of triangles, ascending: each from a corner to the next, with its triangle on its left.
+/// Sides of triangles from corner to corner, ascending, each with its triangle on the left.
 using Sides = std::vector<std::pair<Edge, std::size_t>>;
 
 Sides sides_of(const std::vector<Triangle>& triangles) {
@@ -36,7 +36,7 @@ Sides sides_of(const std::vector<Triangle>& triangles) {
     return sides;
 }
 
-/// The triangle on the right of a side, if there is one.
+/// The triangle on the right of a side; empty if there is none.
 std::optional<std::size_t> triangle_beyond(const Sides& sides, const Edge& side) {
     const Edge turned{side[1], side[0]};
     const auto found = std::lower_bound(sides.begin(), sides.end(), std::pair(turned, std::size_t{0}));
@@ -61,7 +61,7 @@ private:
     [[nodiscard]] Point at(int p) const { return mesh_.points[index(p)]; }
     void note(const Remark& remark) { mesh_.notes.push_back(remark); }
 
-    /// Gives points new numbers; a line with a point of number −1 is left out.
+    /// Renumbers points; lines with a point of number −1 are removed.
     void renumber(const std::vector<int>& number, std::vector<Point> points) {
         const auto of = [&](int p) { return number[index(p)]; };
         for (Triangle& t : mesh_.triangles) t = {of(t[0]), of(t[1]), of(t[2])};
@@ -95,7 +95,7 @@ private:
         if (!(extent_ > 0) || !std::isfinite(extent_)) fail("all points lie at one place, or too far apart");
     }
 
-    /// Points at one place become the first of them.
+    /// Joins points at one place to the first of them.
     void join_points() {
         const double tolerance = same_place * extent_;
         std::vector<std::size_t> order(mesh_.points.size());
@@ -144,7 +144,7 @@ private:
         }
     }
 
-    /// Grains of several pieces, and the order of triangles.
+    /// Splits grains into pieces and sorts triangles.
     void make_pieces() {
         const std::size_t n = mesh_.triangles.size();
         const Sides sides = sides_of(mesh_.triangles);
@@ -153,7 +153,7 @@ private:
             const auto other = triangle_beyond(sides, side);
             if (other && mesh_.grain_of_triangle[t] == mesh_.grain_of_triangle[*other]) pieces.join(t, *other);
         }
-        // Grains in their order, their pieces in that of their first triangles.
+        // Grains keep their order; their pieces follow the order of their first triangles.
         std::vector<std::size_t> order(n);
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::vector<std::size_t> piece(n);
@@ -186,7 +186,7 @@ private:
         mesh_.phase_of_grain = std::move(phases);
     }
 
-    /// A side may belong to two triangles, in opposite directions.
+    /// Checks that a side belongs to at most two triangles, in opposite directions.
     void check_overlap() {
         const Sides sides = sides_of(mesh_.triangles);
         const auto twice =
@@ -196,7 +196,7 @@ private:
                          position_text(at(twice->first[0])), position_text(at(twice->first[1]))));
     }
 
-    /// Open sides must not cross, nor hold points that are not their ends: there neighbours do not conform.
+    /// Checks that open sides do not cross or contain other points, where neighbours would not conform.
     void check_boundary() {
         std::vector<OpenSide> sides = open_sides(mesh_.triangles);
         const auto along = [&](const OpenSide& s) { return std::minmax({dot(at(s.from), oblique), dot(at(s.to), oblique)}); };

@@ -17,10 +17,10 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double off_plane = 1e-9;  ///< of z, over the extent: round-off of a written number
+constexpr double off_plane = 1e-9;  ///< deviation of z over the extent: round-off of written numbers
 constexpr std::size_t longest_plain_name = 40;
 
-/// All points of the elements must lie in a plane z = constant.
+/// Checks that all points of the elements lie in a plane z = constant.
 void check_plane(const FileMesh& file, const ImportedMesh& mesh, const std::string& name) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low, extent = 0;
@@ -38,7 +38,7 @@ void check_plane(const FileMesh& file, const ImportedMesh& mesh, const std::stri
     }
 }
 
-/// Names by which the phase of a grain may be known, the most telling first.
+/// Names that may identify the phase of a grain, the most specific first.
 std::vector<std::string> phase_names_of(const FileMesh& file, const FileElement& element, std::int64_t grain) {
     std::vector<std::string> names;
     if (const auto group = file.group_of_entity.find(element.entity); group != file.group_of_entity.end()) {
@@ -53,7 +53,7 @@ std::vector<std::string> phase_names_of(const FileMesh& file, const FileElement&
     return names;
 }
 
-/// The phase that a file itself gives a grain, "" if it gives none.
+/// The phase of a grain according to the file; "" if it has none.
 std::string phase_of_file(const FileMesh& file, const FileElement& element) {
     if (const auto group = file.group_of_entity.find(element.entity); group != file.group_of_entity.end()) {
         return fmt::format("group_{}", group->second);
@@ -126,7 +126,7 @@ private:
         return nodes;
     }
 
-    /// A quadrangle divided along the shorter diagonal that lies inside of it.
+    /// Divides a quadrangle along the shorter diagonal inside it.
     [[nodiscard]] std::array<Triangle, 2> halves(const FileElement& element, const std::vector<int>& c) const {
         const auto are_inside = [&](const std::array<Triangle, 2>& pair) {
             const auto area = [&](const Triangle& t) { return signed_area(at(t[0]), at(t[1]), at(t[2])); };
@@ -160,13 +160,13 @@ private:
         }
     }
 
-    /// The number by which a file knows the grain of an element.
+    /// Number of the grain of an element in the file.
     [[nodiscard]] std::int64_t grain_of(std::size_t i) const {
         if (choice_ == GrainChoice::element) return static_cast<std::int64_t>(i);
         return choice_ == GrainChoice::entity ? file_.elements[i].entity : file_.elements[i].physical;
     }
 
-    /// Numbers grains in the order of the numbers that they have in the file.
+    /// Numbers grains in the order of their numbers in the file.
     void number_grains() {
         for (std::size_t i = 0; i < file_.elements.size(); ++i) {
             if (file_.elements[i].n_corners >= 3) number_of_grain_.emplace(grain_of(i), 0);
@@ -178,7 +178,7 @@ private:
     }
 
     void add_surface(const FileElement& element, std::size_t i, const std::vector<int>& c) {
-        // An element of several physical groups stands in the file once for each.
+        // An element of several physical groups occurs once for each in the file.
         std::array<int, 4> nodes{-1, -1, -1, -1};
         std::copy(c.begin(), c.end(), nodes.begin());
         std::sort(nodes.begin(), nodes.end());
@@ -225,7 +225,7 @@ private:
     const FileMesh& file_;
     const PhaseKey& key_;
     const std::string& name_;
-    std::unordered_map<std::int64_t, int> index_;  ///< of nodes by their numbers
+    std::unordered_map<std::int64_t, int> index_;  ///< index of nodes by number
     ImportedMesh mesh_;
     GrainChoice choice_ = GrainChoice::entity;
     bool has_physical_ = false;

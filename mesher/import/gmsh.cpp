@@ -29,19 +29,19 @@ bool parse(std::string_view text, T& value) {
     return result.ec == std::errc{} && result.ptr == text.data() + text.size();
 }
 
-/// A place in the text of a file. Whatever is not there or not as expected is an InputError naming the file, the line and what
-/// was found; no number of a file is trusted to be the size of anything before so many bytes were seen to be there.
+/// A place in the text of a file. Missing or unexpected content is an InputError naming the file, the line and what was found. A
+/// number of the file is a size only after so many bytes are known to follow.
 class MeshText {
 public:
     MeshText(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
 
-    /// Whether only white space follows.
+    /// True if only white space follows.
     bool at_end() {
         skip_white_space();
         return place_ == bytes_.size();
     }
 
-    /// The rest of the line, without white space at its ends; "" at the end of the file.
+    /// The rest of the line without surrounding white space; "" at the end of the file.
     std::string_view line() {
         const std::size_t end = std::min(bytes_.find('\n', place_), bytes_.size());
         const std::string_view text = bytes_.substr(place_, end - place_);
@@ -59,7 +59,7 @@ public:
         return text;
     }
 
-    /// A word that is an integer; a finite number.
+    /// Reads an integer, or a finite number.
     std::int64_t integer(const char* what) {
         const std::string_view text = word(what);
         std::int64_t value = 0;
@@ -76,7 +76,7 @@ public:
         return value;
     }
 
-    /// A number of things that follow, each of some bytes at least.
+    /// Reads a number of items that follow, each of at least some bytes.
     std::size_t count(const char* what, std::size_t bytes_each = 1) {
         const std::int64_t value = integer(what);
         if (value < 0 || static_cast<std::uint64_t>(value) > (bytes_.size() - place_) / bytes_each) {
@@ -85,7 +85,7 @@ public:
         return static_cast<std::size_t>(value);
     }
 
-    /// A text between double quotes.
+    /// Reads a text in double quotes.
     std::string quoted(const char* what) {
         skip_white_space();
         const std::size_t end =
@@ -96,7 +96,7 @@ public:
         return text;
     }
 
-    /// Passes over lines up to one that is `text`. \return false if there is none
+    /// Skips lines up to one that equals `text`. \return false if there is none
     bool skip_to(std::string_view text) {
         while (place_ < bytes_.size()) {
             if (line() == text) return true;
@@ -120,7 +120,7 @@ private:
     std::size_t place_ = 0, line_ = 1;
 };
 
-/// Corners of elements by the numbers that the format gives their types.
+/// Number of corners of elements by type number of the format.
 const std::map<std::int64_t, int> corners_of_type{{15, 1}, {1, 2}, {2, 3}, {3, 4}};
 
 class GmshReader {
@@ -188,7 +188,7 @@ private:
         }
     }
 
-    /// Neper's groups of elsets, such as minerals.
+    /// Reads Neper's groups of elsets, such as minerals.
     void read_groups() {
         if (text_.word("the kind of a group") != "elset") return;
         for (std::size_t n = text_.count("the number of elsets", 4); n > 0; --n) {
@@ -269,7 +269,7 @@ private:
             fmt::format("elements of type {}; triangles (2) or quadrangles (3) are needed (gmsh FILE -save -order 1)", type));
     }
 
-    /// Reads the nodes of an element and keeps it, if it is no point.
+    /// Reads the nodes of an element and stores it unless it is a point.
     void add_element(int n_corners, FileElement element) {
         element.n_corners = n_corners;
         for (int k = 0; k < n_corners; ++k) element.nodes[index(k)] = text_.integer("a node of an element");
@@ -311,14 +311,14 @@ private:
         }
     }
 
-    /// What needs the whole file.
+    /// Completes what needs the whole file.
     void finish() {
         if (mesh_.node_numbers.empty()) text_.fail("no nodes");
         if (mesh_.elements.empty()) text_.fail("no lines, triangles or quadrangles");
         if (!is_neper_) return;
         mesh_.format = "Neper (" + mesh_.format + ")";
         mesh_.without_groups = "groups: none, so that all grains are of one phase";
-        // Its physical groups are its elsets: grains and the edges between them.
+        // Its physical groups are elsets: grains and the edges between them.
         mesh_.line_names.clear();
         mesh_.surface_names.clear();
         for (FileElement& element : mesh_.elements) element.physical = 0;
@@ -328,7 +328,7 @@ private:
     FileMesh mesh_;
     int version_ = 0;
     bool is_neper_ = false;
-    std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> physical_of_;  ///< of entities by dimension and tag; 0: none
+    std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> physical_of_;  ///< group by dimension and tag; 0: none
 };
 
 }  // namespace

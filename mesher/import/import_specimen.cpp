@@ -113,11 +113,11 @@ ImportedMesh import_mesh(std::string_view bytes, const ImportRequest& request) {
 
 namespace {
 
-constexpr double preferred = 0.15;  ///< psi6 from which a mesh counts as one with a preferred direction, as of meshes made here
+constexpr double preferred = 0.15;  ///< psi6 above which a mesh has a preferred direction, as for meshes made here
 
 std::string mm(double length) { return fmt::format("{:.4g} mm", in_unit(length, Dimension::length, "mm")); }
 
-/// Parts of the boundary with their lengths.
+/// Line with the parts of the boundary and their lengths.
 std::string parts_line(const Specimen& specimen) {
     std::vector<double> lengths(specimen.part_names.size(), 0);
     for (std::size_t b = 0; b < specimen.n_boundary_edges(); ++b) {
@@ -162,7 +162,7 @@ Import import_specimen(const ImportRequest& request, Fabric fabric, std::uint64_
 }
 
 std::vector<std::string> write_new_key(const ImportRequest& request) {
-    // Phases that were named by hand are not to be lost.
+    // Phases entered by hand must not be lost.
     if (request.new_key != request.phase_key && std::filesystem::is_regular_file(request.new_key)) {
         throw UsageError(
             fmt::format("--write-key: {0} is there already; give another name, or --phase-key {0} too, whose phases the "

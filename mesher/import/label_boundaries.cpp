@@ -11,13 +11,13 @@ namespace graincrack::mesher {
 
 namespace {
 
-/// How far the nodes of an opened corner lie from it, along x and y, pixels.
+/// Offset of the nodes of an opened corner along x and y, pixels.
 constexpr double opening = 0.25;
 
 /// Directions from a corner of pixels, counter-clockwise: right, up, left, down.
 constexpr std::array<std::array<int, 2>, 4> step{{{1, 0}, {0, -1}, {-1, 0}, {0, 1}}};  // columns, rows
 
-/// A corner of pixels: lines between columns and rows are counted from the left and the top.
+/// A corner of pixels, in lines between columns and rows counted from the left and the top.
 struct Corner {
     int column = 0, row = 0;
 };
@@ -67,7 +67,7 @@ private:
         return {c.column + s[0], c.row + s[1]};
     }
 
-    /// The mark of a side of pixels that it belongs to a chain already.
+    /// True if a pixel side already belongs to a chain.
     std::vector<bool>::reference mark(Corner c, int k) {
         if (k == 1 || k == 2) c = next(c, k);
         return k % 2 == 0 ? horizontal_[index(c)] : vertical_[index(c)];
@@ -98,7 +98,7 @@ private:
         }
     }
 
-    /// Two nodes in place of a corner where the pieces after the directions k and k + 2 are one.
+    /// Replaces a corner by two nodes if the pieces after the directions k and k + 2 are one.
     void open(Corner c, int k, const std::array<int, 4>& pieces, std::array<int, 4>& nodes) {
         const Point p = point(c);
         const Point into{k == 0 ? opening : -opening, opening};
@@ -107,7 +107,7 @@ private:
         const auto at = [](int i) { return static_cast<std::size_t>(i % 4); };
         nodes[at(k)] = nodes[at(k + 1)] = one;
         nodes[at(k + 2)] = nodes[at(k + 3)] = other;
-        // From the other to the one, what lies after k + 1 is on the left.
+        // From `other` to `one`, the piece after k + 1 is on the left.
         boundaries_.chains.push_back({other, one, pieces[at(k + 1)], pieces[at(k + 3)], {p - into, p + into}});
         ++boundaries_.opened_corners;
     }
@@ -117,12 +117,12 @@ private:
         return found == nodes_at_.end() ? -1 : found->second[static_cast<std::size_t>(k)];
     }
 
-    /// The direction in which a boundary leaves a corner without a node, which it reached by direction k.
+    /// The direction in which a boundary continues at a corner without a node, after arriving by direction k.
     [[nodiscard]] int onward(Corner c, int k) const {
         for (const int turn : {0, 1, 3}) {
             if (separates(c, (k + turn) % 4)) return (k + turn) % 4;
         }
-        return -1;  // no boundary ends
+        return -1;  // boundaries have no ends
     }
 
     void trace(Corner c, int k) {
@@ -153,14 +153,14 @@ private:
 
     const LabelPieces& pieces_;
     std::size_t columns_;
-    std::vector<bool> horizontal_;  ///< of the side to the right of a corner
-    std::vector<bool> vertical_;    ///< of the side below a corner
+    std::vector<bool> horizontal_;  ///< for the side to the right of a corner
+    std::vector<bool> vertical_;    ///< for the side below a corner
     std::unordered_map<std::size_t, std::array<int, 4>> nodes_at_;
     std::vector<std::pair<Corner, int>> starts_;
     LabelBoundaries boundaries_;
 };
 
-/// What meets in a node.
+/// The chains that meet in a node.
 struct Junction {
     std::vector<std::size_t> chains;
     bool on_outline = false, joined = false;
@@ -197,7 +197,7 @@ private:
     Junction& junction(int node) { return junctions_[static_cast<std::size_t>(node)]; }
     Point& place(int node) { return boundaries_.nodes[static_cast<std::size_t>(node)]; }
 
-    /// The piece at one end of a chain that is on neither side of it.
+    /// The piece at one end of a chain that is not beside it.
     int piece_beyond(const BoundaryChain& chain, int node) {
         for (const std::size_t c : junction(node).chains) {
             for (const int piece : {boundaries_.chains[c].left, boundaries_.chains[c].right}) {
@@ -234,7 +234,7 @@ private:
         }
     }
 
-    /// Removes chains, and nodes that no chain has any more.
+    /// Removes chains, and nodes without chains.
     void remove(const std::vector<bool>& gone) {
         std::vector<BoundaryChain> chains;
         for (std::size_t c = 0; c < gone.size(); ++c) {

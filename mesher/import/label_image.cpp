@@ -20,8 +20,8 @@ namespace {
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// A PNG that is read. The library reports an error by a jump out of its calls: the member functions that call it hold nothing
-/// that has a destructor, and return whether all went well.
+/// Reads a PNG. The library reports errors by a jump out of its calls, so member functions that call it have no objects with
+/// destructors, and return true for success.
 class PngReader {
 public:
     explicit PngReader(std::string_view bytes) : bytes_(bytes) {}
@@ -41,7 +41,7 @@ public:
         png_read_info(png_, info_);
         return true;
     }
-    /// Samples of one byte, of those of 16 bits two, the lower first.
+    /// Converts samples to one byte, or two for 16 bits, the lower first.
     bool transform() {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_packing(png_);
@@ -62,7 +62,7 @@ public:
     [[nodiscard]] int bits() const { return png_get_bit_depth(png_, info_); }
     [[nodiscard]] int colour_type() const { return png_get_color_type(png_, info_); }
     [[nodiscard]] std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
-    /// The colours of a palette, none without one.
+    /// The colours of a palette; empty without one.
     [[nodiscard]] std::vector<int> palette() const {
         png_colorp colours = nullptr;
         int n = 0;
@@ -102,7 +102,7 @@ void check_size(std::size_t width, std::size_t height, const std::string& name) 
     }
 }
 
-/// What a pixel's samples are as one integer; of colours of more than 31 bits it can be negative.
+/// The samples of a pixel as one integer; it can be negative for colours of more than 31 bits.
 int label_of(const unsigned char* pixel, int colour_type, int bits) {
     const auto sample = [&](int i) {
         if (bits < 16) return static_cast<unsigned>(pixel[i]);
@@ -129,7 +129,7 @@ std::string pixel_format(int colour_type, int bits) {
     return fmt::format("PNG, {}, {} bit{}", kind, bits, bits == 1 ? "" : "s");
 }
 
-/// The colours of labels that are shades of grey or numbers of a palette. \param bits of a sample in the file
+/// The colours of labels that are greys or palette indices. \param bits of a sample in the file
 std::vector<int> colours_of_labels(const PngReader& png, int bits) {
     if (png.colour_type() == PNG_COLOR_TYPE_PALETTE) return png.palette();
     std::vector<int> colours;
@@ -227,7 +227,7 @@ std::optional<int> LabelImage::colour_of(int label) const {
 
 bool is_binary(std::string_view bytes) {
     const auto first = bytes.empty() ? 0U : static_cast<unsigned char>(bytes.front());
-    const bool begins_amid_character = (first & 0xc0U) == 0x80U || first >= 0xf8U;  // of UTF-8
+    const bool begins_amid_character = (first & 0xc0U) == 0x80U || first >= 0xf8U;  // UTF-8
     return !bytes.starts_with(png_signature) && (begins_amid_character || bytes.substr(0, 40).find('\0') < 40);
 }
 

@@ -12,19 +12,19 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr Clearance needed{0.5, 20 * std::numbers::pi / 180};
-/// Width of the low-pass (its standard deviation along the line) over the side of elements, and its bounds in pixels: below,
-/// steps of pixels would stay; above, only curvature would be lost.
+/// Width of the low-pass filter (standard deviation along the line) over the side of elements, and its bounds in pixels: below,
+/// pixel steps would stay; above, only curvature would be lost. Chosen by trial; not varied since.
 constexpr double width_of_element = 1.0 / 3;
 constexpr double least_width = 1;
 constexpr double most_width = 4;
-constexpr double squared_step = 0.75;  ///< of neighbouring middles of sides of pixels, on the average of directions
-/// Of smoothed points from these middles, pixels: lines through middles are at least 0.7 apart, and 0.5 from nodes.
+constexpr double squared_step = 0.75;  ///< mean squared distance of neighbouring middles of pixel sides, over directions
+/// Largest shift of smoothed points from these middles, pixels: lines through middles are at least 0.7 apart, and 0.5 from nodes.
 constexpr double farthest = 0.3;
-constexpr double least_sides = 6;             ///< or so, of a closed line
-constexpr double tolerance_of_element = 0.3;  ///< distance from points left out over the side of elements, or over the line's
+constexpr double least_sides = 6;             ///< approximate sides of a closed line
+constexpr double tolerance_of_element = 0.3;  ///< distance of removed points over the element side or line; by trial
 constexpr double least_tolerance = 0.75;      ///< pixels
 
-/// Points but the first and the last moved to averages with their neighbours, repeatedly.
+/// Averages points except the first and the last with their neighbours, repeatedly.
 void smooth(std::vector<Point>& points, bool is_closed, double width) {
     const std::vector<Point> dense = points;
     const std::size_t n = points.size() - 1;
@@ -41,7 +41,7 @@ void smooth(std::vector<Point>& points, bool is_closed, double width) {
     }
 }
 
-/// The middles of the sides of pixels between the nodes, smoothed; of the outline, which is straight, the nodes alone.
+/// The smoothed middles of the pixel sides between nodes; only the nodes for the outline, which is straight.
 DenseLine dense_line(const BoundaryChain& chain, const std::vector<Point>& nodes, double element) {
     const std::vector<Point>& path = chain.path;
     const std::size_t n_sides = chain.closed() ? path.size() : path.size() - 1;

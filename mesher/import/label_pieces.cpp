@@ -52,7 +52,7 @@ void number_pieces(const LabelImage& image, LabelPieces& pieces, const std::stri
     }
 }
 
-/// Joins small pieces; joined pieces are known by one of them.
+/// Joins small pieces; one of the joined pieces represents them.
 class PieceJoining {
 public:
     PieceJoining(LabelPieces& pieces, int smallest)
@@ -84,7 +84,7 @@ public:
             ++pieces_.joined;
             waiting_.erase({pixels(target), target});
             join(piece, target);
-            // Pieces of one label that were apart are one now.
+            // Separate pieces of one label become one.
             for (const auto& [other, length] : around) {
                 if (other != target && label(other) == label(target)) join(other, target);
             }
@@ -138,7 +138,7 @@ private:
     int smallest_;
     UnionFind sets_;
     std::vector<std::map<int, int>> borders_;  ///< sides of pixels of each piece with its neighbours
-    std::set<std::pair<int, int>> waiting_;    ///< pixels and numbers of pieces that are too small
+    std::set<std::pair<int, int>> waiting_;    ///< pixels and numbers of pieces below the smallest size
 };
 
 }  // namespace

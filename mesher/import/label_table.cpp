@@ -35,7 +35,7 @@ std::string colour_cell(const LabelRow& row) { return row.colour ? colour_text(*
 
 bool is_shade_of_grey(int colour) { return colour % 0x010101 == 0; }
 
-/// Whether each label has a colour of its own, of which some are no shades of grey.
+/// True if each label has its own colour and some are not greys.
 bool are_told_by_colours(const std::vector<LabelRow>& rows) {
     std::set<int> colours;
     bool are_greys = true;

@@ -19,10 +19,10 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double element_of_side = 3;  ///< for each side of pixels of boundaries that are too short for elements
-constexpr double least_element = 2;    ///< by default, pixels
+constexpr double element_of_side = 3;  ///< elements per pixel side of boundaries that are too short for elements
+constexpr double least_element = 2;    ///< default, pixels
 constexpr double most_triangles = 20'000'000;
-constexpr int soft_edge = 2;  ///< pixels from a colour of the key
+constexpr int soft_edge = 2;  ///< reach to a colour of the key, pixels
 
 /// The requested side of triangles, pixels.
 double element_in_pixels(const LabelPieces& pieces, const LabelOptions& options, const std::string& name) {
@@ -53,7 +53,7 @@ int distance_squared(int colour, int other) {
     return sum;
 }
 
-/// Gives pixels of colours that the key lacks, as of soft edges, the nearest of its colours around them. \return how many
+/// Replaces colours that the key lacks, as at soft edges, by the nearest of its colours around them. \return number of pixels
 int sharpen_edges(LabelImage& image, const PhaseKey::OfLabels& phases) {
     std::map<int, int> known;  // colours of labels
     for (const int label : std::set<int>(image.labels.begin(), image.labels.end())) {
@@ -67,7 +67,7 @@ int sharpen_edges(LabelImage& image, const PhaseKey::OfLabels& phases) {
             int& label = image.labels[static_cast<std::size_t>(i)];
             const std::optional<int> colour = image.colour_of(label);
             if (!colour || known.count(label) > 0) continue;
-            std::map<int, int> around;  // by distance
+            std::map<int, int> around;  // number by distance
             for (int k = 0; k < 9; ++k) {
                 const int column = std::clamp(i % image.width + k % 3 - 1, 0, image.width - 1);
                 const auto other = known.find(before.at(column, std::clamp(i / image.width + k / 3 - 1, 0, image.height - 1)));
@@ -83,7 +83,7 @@ int sharpen_edges(LabelImage& image, const PhaseKey::OfLabels& phases) {
 
 std::string count(int n, const std::string& one, const std::string& many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
 
-/// What a key has phases for and the picture does not have.
+/// Notes on keys that have phases but are not in the picture.
 std::vector<Remark> notes_on_key(const std::vector<LabelRow>& rows, const PhaseKey::OfLabels& phases) {
     std::set<int> labels;
     std::set<int> colours;
@@ -103,7 +103,7 @@ std::vector<Remark> notes_on_key(const std::vector<LabelRow>& rows, const PhaseK
     return notes;
 }
 
-/// Each label needs a phase, if any has one.
+/// Checks that each label has a phase if any has one.
 void check_phases(const std::vector<LabelRow>& rows, const PhaseKey::OfLabels& phases, const std::string& name) {
     if (phases.by_number.empty() && phases.by_colour.empty()) return;
     for (const LabelRow& row : rows) {

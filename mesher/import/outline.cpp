@@ -19,9 +19,9 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double off_straight = 1e-6;  ///< of points from the sides of a rectangle, over its size
-constexpr double off_round = 0.01;     ///< of points from a circle, over its radius: as polygons of the circle's area have it
-constexpr std::size_t fewest_of_round = 8;  ///< sides of what is taken for a circle
+constexpr double off_straight = 1e-6;       ///< distance of points from the sides of a rectangle, over its size
+constexpr double off_round = 0.01;          ///< distance of points from a circle over its radius, as of equal-area polygons
+constexpr std::size_t fewest_of_round = 8;  ///< sides of a circle
 
 constexpr std::uint8_t bottom = 0;
 constexpr std::uint8_t right = 1;
@@ -29,7 +29,7 @@ constexpr std::uint8_t top = 2;
 constexpr std::uint8_t left = 3;
 constexpr std::uint8_t rim = 4;
 
-/// Sides that follow one another, closed.
+/// Consecutive sides, closed.
 using Chain = std::vector<OpenSide>;
 
 std::vector<Chain> chains_of(const std::vector<OpenSide>& sides) {
@@ -90,7 +90,7 @@ private:
 
     [[nodiscard]] double size() const { return std::max(outline_.width, outline_.height); }
 
-    /// The side of the extent on which a side lies.
+    /// The side of the extent on which a side lies; empty if there is none.
     [[nodiscard]] std::optional<std::uint8_t> straight_part(const OpenSide& side) const {
         const auto are = [&](auto distance) {
             return std::abs(distance(at(side.from))) <= off_straight * size() &&
@@ -103,7 +103,7 @@ private:
         return std::nullopt;
     }
 
-    /// Whether the corners of a chain lie on a circle.
+    /// True if the corners of a chain lie on a circle.
     [[nodiscard]] bool is_round(const Chain& chain, Point centre) const {
         double sum = 0;
         for (const OpenSide& side : chain) sum += length(at(side.from) - centre);
@@ -116,7 +116,7 @@ private:
     [[nodiscard]] std::string shape_by_outline() {
         const Chain& outer = chains_.front();
         if (std::count_if(chains_.begin(), chains_.end(), [&](const Chain& chain) { return area(chain) > 0; }) > 1) {
-            return "polygon";  // of several bodies
+            return "polygon";  // several bodies
         }
         if (std::all_of(outer.begin(), outer.end(), [&](const OpenSide& side) { return straight_part(side).has_value(); })) {
             return "rectangle";
@@ -137,7 +137,7 @@ private:
         return "polygon";
     }
 
-    /// The angle under which a facet across the top, of one side or of several, is seen from the middle, 0 without one.
+    /// The angle under which a facet of one or more sides across the top is seen from the middle, rad; 0 without one.
     [[nodiscard]] double pole_arc(double radius) const {
         double facet = 0;
         for (const OpenSide& side : chains_.front()) {
@@ -157,7 +157,7 @@ private:
         return static_cast<std::uint8_t>(names.size() - 1);
     }
 
-    /// The part of a side that has no name.
+    /// The part of a side without a name.
     std::uint8_t part_of(const OpenSide& side, std::size_t hole) {
         const std::string& shape = outline_.shape;
         if (hole > 0) return part_of_name(shape == "ring" ? "inner" : fmt::format("hole_{}", hole));
@@ -169,7 +169,7 @@ private:
 
     void name_sides() {
         if (outline_.shape == "ring") outline_.part_names[rim] = "outer";
-        // Names of sides, by their ends, with their places in the file.
+        // Names of sides by their ends, with their places in the file.
         std::map<Edge, std::pair<std::size_t, const std::string*>> named;
         for (std::size_t i = 0; i < mesh_.lines.size(); ++i) {
             const NamedLine& line = mesh_.lines[i];
@@ -196,9 +196,9 @@ private:
         add_flaws(on_boundary);
     }
 
-    /// Contacts of a kind of their own along lines between grains.
+    /// Adds contacts of their own kind along named lines between grains.
     void add_flaws(const std::set<Edge>& on_boundary) {
-        std::map<Edge, std::set<int>> grains;  // on both sides of what has a name
+        std::map<Edge, std::set<int>> grains;  // on both sides of a named line
         for (const NamedLine& line : mesh_.lines) grains[edge_between(line.from, line.to)];
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
             for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// The boundary of an imported mesh: what shape it has, and which parts.
+// Finds the shape and the parts of the boundary of an imported mesh.
 #pragma once
 
 #include <optional>
@@ -13,20 +13,20 @@ namespace graincrack::mesher {
 struct Outline {
     std::string shape;
     double width = 0;   ///< extent along x
-    double height = 0;  ///< extent along y; of a disc or a ring width and height are the extent between its poles
-    Point middle;       ///< of the extent
+    double height = 0;  ///< extent along y; for a disc or a ring both are the extent between its poles
+    Point middle;       ///< middle of the extent, m
     double loading_arc = 0;
-    std::vector<Side> sides;  ///< those with names in the order of the file, then the others along the boundary
+    std::vector<Side> sides;  ///< named sides in the order of the file, then the others along the boundary
     std::vector<std::string> part_names;
 };
 
 /// Finds the outline of a clean mesh. A rectangle has the parts bottom, right, top and left, a disc its rim, a ring outer and
-/// inner, a half-disc bottom and rim, any other a part "side"; holes are hole_1, …. Lines with names make parts of these names.
-/// \param shape of the specimen, if it is not to be told by the outline (a beam is a rectangle)
-/// \param notes lines whose names fit no place are told here
+/// inner, a half-disc bottom and rim, any other shape a part "side"; holes are hole_1, …. Named lines become parts.
+/// \param shape of the specimen, unless the outline determines it (a beam is a rectangle)
+/// \param notes receives lines whose names fit no place
 Outline outline_of(const ImportedMesh& mesh, const std::string& shape, const std::string& name, std::vector<Remark>& notes);
 
-/// What contacts along a line of a name are: of `crack`, `flaw-NAME` and `flaw-NAME-broken`.
+/// Kind of the contacts along a named line: `crack`, `flaw-NAME` and `flaw-NAME-broken`.
 std::optional<FlawKind> flaw_of_line(const std::string& name);
 
 }  // namespace graincrack::mesher

@@ -22,7 +22,7 @@ std::string shown_key(std::string_view text) { return printable(text.substr(0, l
 
 bool is_hexadecimal(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Whether a line begins with a colour: #, six hexadecimal digits and an end.
+/// True if a line begins with a colour: #, six hexadecimal digits and an end.
 bool begins_with_colour(std::string_view line) {
     const std::string_view digits = line.substr(1, digits_of_colour);
     if (digits.size() < digits_of_colour || !std::all_of(digits.begin(), digits.end(), is_hexadecimal)) return false;
@@ -63,7 +63,7 @@ std::string colour_text(int colour) { return fmt::format("#{:06x}", colour); }
 PhaseKey::PhaseKey(const std::string& path) : path_(path) {
     std::istringstream file(text_of_file(path));
     std::size_t phase_column = 1;
-    bool has_names = false;  // of columns
+    bool has_names = false;  // true for names of columns
     std::string line;
     for (std::size_t number = 1; std::getline(file, line); ++number) {
         if (!line.empty() && line.back() == '\r') line.pop_back();

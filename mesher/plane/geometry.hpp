@@ -9,7 +9,7 @@
 
 namespace graincrack::mesher {
 
-/// A number of a point, a cell or the like, which is never negative, as an index.
+/// A non-negative number of a point, a cell or the like, as an index.
 constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// A point or vector, m.
@@ -26,9 +26,9 @@ constexpr double dot(Point p, Point q) { return p.x * q.x + p.y * q.y; }
 constexpr double cross(Point p, Point q) { return p.x * q.y - p.y * q.x; }
 constexpr double squared_length(Point p) { return dot(p, p); }
 inline double length(Point p) { return std::sqrt(squared_length(p)); }
-/// The direction of a vector that is not zero.
+/// Unit vector of a nonzero vector.
 inline Point unit(Point p) { return {p.x / length(p), p.y / length(p)}; }
-/// A vector turned to its left by a right angle.
+/// A vector rotated left by a right angle.
 constexpr Point left_of(Point p) { return {-p.y, p.x}; }
 constexpr Point midpoint(Point p, Point q) { return {0.5 * (p.x + q.x), 0.5 * (p.y + q.y)}; }
 /// Area of the triangle pqr, positive if counter-clockwise, m².
@@ -40,7 +40,7 @@ constexpr double area_of(std::span<const Point> loop) {
     return sum;
 }
 
-/// The extent of points; of none it is inside out.
+/// The extent of points; without points low exceeds high.
 struct Box {
     Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};

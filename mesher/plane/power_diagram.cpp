@@ -14,14 +14,14 @@ namespace graincrack::mesher {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-/// A vertex knows its seed, −1 of a helper; a face the vertex of the diagram that is its dual.
+/// A vertex has its seed, or −1 for a helper; a face has the dual vertex of the diagram.
 using PowerVertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
 using PowerFace = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
 using Regular = CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<PowerVertex, PowerFace>>;
 using PowerFaceHandle = Regular::Face_handle;
 
 constexpr int helper = -1;
-/// Over the reach: three helpers of the least weight at this distance have no part of the circle, and all seeds between them.
+/// Distance over the reach at which three helpers of the least weight have no part of the circle, and enclose all seeds.
 constexpr double helper_distance = 8;
 
 /// The point with equal powers to the three corners of a face.
@@ -60,12 +60,12 @@ PowerDiagram power_diagram(std::span<const Point> seeds, std::span<const double>
         diagram.vertices.push_back(power_centre(face));
     }
     diagram.sides.reserve(3 * seeds.size());
-    // Not by `finite_edges`, whose order depends on where faces lie in memory.
+    // `finite_edges` is not used, because its order depends on memory addresses.
     for (const auto face : triangulation.finite_face_handles()) {
         for (int i = 0; i < 3; ++i) {
             const int left = face->vertex(Regular::ccw(i))->info();
             const int right = face->vertex(Regular::cw(i))->info();
-            // The face lies on the left of the edge between the seeds, and the side is turned to the left of that.
+            // The face is on the left of the edge between the seeds, and the side points left of that.
             if (left != helper && left < right) diagram.sides.push_back({left, right, face->neighbor(i)->info(), face->info()});
         }
     }

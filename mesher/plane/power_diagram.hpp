@@ -1,4 +1,4 @@
-// Power diagram (Laguerre cells) of weighted points: the dual of their regular triangulation.
+// Computes the power diagram (Laguerre cells) of weighted points, the dual of their regular triangulation.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace graincrack::mesher {
 
-/// The cell of seed i is where |x − cᵢ|² − wᵢ is least of all seeds. A cell is convex; it may be empty, and then has no sides.
+/// The cell of seed i, where |x − cᵢ|² − wᵢ is the smallest of all seeds, is convex; an empty cell has no sides.
 struct PowerDiagram {
-    /// What two cells share: a segment between two vertices, with the cell of `left` on its left.
+    /// The common side of two cells: a segment between two vertices, with the cell of `left` on its left.
     struct Side {
         int left = 0, right = 0, from = 0, to = 0;
     };
@@ -18,7 +18,7 @@ struct PowerDiagram {
     std::vector<Side> sides;
 };
 
-/// The diagram within a circle around the origin; outside of it cells end somewhere.
+/// Computes the diagram within a circle around the origin; outside of it cells end somewhere. The cost is O(n log n) for n seeds.
 /// \param seeds distinct, within the circle
 /// \param weights of the seeds, m²
 /// \param reach radius of the circle, m

@@ -1,4 +1,4 @@
-// Random numbers that are the same with every compiler and standard library.
+// Random numbers that do not depend on compiler and standard library.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace graincrack::mesher {
 
-/// Streams of a seed; those of the attempts at a mesh are numbered from 0.
-/// 999'998 is that of the axes of crystals (share/file/fabric.hpp).
-inline constexpr std::uint64_t open_stream = 999'999;  ///< before the others, since joint sets count upwards
+/// Streams of a seed. Those of the attempts at a mesh are numbered from 0; 999'998 is that of the axes of crystals
+/// (share/file/fabric.hpp).
+inline constexpr std::uint64_t open_stream = 999'999;  ///< before the others, as numbers of joint sets increase
 inline constexpr std::uint64_t phase_stream = 1'000'000;
 inline constexpr std::uint64_t strength_stream = 1'000'001;
-inline constexpr std::uint64_t joint_stream = 1'000'002;  ///< of the first joint set; those of the others follow
+inline constexpr std::uint64_t joint_stream = 1'000'002;  ///< first joint set; the others follow
 
-/// Stream of random numbers of one seed. The engine is fixed by the C++ standard; the conversions are defined here, because
-/// the distributions of the standard library differ between implementations.
+/// A stream of random numbers of one seed. The C++ standard fixes the engine; the conversions are defined here because
+/// distributions differ between standard libraries.
 class RandomNumbers {
 public:
     /// \param stream number of an independent stream of the same seed, such as one for each attempt

@@ -20,12 +20,12 @@ namespace graincrack::mesher {
 
 namespace {
 
-/// Longest side over the requested one: the sides that stay below it have about the requested one as their mean.
+/// Longest side over the requested one. Chosen by trial: sides below it have about the requested mean.
 constexpr double longest_side = 1.5;
-constexpr double triangles_across = 3;  ///< a circle
+constexpr double triangles_across = 3;  ///< across a circle
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-/// A vertex knows its number, −1 of one that was added; a face its region.
+/// A vertex has its number, or −1 if it was added; a face has its region.
 using MeshVertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
 using MeshFace = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Delaunay_mesh_face_base_2<Kernel>>;
 using MeshTriangulation =
@@ -60,7 +60,7 @@ std::vector<MeshVertexHandle> insert(MeshTriangulation& triangulation, std::span
     return vertices;
 }
 
-/// Spreads the regions of some faces over all faces that no border separates from them.
+/// Spreads the regions of some faces to all faces that no border separates from them.
 void flood(MeshTriangulation& triangulation, const std::vector<std::pair<MeshFaceHandle, int>>& known) {
     for (const auto face : triangulation.all_face_handles()) face->info() = unknown;
     std::vector<MeshFaceHandle> reached;
@@ -82,7 +82,7 @@ void flood(MeshTriangulation& triangulation, const std::vector<std::pair<MeshFac
     }
 }
 
-/// The faces on both sides of the borders, with the regions they are in.
+/// The faces on both sides of the borders, with their regions.
 std::vector<std::pair<MeshFaceHandle, int>> sides(const MeshTriangulation& triangulation,
                                                   const std::vector<MeshVertexHandle>& vertices,
                                                   std::span<const RegionEdge> borders) {
@@ -108,7 +108,7 @@ Kernel::Point_2 centroid(MeshFaceHandle face) {
 void refine(MeshTriangulation& triangulation, const Refinement& refinement) {
     const double sine = std::sin(refinement.smallest_angle * std::numbers::pi / 180);
     Mesher mesher(triangulation, Criteria(sine * sine, longest_side * refinement.side));
-    // Which faces are to be refined is known: those that have a region.
+    // Faces with a region are refined.
     for (const auto face : triangulation.all_face_handles()) face->set_in_domain(face->info() >= 0);
     mesher.init(true);
     while (!mesher.is_refinement_done()) {
@@ -127,7 +127,7 @@ RefinedMesh refined_triangles(std::span<const Point> points, std::span<const Reg
     MeshTriangulation triangulation;
     const std::vector<MeshVertexHandle> vertices = insert(triangulation, points, borders);
     flood(triangulation, sides(triangulation, vertices, borders));
-    const MeshTriangulation coarse = triangulation;  // whose faces know their regions
+    const MeshTriangulation coarse = triangulation;  // its faces have their regions
     refine(triangulation, refinement);
 
     RefinedMesh mesh;

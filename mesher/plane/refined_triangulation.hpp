@@ -1,4 +1,4 @@
-// Triangles of bounded size and angle in regions that share their borders.
+// Makes triangles of bounded size and angle in regions that share borders.
 #pragma once
 
 #include <cstddef>
@@ -10,34 +10,34 @@
 
 namespace graincrack::mesher {
 
-/// A segment between two points that is a border of regions; a region is a number from 0, −1 is outside.
+/// A segment on the border of regions, which are numbered from 0; −1 is outside.
 struct RegionEdge {
     int from = 0, to = 0, left = -1, right = -1;
 };
 
-/// Triangles in the area of a square of their side, measured.
+/// Mean number of triangles in the square of their side. Measured; no record kept.
 inline constexpr double triangles_of_square = 2.3;
 
-/// Side of three triangles across a circle of an area: of elements where nothing else is asked for.
+/// Default side of elements: three triangles lie across a circle of the mean area (m²).
 double side_for_area(double mean_area);
 
-/// What is asked of triangles.
+/// Requirements of triangles.
 struct Refinement {
-    double side = 0;  ///< about the mean of the sides, m
-    /// Triangles with an angle below it are divided, degrees, where the borders do not force one; up to 20.7 it always ends.
+    double side = 0;  ///< approximate mean of the sides, m
+    /// Angle (degrees) below which triangles are divided unless borders force one; refinement always ends up to 20.7.
     double smallest_angle = 20;
     std::size_t most_points = 10'000'000;
 };
 
-/// Triangles, counter-clockwise, each of one region. The first points are those that were given.
+/// Triangles, counter-clockwise, each in one region. The given points come first.
 struct RefinedMesh {
     std::vector<Point> points;
     std::vector<Triangle> triangles;
     std::vector<int> region_of_triangle;
 };
 
-/// Delaunay refinement of the regions within borders that do not cross. Points that it adds on borders belong to both sides.
-/// \throws UsageError if borders cross or touch, or if more than `most_points` are needed
+/// Refines regions within borders that do not cross (Delaunay refinement). Points added on borders belong to both sides.
+/// \throws UsageError if borders cross or meet between their ends, or if more than `most_points` are needed
 RefinedMesh refined_triangles(std::span<const Point> points, std::span<const RegionEdge> borders, const Refinement& refinement);
 
 }  // namespace graincrack::mesher

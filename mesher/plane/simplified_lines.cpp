@@ -20,13 +20,13 @@ namespace {
 
 namespace simplification = CGAL::Polyline_simplification_2;
 
-/// Of the segment without a point over the spacing: from half of it on two segments become one.
+/// Length, over the spacing, of a segment after a removal; beyond half of it two segments become one. Chosen by trial.
 constexpr double longest = 1.35;
-constexpr int rounds_of_moves = 3;  ///< the directions of a line that was moved differ a little from those before
-constexpr double least_area = 0.3;  ///< of triangles between lines when a point is moved, over that before
+constexpr int rounds_of_moves = 3;  ///< the normals of a moved line differ slightly from those before
+constexpr double least_area = 0.3;  ///< area of triangles between lines after a move, over that before
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-/// A vertex knows its line.
+/// A vertex has its line.
 using LineVertex = simplification::Vertex_base_2<Kernel, CGAL::Triangulation_vertex_base_with_info_2<const DenseLine*, Kernel>>;
 using LineStructure = CGAL::Triangulation_data_structure_2<LineVertex, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Lines = CGAL::Constrained_triangulation_plus_2<
@@ -40,27 +40,27 @@ double distance_to_segment(Point p, Point a, Point b) {
     return length(p - (a + t * (b - a)));
 }
 
-/// A part of a line: a vertex and its neighbours.
+/// A part of a line: a vertex with its neighbours.
 struct Part {
     LineVertexHandle before;
     LineVertexHandle at;
     LineVertexHandle after;
 };
 
-/// What others need of a line where one of its points moves or goes.
+/// Checks the clearance of other lines when a point of a line moves or is removed.
 class Surroundings {
 public:
     Surroundings(const Lines& lines, const Clearance& clearance)
         : lines_(lines), distance_(clearance.distance), cosine_(std::cos(clearance.angle)) {}
 
-    /// Whether a part of a line has the clearance from the vertices around it with these points in place of its own.
+    /// True if a part of a line keeps the clearance from surrounding vertices with these points in place of its own.
     [[nodiscard]] bool are_clear_of(const Part& part, std::span<const Point> points) const {
         for (const LineVertexHandle centre : {part.before, part.at, part.after}) {
             auto vertex = lines_.incident_vertices(centre);
             const auto first = vertex;
             do {
                 if (lines_.is_infinite(vertex) || vertex == part.before || vertex == part.at || vertex == part.after) continue;
-                // What meets the part in its ends is compared by the angle there.
+                // Vertices that the part meets at its ends are compared by angle.
                 const bool at_before = are_joined(part.before, vertex);
                 const bool at_after = are_joined(part.after, vertex);
                 if (at_before && is_sharp(points[0], place(vertex), points[1])) return false;
@@ -79,7 +79,7 @@ public:
         return lines_.is_edge(one, other, face, i) && face->is_constrained(i);
     }
 
-    /// Moves the middle of a part unless triangles around it would become bad.
+    /// Moves the middle of a part unless it makes surrounding triangles bad.
     void move(const Part& part, Point to) const {
         if (!are_clear_of(part, std::array{place(part.before), to, place(part.after)})) return;
         auto face = lines_.incident_faces(part.at);
@@ -103,8 +103,8 @@ private:
     double distance_, cosine_;
 };
 
-/// Length of the segment without a point over the longest, or its distance from points left out over the tolerance; none where
-/// the line would come too near to another.
+/// Cost of a removal: length of the new segment over the longest, or distance of removed points over the tolerance; none if the
+/// line would come too near to another.
 struct Cost {
     Clearance clearance;
     template <class Position>
@@ -122,7 +122,7 @@ struct Cost {
     }
 };
 
-/// Moves the points of a line along its normals, so that it has the requested area.
+/// Moves the points of a line along its normals to the requested area.
 void keep_area(const Surroundings& around, const std::vector<LineVertexHandle>& line, const DenseLine& requested) {
     const std::size_t n = line.size() - 1;  // segments
     const std::size_t begin = requested.is_closed ? 0 : 1;
@@ -132,7 +132,7 @@ void keep_area(const Surroundings& around, const std::vector<LineVertexHandle>& 
         for (std::size_t i = 1; i < n; ++i) {
             missing -= cross(place(line[i]) - place(line[0]), place(line[i + 1]) - place(line[0]));
         }
-        double rate = 0;  // at which the area falls where all points move to the left
+        double rate = 0;  // decrease of the area per length when all points move left
         for (std::size_t i = begin; i < n; ++i) rate += length(tangent(i));
         const double distance = std::clamp(-missing / rate, -requested.spacing, requested.spacing);
         std::vector<Point> moved;
@@ -165,7 +165,7 @@ std::vector<Lines::Constraint_id> insert(Lines& all, std::span<const DenseLine> 
 std::vector<std::vector<Point>> simplified_lines(std::span<const DenseLine> lines, const Clearance& clearance) {
     Lines all;
     const std::vector<Lines::Constraint_id> ids = insert(all, lines);
-    // All at once would go by the addresses of the lines where costs are equal, so that no two calls agree.
+    // Simplifying all lines at once would order equal costs by memory addresses, so that calls would differ.
     for (const Lines::Constraint_id& id : ids) {
         simplification::simplify(all, id, Cost{clearance}, simplification::Stop_above_cost_threshold(1));
     }

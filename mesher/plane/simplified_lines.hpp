@@ -1,4 +1,4 @@
-// Lines of many points with fewer, which still do not cross.
+// Reduces the points of lines without making lines cross.
 #pragma once
 
 #include <span>
@@ -8,25 +8,25 @@
 
 namespace graincrack::mesher {
 
-/// A line between two points, or a closed one, whose last point is its first.
+/// A line between two points, or a closed line, whose last point is its first.
 struct DenseLine {
     std::vector<Point> points;
-    double spacing = 0;       ///< requested between points
-    double tolerance = 0;     ///< largest distance of points that are left out from the line without them
-    double doubled_area = 0;  ///< requested, twice that between the line and its chord, counter-clockwise, or inside
-    bool is_closed = false;   ///< whether its first point may move too
+    double spacing = 0;       ///< requested distance between points
+    double tolerance = 0;     ///< largest distance of removed points from the resulting line
+    double doubled_area = 0;  ///< requested, twice the area between the line and its chord, counter-clockwise, or inside
+    bool is_closed = false;   ///< true if its first point may also move
 };
 
-/// What the segments of lines need of each other where points are left out.
+/// Clearance of the segments of lines where points are removed.
 struct Clearance {
-    double distance = 0;  ///< of the points of others
-    double angle = 0;     ///< where segments meet, rad, below π/2
+    double distance = 0;  ///< distance from points of other lines
+    double angle = 0;     ///< angle between segments that meet, rad, below π/2
 };
 
-/// Leaves points out of lines that meet in their ends only, where segments stay about as long as the spacing, and moves the
-/// others but the ends along the normals, so that lines have the areas that are requested; both only so far as no line crosses or
-/// meets another. Source: C. Dyken, M. Dæhlen, T. Sevaldrud, Simultaneous curve simplification, J. Geogr. Syst. 11 (2009)
-/// 273–289, in CGAL. \return the points left of each line \throws UsageError if lines cross
+/// Removes points of lines that meet at their ends only, if segments stay about as long as the spacing, and moves the other
+/// points except ends along the normals, so that lines have the requested areas. No line crosses or meets another. Source: C.
+/// Dyken, M. Dæhlen, T. Sevaldrud, Simultaneous curve simplification, J. Geogr. Syst. 11 (2009) 273–289, in CGAL. \return the
+/// remaining points of each line \throws UsageError if lines cross
 std::vector<std::vector<Point>> simplified_lines(std::span<const DenseLine> lines, const Clearance& clearance);
 
 }  // namespace graincrack::mesher

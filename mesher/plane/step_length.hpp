@@ -1,4 +1,4 @@
-// How long a time step a triangle allows.
+// Estimates the time step that a triangle allows.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,17 @@
 namespace graincrack::mesher {
 
 /// Area of the triangle pqr over the root of the sum of its squared sides, m; negative if clockwise. The stable time step of a
-/// constant-strain triangle that is free is about in proportion: its highest frequency follows from the trace of its stiffness.
-/// A quarter of the side of an equilateral triangle; half an altitude and less of flat ones.
+/// free constant-strain triangle is about proportional to it, because its highest frequency follows from the trace of its
+/// stiffness. It is a quarter of the side of an equilateral triangle, and at most half an altitude of a flat one.
 inline double step_length(Point p, Point q, Point r) {
     return signed_area(p, q, r) / std::sqrt(squared_length(q - p) + squared_length(r - q) + squared_length(p - r));
 }
 
-/// Of an equilateral triangle, over its side.
+/// Step length of an equilateral triangle over its side.
 inline constexpr double step_length_over_side = 0.25;
 
-/// Cost of a triangle whose step length is a share of a good one: 1 of a good one, and soon the larger the smaller the share. A
-/// sum of costs is mostly that of the worst triangles. It rises further for triangles that are inside out.
+/// Cost of a triangle by its step length over that of a good one: 1 for a good triangle, rising with the sixth power of the
+/// inverse. A sum of costs is dominated by the worst triangles. It rises further for inverted triangles.
 inline double step_cost(double share) {
     constexpr double least = 0.05;
     const double inverse = 1 / std::max(share, least);

@@ -1,4 +1,4 @@
-// The map between a specimen of elongated grains and the plane in which they are equiaxed.
+// Maps between a specimen of elongated grains and the plane in which they are equiaxed.
 #pragma once
 
 #include <cmath>
@@ -7,13 +7,13 @@
 
 namespace graincrack::mesher {
 
-/// Elongation of grains without a change of their area.
+/// Elongation of grains at constant area.
 struct Elongation {
     double ratio = 1;  ///< long over short axis
-    double angle = 0;  ///< of the long axis, counter-clockwise from x, rad
+    double angle = 0;  ///< direction of the long axis, counter-clockwise from x, rad
 };
 
-/// The map that elongates, and its inverse; without elongation both are exact identities.
+/// The map that elongates, and its inverse. Without elongation both are exact identities.
 class Stretch {
 public:
     Stretch() = default;
@@ -24,13 +24,13 @@ public:
 
     [[nodiscard]] double ratio() const { return ratio_; }
     [[nodiscard]] bool is_identity() const { return ratio_ == 1; }
-    /// A point or vector of the specimen in the plane where grains are equiaxed.
+    /// Maps a point or vector of the specimen to the plane where grains are equiaxed.
     [[nodiscard]] Point equiaxed(Point p) const { return equiaxed_.of(p); }
-    /// The inverse.
+    /// Maps it back.
     [[nodiscard]] Point elongated(Point p) const { return elongated_.of(p); }
 
 private:
-    /// A symmetric matrix with the principal values k along a direction and 1/k across.
+    /// A symmetric matrix with the principal values k along a direction and 1/k across it.
     struct Matrix {
         double xx = 1, xy = 0, yy = 1;
 

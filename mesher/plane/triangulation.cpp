@@ -20,12 +20,12 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-/// Of a constrained triangulation each face knows whether it is visited, and whether it lies inside.
+/// State of a face of a constrained triangulation: visited or not, inside or outside.
 enum class Place { unvisited, beyond, within };
 using Face = CGAL::Triangulation_face_base_with_info_2<Place, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
 
-/// Marks the faces by a flood fill from outside, which changes sides at each loop.
+/// Marks the faces by a flood fill from outside that changes sides at each loop.
 void mark_places(Constrained& triangulation, std::span<const Edge> loops) {
     std::vector<Edge> borders;
     for (const Edge& e : loops) borders.push_back(edge_between(e[0], e[1]));
@@ -111,7 +111,7 @@ std::uint64_t hilbert_key(std::uint32_t x, std::uint32_t y) {
         const std::uint32_t right = (x & s) != 0 ? 1 : 0;
         const std::uint32_t upper = (y & s) != 0 ? 1 : 0;
         key = 4 * key + ((3 * right) ^ upper);
-        if (upper == 0) {  // the curve is reflected in the two lower quadrants
+        if (upper == 0) {  // the curve is mirrored in the two lower quadrants
             if (right == 1) {
                 x = ~x;
                 y = ~y;
@@ -126,12 +126,12 @@ std::uint64_t hilbert_key(std::uint32_t x, std::uint32_t y) {
 
 struct DelaunayMesh::State {
     Delaunay delaunay;
-    std::vector<Delaunay::Vertex_handle> vertices;  ///< of each point
+    std::vector<Delaunay::Vertex_handle> vertices;  ///< [points] vertex
 
     [[nodiscard]] bool is_turned_over(const Delaunay::Face_handle& f) const {
         return CGAL::orientation(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()) != CGAL::LEFT_TURN;
     }
-    /// Whether the point beyond side i of a triangle lies strictly inside its circumcircle.
+    /// True if the point beyond side i of a triangle lies strictly inside its circumcircle.
     [[nodiscard]] bool must_flip(const Delaunay::Face_handle& f, int i) const {
         const auto beyond = f->neighbor(i);
         if (delaunay.is_infinite(beyond) || delaunay.is_infinite(f)) return false;
@@ -139,7 +139,7 @@ struct DelaunayMesh::State {
         return CGAL::side_of_oriented_circle(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(), p) ==
                CGAL::ON_POSITIVE_SIDE;
     }
-    /// Lawson's flips until every pair of triangles is Delaunay; all triangles must be counter-clockwise.
+    /// Applies Lawson's flips until every pair of triangles is Delaunay; all triangles must be counter-clockwise.
     void restore() {
         std::vector<std::pair<Delaunay::Face_handle, int>> sides;
         const auto check_later = [&](const Delaunay::Face_handle& f) {
@@ -196,7 +196,7 @@ std::vector<Triangle> DelaunayMesh::triangles() const {
 }
 
 std::vector<Edge> edges_of(std::span<const Triangle> triangles, std::size_t n_points) {
-    // Counting sort by the smaller point; the few edges of a point are then sorted and made unique in place.
+    // This is a counting sort by the smaller point; the few edges of a point are then sorted and made unique.
     std::vector<int> start(n_points + 1, 0);
     const auto for_each_side = [&](const auto& visit) {
         for (const Triangle& t : triangles) {

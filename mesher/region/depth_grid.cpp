@@ -10,8 +10,8 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double cell_size = 2;  ///< over the reach
-constexpr int max_moves = 8;     ///< of a point between curves
+constexpr double cell_size = 2;  ///< size of a cell over the reach
+constexpr int max_moves = 8;     ///< moves of a point between curves
 
 }  // namespace
 
@@ -34,7 +34,7 @@ DepthGrid::DepthGrid(const Region& region, double reach)
         for (const Curve& curve : all_.near) least = std::min(least, curve.distance(centre));
         cell.deep = least > (reach + half_diagonal) * (1 + 1e-9) && contains(region, centre);
         if (cell.deep) continue;
-        // What is nearest to a point of the cell is at most a diagonal farther from the centre than what is nearest to that.
+        // The curve nearest to a point of the cell is at most a diagonal farther from the centre than that nearest to the centre.
         for (const Curve& curve : all_.near) {
             if (curve.distance(centre) <= least + 2 * half_diagonal * (1 + 1e-9)) cell.near.push_back(curve);
         }

@@ -1,4 +1,4 @@
-// How deep points lie inside a region, also below its prescribed edges: answers of a grid, fast for many points.
+// Answers quickly, with a grid, how deep points lie inside a region and beside its prescribed edges.
 #pragma once
 
 #include <vector>
@@ -7,19 +7,19 @@
 
 namespace graincrack::mesher {
 
-/// A grid over a region whose cells know the curves near them. The depth of a point is its distance from loops and prescribed
-/// edges.
+/// A grid over a region whose cells list the curves near them. The depth of a point is its distance from loops and prescribed
+/// edges. A query costs O(curves near the cell); the construction compares each cell with each curve.
 class DepthGrid {
 public:
-    /// \param reach largest depth that is asked for, m
+    /// \param reach largest depth of a query, m
     DepthGrid(const Region& region, double reach);
 
-    /// Whether a point lies inside, at least `depth` ≤ reach deep.
+    /// True if a point lies inside, at least `depth` ≤ reach deep.
     [[nodiscard]] bool is_deep(Point p, double depth) const {
         const Cell* cell = cell_of(p);
         return cell != nullptr && (cell->deep || is_deep_in(*cell, p, depth));
     }
-    /// A point moved to at least `depth` ≤ reach where it is not as deep; `before` where there is no room for that.
+    /// Moves a point to a depth of at least `depth` ≤ reach; returns `before` if there is no room.
     [[nodiscard]] Point kept_deep(Point p, double depth, Point before) const {
         const Cell* cell = cell_of(p);
         return cell != nullptr && cell->deep ? p : moved_deep(p, depth, before);
@@ -27,14 +27,14 @@ public:
 
 private:
     struct Cell {
-        bool deep = false;        ///< wholly inside and beyond reach of all curves
-        std::vector<Curve> near;  ///< of a cell that is not deep: all curves that are the nearest to some point of it
+        bool deep = false;        ///< entirely inside and beyond reach of all curves
+        std::vector<Curve> near;  ///< if not deep: every curve that is nearest to some point of the cell
     };
     struct Nearest {
         const Curve* curve;
         double distance;
     };
-    /// The cell of a point; null outside of the grid, and of the region.
+    /// The cell of a point; null outside of the grid.
     [[nodiscard]] const Cell* cell_of(Point p) const {
         const double x = (p.x - low_.x) * inv_size_;
         const double y = (p.y - low_.y) * inv_size_;

@@ -63,7 +63,7 @@ public:
 private:
     using Fault = std::optional<std::string>;
 
-    /// The points that a mesh has at both ends of each diameter of a circle.
+    /// Adds the points of a mesh at both ends of each diameter of a circle.
     void add_poles(const Circle& circle) {
         const double half_facet = circle.pole == Pole::facet ? edge_ / (2 * circle.radius) : 0;
         for (int pole = 0; pole < 2 * circle.diameters; ++pole) {
@@ -266,7 +266,7 @@ private:
 
 std::vector<PrescribedEdge> fitted_edges(const Region& region, double edge, std::vector<std::string>* moves) {
     Fitting fitting(region, edge);
-    for (const bool needed : {true, false}) {  // what is needed first
+    for (const bool needed : {true, false}) {  // needed edges first
         for (const PrescribedEdge& e : region.edges) {
             if (e.needed == needed) fitting.add(e);
         }

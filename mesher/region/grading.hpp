@@ -1,4 +1,4 @@
-// Grain sizes that are graded over a region.
+// Grades grain sizes over a region.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 
 namespace graincrack::mesher {
 
-/// Sizes that grow linearly: along x or y from the lower to the upper end of the region, or with the distance from curves.
+/// Relative sizes, linear along x or y from the lower to the upper end of the region, or in the distance from curves.
 struct Grading {
     enum class Kind { along_x, along_y, towards_flaws, towards_boundary, towards_holes } kind = Kind::along_y;
     double from = 1;      ///< relative edge at the lower end, or at the curves
-    double to = 1;        ///< at the upper end, or at `distance` from the curves and beyond
-    double distance = 0;  ///< m; of the kinds towards something
+    double to = 1;        ///< relative edge at the upper end, or at `distance` from the curves and beyond
+    double distance = 0;  ///< m; for the kinds towards something
 
     [[nodiscard]] bool is_along() const { return kind == Kind::along_x || kind == Kind::along_y; }
 };
 
-/// "along x", "towards flaws"
+/// Name of a kind: "along x", "towards flaws".
 std::string name_of(Grading::Kind kind);
 /// Reads "along=y,from=0.5,to=2" or "towards=flaws,from=0.4,distance=10mm". \throws UsageError naming `name`
 Grading parse_grading(std::string_view text, const std::string& name);
@@ -29,10 +29,10 @@ Grading parse_grading(std::string_view text, const std::string& name);
 /// The relative size at points of a region.
 class GradedSize {
 public:
-    /// \throws UsageError if the region has nothing towards which sizes are graded
+    /// \throws UsageError if the region lacks the curves towards which sizes are graded
     GradedSize(const Grading& grading, const Region& region);
 
-    /// Fraction of the distance from where the size is `from` to where it is `to`, 0 to 1.
+    /// Fraction of the distance between the places of the sizes `from` and `to`, 0 to 1.
     [[nodiscard]] double fraction(Point p) const;
     [[nodiscard]] double at(Point p) const { return grading_.from + (grading_.to - grading_.from) * fraction(p); }
     [[nodiscard]] double smallest() const { return std::min(grading_.from, grading_.to); }

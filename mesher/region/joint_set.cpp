@@ -16,7 +16,7 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double max_joints = 10'000;
-constexpr double variation = 0.3;  ///< half range of the lengths of joints and bridges over their mean
+constexpr double variation = 0.3;  ///< half range of lengths of joints and bridges over their mean
 
 }  // namespace
 

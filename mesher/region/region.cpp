@@ -59,10 +59,10 @@ Region stretched(const Region& region, const Stretch& stretch, double side) {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// Corners between these angles belong to two grains; sharper ones are the corner of one, blunter ones are shared anyway.
+// Corners between these angles are shared by two grains; a sharper one belongs to one, blunter ones are shared anyway. By trial.
 const double sharpest_shared = std::cos(75 * pi / 180);
 const double bluntest_shared = std::cos(150 * pi / 180);
-constexpr double round_off = 1e-12;  ///< of the extent of a region
+constexpr double round_off = 1e-12;  ///< over the extent of a region
 
 /// Calls `visit(from, to)` for each side of a polygon.
 template <class Visit>
@@ -70,7 +70,7 @@ void for_each_side(const std::vector<Point>& corners, const Visit& visit) {
     for (std::size_t i = 0; i < corners.size(); ++i) visit(corners[i], corners[(i + 1) % corners.size()]);
 }
 
-/// Whether a point lies in the sector of an arc, which is less than 180° wide.
+/// True if a point lies in the sector of an arc, which is less than 180° wide.
 bool is_beside_arc(const Curve& arc, Point p) {
     const Point centre = arc.circle.centre;
     return cross(arc.from - centre, p - centre) >= 0 && cross(p - centre, arc.to - centre) >= 0;
@@ -101,7 +101,7 @@ bool loop_contains(const Loop& loop, Point p) {
     return inside;
 }
 
-/// Shares of the edge from a to b, between 0 and 1, where a curve meets it.
+/// Fractions of the edge from a to b at which a curve meets it.
 void add_meetings(const Curve& curve, Point a, Point b, std::vector<double>& shares) {
     const Point d = b - a;
     const bool is_arc = curve.kind == Curve::Kind::arc;
@@ -204,7 +204,7 @@ std::vector<PrescribedEdge> clip(const Region& region, const PrescribedEdge& edg
     std::vector<PrescribedEdge> pieces;
     for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
         const PrescribedEdge piece{at(shares[i]), at(shares[i + 1]), edge.kind, edge.name, edge.needed};
-        // A piece along a side is no piece inside.
+        // Pieces along a side are not inside.
         if (length(piece.to - piece.from) > least && depth_inside(region, midpoint(piece.from, piece.to)) > least) {
             pieces.push_back(piece);
         }
@@ -268,7 +268,7 @@ Point Curve::moved_off(Point p, bool inside, double depth) const {
     }
     const double height = dot(normal, p);
     const double offset = dot(normal, from);
-    // The part of the point along the normal is exchanged as a whole, so that sides along x or y give exact coordinates.
+    // The normal part of the point is replaced as a whole, so that sides along x or y have exact coordinates.
     return (p - height * normal) + (offset + (kind == Kind::prescribed && height < offset ? -depth : depth)) * normal;
 }
 

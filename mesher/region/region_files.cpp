@@ -16,7 +16,7 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr std::size_t max_rows = 10'000;
-constexpr double largest_mm = 1e7;  // as the largest specimen is wide
+constexpr double largest_mm = 1e7;  // width of the largest specimen
 constexpr double mm = 1e-3;
 
 TableFile read_table(const std::string& path, const std::vector<std::string>& needed) {
@@ -29,7 +29,7 @@ TableFile read_table(const std::string& path, const std::vector<std::string>& ne
     return table;
 }
 
-/// A length that stands in mm, in m.
+/// Converts a length in mm to m.
 double length(const TableFile& table, std::size_t row, const std::string& column) {
     const double value = table.number(row, column);
     if (!(std::abs(value) <= largest_mm)) {

@@ -1,4 +1,4 @@
-// Tables that describe regions: polygons and flaws. TSV with one header line; lines that begin with # are passed over.
+// Reads tables of polygons, holes and flaws: TSV with one header line; lines that begin with # are skipped.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace graincrack::mesher {
 
-/// A polygon: columns x_mm and y_mm of its corners in their order and, if there is one, `part`: the name of the side from a
-/// corner to the next. The first corner may stand at the end again. Its middle need not be the origin. \throws InputError naming
-/// the file, the line and what is wrong, also for sides that cross
+/// Reads a polygon: columns x_mm and y_mm of its corners in order and optionally `part`, the name of the side from a corner to
+/// the next. The first corner may be repeated at the end. Its middle need not be the origin. \throws InputError naming the file,
+/// the line and the error, also for sides that cross
 Region read_polygon(const std::string& path);
 
 /// A round hole of a table.
@@ -19,13 +19,13 @@ struct Hole {
     double radius = 0;  ///< m
     std::string name;   ///< for messages: "holes.tsv: line 3"
 };
-/// Round holes: columns x_mm, y_mm and radius_mm. \throws InputError naming the file, the line and what is wrong
+/// Reads round holes: columns x_mm, y_mm and radius_mm. \throws InputError naming the file, the line and the error
 std::vector<Hole> read_holes(const std::string& path);
 
-/// Straight flaws: columns x1_mm, y1_mm, x2_mm, y2_mm of their ends and, if there are such, `class` and `state`. The class is
-/// `broken` (also if empty), whose contacts are cracks from the start, `intact`, which grain boundaries only follow, or a name:
-/// contacts of [flaws.NAME] of the material, intact unless their state is `broken`. \throws InputError naming the file,
-/// the line and what is wrong
+/// Reads straight flaws: columns x1_mm, y1_mm, x2_mm, y2_mm of their ends and optionally `class` and `state`. The class is
+/// `broken` or empty (contacts are cracks from the start), `intact` (grain boundaries follow the line), or a name (contacts of
+/// [flaws.NAME] of the material, intact unless their state is `broken`). \throws InputError naming the file, the line and the
+/// error
 std::vector<PrescribedEdge> read_flaws(const std::string& path);
 
 }  // namespace graincrack::mesher

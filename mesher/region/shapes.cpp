@@ -72,7 +72,7 @@ Region polygon(std::vector<Point> corners, const std::vector<std::string>& parts
         }
         numbers.push_back(static_cast<std::uint8_t>(found - region.part_names.begin()));
     }
-    if (area_of(corners) < 0) {  // side i runs from corner i to the next, and backwards too
+    if (area_of(corners) < 0) {  // side i runs from corner i to the next, also in reverse
         std::reverse(corners.begin(), corners.end());
         std::reverse(numbers.begin(), numbers.end());
         std::rotate(numbers.begin(), numbers.begin() + 1, numbers.end());

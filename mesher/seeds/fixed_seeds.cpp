@@ -11,12 +11,12 @@ namespace graincrack::mesher {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double same_place = 1e-9;  ///< over the extent of a region: prescribed edges meet there
+constexpr double same_place = 1e-9;  ///< over the extent of a region: meeting distance of prescribed edges
 constexpr int min_circle_edges = 4;
 
-/// Shares 0 = s₀ < s₁ < … < s_n = 1 of a line cut into n pieces of random length.
+/// Fractions 0 = s₀ < s₁ < … < s_n = 1 of a line cut into n pieces of random length.
 std::vector<double> cut_line(int n, double spread, RandomNumbers& random) {
-    // Uniform within ±√3 spread, which has the requested standard deviation and no outliers.
+    // Lengths are uniform within ±√3 spread, which has the requested standard deviation and no outliers.
     const double half_range = std::min(std::numbers::sqrt3 * spread, 0.6);
     std::vector<double> shares(static_cast<std::size_t>(n) + 1, 0.0);
     for (std::size_t i = 1; i < shares.size(); ++i) shares[i] = shares[i - 1] + 1 + half_range * random.symmetric();
@@ -24,15 +24,15 @@ std::vector<double> cut_line(int n, double spread, RandomNumbers& random) {
     return shares;
 }
 
-/// A line to be divided into edges in proportion to the local size: how long it is over that size, and where shares of this
-/// relative length lie. Without a size field these are the length and the shares themselves.
+/// A line to be divided into edges in proportion to the local size: its length over that size, and the places of fractions of
+/// this relative length. Without a size field these are the length and the fractions themselves.
 class RelativeLine {
 public:
-    /// \param at the point at a share of the line
+    /// \param at returns the point at a fraction of the line
     template <class At>
     RelativeLine(const SizeField& size, double length, const At& at) : length_(length) {
         if (size.is_uniform()) return;
-        constexpr double steps = 4;  // within the distance over which sizes change
+        constexpr double steps = 4;  // steps within the distance over which sizes change
         const int n = static_cast<int>(std::clamp(steps * length / size.resolution(), 64.0, 1e6));
         sums_ = {0};
         for (int i = 0; i < n; ++i) {
@@ -42,7 +42,7 @@ public:
     }
 
     [[nodiscard]] double length() const { return length_; }
-    /// The share of the line that has a share of its relative length.
+    /// The fraction of the line at a fraction of its relative length.
     [[nodiscard]] double place(double share) const {
         if (sums_.empty() || share <= 0 || share >= 1) return share;
         const double aim = share * length_;
@@ -50,7 +50,7 @@ public:
         const double part = (aim - *(next - 1)) / (*next - *(next - 1));
         return (static_cast<double>(next - sums_.begin()) - 1 + part) / static_cast<double>(sums_.size() - 1);
     }
-    /// The share of its relative length that has a share of the line.
+    /// The fraction of its relative length at a fraction of the line.
     [[nodiscard]] double relative_share(double share) const {
         if (sums_.empty()) return share;
         const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(sums_.size() - 1);
@@ -61,10 +61,10 @@ public:
 
 private:
     double length_;
-    std::vector<double> sums_;  ///< relative lengths up to equal shares of the line
+    std::vector<double> sums_;  ///< relative lengths up to equally spaced places
 };
 
-/// Point of a curve at a share of its length; of a circle from the upper pole, counter-clockwise.
+/// Point of a curve at a fraction of its length; on a circle from the upper pole, counter-clockwise.
 Point point_of(const Curve& curve, double share) {
     if (curve.kind != Curve::Kind::arc && !curve.is_circle()) return curve.from + share * (curve.to - curve.from);
     const Point start = curve.is_circle() ? Point{0, curve.circle.radius} : curve.from - curve.circle.centre;
@@ -75,12 +75,12 @@ Point point_of(const Curve& curve, double share) {
 /// A straight side, an arc or a circle, to be divided into edges.
 struct Divided {
     RelativeLine line;
-    double rise;  ///< along y
-    int n;        ///< edges
+    double rise;  ///< rise along y, m
+    int n;        ///< number of edges
     [[nodiscard]] double length() const { return line.length(); }
 };
 
-/// The sides and circles of all loops with the fewest edges they need.
+/// The sides and circles of all loops, with the fewest edges that they need.
 std::vector<Divided> undivided(const Region& region, const SizeField& size) {
     std::vector<Divided> sides;
     for (const Curve& curve : curves_of({region.name, region.loops, {}})) {
@@ -99,9 +99,9 @@ int number_of_edges(const std::vector<Divided>& sides) {
     return sum;
 }
 
-/// Divides the sides into n edges in proportion to their lengths: the one with the longest edges gets one more until all are
-/// given, of equals the longer, then the steeper side. If n is odd, the last goes to the longest side, so that opposite sides of
-/// a rectangle have the same number or differ by one.
+/// Divides the sides into n edges in proportion to length: the side with the longest edges gets one more until all are used;
+/// among equals the longer, then the steeper side. If n is odd, the last goes to the longest side, so that opposite sides of a
+/// rectangle have equal numbers or differ by one.
 std::vector<Divided> edges_per_side(const Region& region, int n, const SizeField& size) {
     std::vector<Divided> sides = undivided(region, size);
     const auto add_to_best = [&](const auto& measure) {
@@ -128,13 +128,13 @@ std::vector<double> rim_angles(const Circle& circle, int n, double spread, Rando
     const int arcs = 2 * circle.diameters;  // from pole to pole
     const double half_facet = facets ? pi / n : 0.0;
     const double span = pi / circle.diameters - 2 * half_facet;
-    const int between = facets ? n - arcs : n;  // edges beside the pole facets
+    const int between = facets ? n - arcs : n;  // number of edges other than the pole facets
     const auto edges_before = [&](int arc) {
         if (line.is_uniform()) return (arc * between + arcs - 1) / arcs;
         const int share = static_cast<int>(std::lround(line.relative_share(static_cast<double>(arc) / arcs) * between));
         return std::clamp(share, arc, between - arcs + arc);  // each arc has an edge
     };
-    const auto place = [&](double start, double share) {  // of a share of the relative length of an arc without facets
+    const auto place = [&](double start, double share) {  // place of a fraction of the relative length of an arc without facets
         if (line.is_uniform()) return start + share * span;
         const auto relative = [&](double angle) { return line.relative_share((angle - pi / 2) / (2 * pi)); };
         const double from = relative(start);
@@ -156,8 +156,8 @@ double polygon_area(const std::vector<Point>& points) {
     return doubled / 2;
 }
 
-/// Points about the origin at a radius. Points at a pole are moved along its diameter until the diameter has its length.
-/// `pole_of`: number of the pole, counter-clockwise from the upper one, or −1.
+/// Points about the origin at a radius. Points at a pole move along its diameter until the diameter has its length. `pole_of`:
+/// number of the pole, counter-clockwise from the upper one, or −1.
 std::vector<Point> rim_points(const Circle& circle, const std::vector<double>& angles, const std::vector<int>& pole_of,
                               double radius) {
     std::vector<Point> points(angles.size());
@@ -189,8 +189,8 @@ std::vector<Point> circle_points(const Circle& circle, int n, double spread, Ran
     }
     std::vector<Point> points;
     double rim_radius = circle.radius;
-    // The area grows almost as the square of the rim radius (not exactly, because of the moved nodes at the poles): a few
-    // corrections suffice.
+    // The area grows almost as the square of the rim radius, except for the moved nodes at the poles, so a few corrections
+    // suffice.
     for (int i = 0; i < 100; ++i) {
         points = rim_points(circle, angles, pole_of, rim_radius);
         const double ratio = pi * circle.radius * circle.radius / polygon_area(points);
@@ -205,7 +205,7 @@ std::vector<Point> circle_points(const Circle& circle, int n, double spread, Ran
     return points;
 }
 
-/// Points of an arc between its ends. They lie at the radius that gives the polygon through them the area of the sector.
+/// Points of an arc between its ends, at the radius at which their polygon has the area of the sector.
 std::vector<Point> arc_points(const Curve& arc, const std::vector<double>& shares) {
     const double radius = arc.circle.radius;
     const double angle = arc.arc_angle();
@@ -230,7 +230,7 @@ std::vector<Point> arc_points(const Curve& arc, const std::vector<double>& share
     return points;
 }
 
-/// Fixed seeds in the making.
+/// Builds fixed seeds.
 class Builder {
 public:
     Builder(const Region& region, double spread, RandomNumbers& random, const SizeField& size)
@@ -239,7 +239,7 @@ public:
         tolerance_ = same_place * (box.width() + box.height());
     }
 
-    /// Fixed seeds on the loops.
+    /// Adds fixed seeds on the loops.
     void add_loops(int n) {
         const auto sides = edges_per_side(region_, n, size_);
         auto side = sides.begin();
@@ -255,7 +255,7 @@ public:
                 if (&loop != &region_.loops.front()) std::reverse(points.begin(), points.end());
                 for (const Point p : points) {
                     const bool outer = &loop == &region_.loops.front();
-                    if (outer && std::abs(p.y) == loop.circle->radius) kept_.push_back(size());  // what meets a platen
+                    if (outer && std::abs(p.y) == loop.circle->radius) kept_.push_back(size());  // meets a platen
                     add_point(loop.circle->centre + p, loop.parts[0]);
                 }
                 if (&loop == &region_.loops.front() && loop.circle->pole == Pole::facet) {
@@ -277,7 +277,7 @@ public:
                     continue;
                 }
                 for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
-                    // The coordinate that is constant along the side is copied exactly, so that the side is straight.
+                    // The coordinate that is constant along the side is copied, so that the side is exactly straight.
                     Point p = from;
                     if (from.x != to.x) p.x += shares[k] * (to.x - from.x);
                     if (from.y != to.y) p.y += shares[k] * (to.y - from.y);
@@ -297,14 +297,14 @@ public:
         }
     }
 
-    /// Fixed seeds on the prescribed edges; after the loops.
+    /// Adds fixed seeds on the prescribed edges, after the loops.
     void add_prescribed(double edge) {
         std::vector<PrescribedEdge> pieces;
         for (const PrescribedEdge& e : region_.edges) {
             for (const PrescribedEdge& piece : clip(region_, e)) pieces.push_back(piece);
         }
         const std::size_t n_loop_sides = seeds_.sides.size();
-        std::vector<std::vector<std::pair<double, int>>> stations(pieces.size());  // share along each piece, and point
+        std::vector<std::vector<std::pair<double, int>>> stations(pieces.size());  // [pieces] fraction along the piece, and point
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             stations[i] = {{0, station(pieces[i].from)}, {1, station(pieces[i].to)}};
             for (std::size_t j = 0; j < i; ++j) meet(pieces, i, j, stations);
@@ -317,7 +317,7 @@ public:
                 }
             }
         }
-        // Inserted points of loops come in pairs, so that the number of boundary points keeps its parity.
+        // Points are inserted into loops in pairs, so that the number of boundary points keeps its parity.
         if (n_inserted_ % 2 != 0) split_longest_side(n_loop_sides + static_cast<std::size_t>(n_inserted_));
         seeds_.n_fixed = seeds_.points.size();
     }
@@ -329,7 +329,7 @@ private:
     [[nodiscard]] Point& at(int p) { return seeds_.points[index(p)]; }
     [[nodiscard]] bool is_kept(int p) const { return std::find(kept_.begin(), kept_.end(), p) != kept_.end(); }
 
-    /// The point at an end or crossing of prescribed edges: one that is there, a point of a loop moved there, or a new one.
+    /// The point at an end or crossing of prescribed edges: an existing one, a point of a loop moved there, or a new one.
     int station(Point p) {
         for (const int q : kept_) {
             if (length(at(q) - p) < tolerance_) return q;
@@ -341,7 +341,7 @@ private:
         return index;
     }
 
-    /// The nearest point of a loop, if it is free to move along its side; otherwise a new one that is inserted.
+    /// The nearest point of a loop if it may move along its side; otherwise a new, inserted one.
     int point_of_loop(Point p) {
         const auto distance = [&](const Side& side) {
             return Curve{Curve::Kind::side, at(side.from), at(side.to), unit(at(side.to) - at(side.from)), {}}.distance(p);
@@ -399,7 +399,7 @@ private:
         const double on_a = cross(b.from - a.from, v) / sine;
         const double on_b = cross(b.from - a.from, u) / sine;
         if (on_a < -slack_a || on_a > 1 + slack_a || on_b < -slack_b || on_b > 1 + slack_b) return;
-        // An end that lies on the other edge is the point itself.
+        // An end on the other edge is the meeting point.
         const Point p = on_b < slack_b       ? b.from
                         : on_b > 1 - slack_b ? b.to
                         : on_a < slack_a     ? a.from
@@ -430,7 +430,7 @@ private:
     const SizeField& size_;
     double tolerance_ = 0;
     int n_inserted_ = 0;
-    std::vector<int> kept_;  ///< points that must not be moved: corners, ends and crossings
+    std::vector<int> kept_;  ///< immovable points: corners, ends and crossings
     Seeds seeds_;
 };
 

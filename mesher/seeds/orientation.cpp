@@ -14,7 +14,7 @@ constexpr std::size_t n_parts = 8;
 
 constexpr Point complex_product(Point p, Point q) { return {p.x * q.x - p.y * q.y, p.x * q.y + p.y * q.x}; }
 
-/// Index of the interval, of n equal ones over [−extent/2, extent/2], that holds a coordinate.
+/// Index of the interval that holds a coordinate, among n equal ones over [−extent/2, extent/2].
 std::size_t interval(double coordinate, double extent, std::size_t n) {
     const double place = (coordinate / extent + 0.5) * static_cast<double>(n);
     return std::min(static_cast<std::size_t>(std::max(place, 0.0)), n - 1);

@@ -1,4 +1,4 @@
-// Six-fold orientational order of the edges: how closely a mesh, or a neighbourhood in it, resembles a triangular lattice.
+// Measures the six-fold orientational order of edges: how closely a mesh, or a part of it, resembles a triangular lattice.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ Neighbours neighbours_of(std::span<const Edge> edges, std::size_t n_points);
 /// e^(6iθ) of a direction, as a point of the complex plane; (0, 0) for a zero vector.
 Point six_fold(Point direction);
 
-/// |⟨e^(6iθ)⟩| over the edges: 0 no preferred direction, 1 a lattice.
+/// ⟨e^(6iθ)⟩| over the edges: 0 without a preferred direction, 1 for a lattice.
 double psi6(std::span<const Point> points, std::span<const Edge> edges);
 
 /// Partitions of a region into eight equal parts: of a disc by circles and radii, of other regions by a grid over their extent.
@@ -31,9 +31,9 @@ enum class Partition {
     bands,   ///< grid: 8 bands across the longer side; disc: quadrants cut into halves of equal area by a circle
 };
 
-/// The largest |⟨e^(6iθ)⟩| among eight equal parts of a region. An edge belongs to the part of its midpoint. Parts of a grid that
-/// have fewer than half as many edges as on average, because the region does not fill them, do not count.
-/// \param stretch of elongated grains, whose directions are those in the plane where they are equiaxed
+/// Returns the largest |⟨e^(6iθ)⟩| among eight equal parts of a region. An edge belongs to the part of its midpoint. Grid parts
+/// with less than half of the average number of edges, which the region does not fill, do not count.
+/// \param stretch elongation of grains; directions are those in the plane where they are equiaxed
 double largest_psi6_of_parts(const Region& region, Partition partition, std::span<const Point> points,
                              std::span<const Edge> edges, const Stretch& stretch = {});
 

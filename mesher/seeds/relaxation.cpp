@@ -11,23 +11,23 @@ namespace graincrack::mesher {
 
 namespace {
 
-// Measured on 1,122 and 452 grains, 40 seeds each: more rounds or sweeps change spread and smallest angle by some 2 %.
-constexpr int n_ordering_rounds = 4;  ///< with springs that act at any length and order the neighbourhoods
-constexpr int n_range_rounds = 4;     ///< with springs that act outside of the range only and reduce the extreme edges
+// Measured on 1,122 and 452 grains, 40 seeds each: more rounds or sweeps change spread and smallest angle by about 2 %.
+constexpr int n_ordering_rounds = 4;  ///< rounds with springs that act at any length and order the neighbourhoods
+constexpr int n_range_rounds = 4;     ///< rounds with springs that act outside of the range only and reduce extreme edges
 constexpr int n_settling_rounds = 2;  ///< last rounds, without splits and merges
-constexpr int max_extra_rounds = 60;  ///< to meet the number of points
+constexpr int max_extra_rounds = 60;  ///< further rounds to meet the number of points
 constexpr int n_sweeps = 6;
 constexpr double relaxation_factor = 0.3;
-constexpr double split_above = 1.28;  ///< of the requested edge
+constexpr double split_above = 1.28;  ///< over the requested edge; chosen by trial, as the next numbers
 constexpr double merge_below = 0.78;
-constexpr double turning = 0.19;          ///< strength of the turning away from a common direction
+constexpr double turning = 0.19;          ///< rotation away from a common direction
 constexpr int n_smoothings = 10;          ///< a neighbourhood has a radius of about three edges
-constexpr double ordered_spread = 0.115;  ///< requested spreads above this need no ordering rounds
-constexpr double min_depth = 0.3;         ///< smallest distance of inner points from the boundary, over the requested edge
-constexpr double least_scatter = 0.01;    ///< of the logarithm of sizes
+constexpr double ordered_spread = 0.115;  ///< larger spreads need no ordering rounds
+constexpr double min_depth = 0.3;         ///< smallest depth of inner points, over the requested edge
+constexpr double least_scatter = 0.01;    ///< bounds of the scatter of the logarithm of sizes
 constexpr double largest_scatter = 0.6;
 
-/// Half range of the springs that gives a spread on average, as measured; the rounds correct it.
+/// Half range of the springs that gives a spread on average. Fitted to meshes; the rounds correct it.
 double initial_range(double spread) {
     return spread > ordered_spread ? 1.6 * spread - 0.04 : std::clamp(3 * (spread - 0.095), 0.0, 0.1);
 }
@@ -76,7 +76,7 @@ private:
     [[nodiscard]] double size_of(const Edge& e) const {
         return sizes_.empty() ? 1 : 0.5 * (sizes_[index(e[0])] + sizes_[index(e[1])]);
     }
-    /// Spread that the springs are to leave; a wider one is that of the sizes.
+    /// Spread that the springs leave; a larger one comes from the sizes.
     [[nodiscard]] double spring_spread() const { return size_.is_scattered() ? tight_spread : goal_.spread; }
 
     void triangulate() {
@@ -89,7 +89,7 @@ private:
         }
         points_changed_ = false;
         if (is_hull_) mesh_.triangles = delaunay_.triangles();
-        // Corners are split during relaxation too, so that the spring along the new diagonal shortens it.
+        // Corners are split already during the relaxation, so that the spring along the new diagonal shortens it.
         for (const Corner& c : mesh_.corners) {
             if (is_fixed({std::min(c.before, c.after), std::max(c.before, c.after)})) {
                 continue;  // a prescribed edge cuts the corner
@@ -109,8 +109,8 @@ private:
 
     [[nodiscard]] double spread() const { return spread_of_edges(mesh_.points, mesh_.edges, size_); }
 
-    /// Half range in which springs exert no force. It, or the scatter of the sizes, is corrected by the difference between
-    /// requested and present spread.
+    /// Half range in which springs exert no force. It, or the scatter of sizes, is corrected by the difference between requested
+    /// and present spread.
     double adapted_range() {
         const double missing = goal_.spread - spread();
         if (size_.is_scattered()) {
@@ -122,8 +122,7 @@ private:
         return range_;
     }
 
-    /// Sweeps over the inner points. Each point in turn is moved by the springs to its neighbours and by the move that turns its
-    /// edges.
+    /// Sweeps over the inner points. Springs to its neighbours and the rotation of its edges move each point in turn.
     void sweep(double range) {
         const Neighbours neighbours = neighbours_of(mesh_.edges, mesh_.points.size());
         const auto turns = turning_moves(neighbours);
@@ -150,7 +149,7 @@ private:
         }
     }
 
-    /// Move of each point that turns its edges away from the common direction o of its neighbourhood: down the gradient of
+    /// Moves that rotate the edges of each point away from the common direction o of its neighbourhood: down the gradient of
     /// |⟨e^(6iθ)⟩|², whose sine is Im(e^(6iθ) ō).
     [[nodiscard]] std::vector<Point> turning_moves(const Neighbours& neighbours) const {
         const auto& points = mesh_.points;
@@ -168,13 +167,13 @@ private:
         return moves;
     }
 
-    /// Merges the ends of the shortest edges and splits the longest, as many of both as keeps or corrects the number of
-    /// points. \param only_correct make no more of them than correct the number of points
+    /// Merges the ends of the shortest edges and splits the longest, equally many of both except to correct the number of points.
+    /// \param only_correct do no more than this correction
     void exchange_points(bool only_correct) {
         Candidates short_edges;
         Candidates long_edges;
         const std::ptrdiff_t missing = -surplus();
-        const double low = missing < 0 ? 1e9 : merge_below;  // all edges are candidates of a correction
+        const double low = missing < 0 ? 1e9 : merge_below;  // a correction may use all edges
         const double high = missing > 0 ? 0.0 : split_above;
         std::ptrdiff_t n_too_short = 0;
         std::ptrdiff_t n_too_long = 0;
@@ -198,7 +197,7 @@ private:
 
     using Candidates = std::vector<std::pair<double, std::size_t>>;
 
-    /// Sorts to the front as many candidates as a choice of `n` without common points may need, and drops the others. If too few
+    /// Sorts as many candidates to the front as a choice of `n` without common points may need, and drops the others. If too few
     /// are left, the next round corrects the number.
     static void sort_first(Candidates& candidates, std::ptrdiff_t n) {
         const auto n_kept = std::min(static_cast<std::ptrdiff_t>(candidates.size()), 3 * n + 20);
@@ -258,14 +257,14 @@ private:
     const RelaxationGoal goal_;
     SizeField size_;
     bool has_sizes_ = size_.varies();
-    std::vector<double> sizes_;  ///< relative, of each point; none if all are 1
+    std::vector<double> sizes_;  ///< [points] relative sizes; empty if all are 1
     std::size_t n_fixed_;
     std::vector<Edge> loops_;        ///< directed
     std::vector<Edge> prescribed_;   ///< directed
     std::vector<Edge> fixed_edges_;  ///< both, ascending
     bool is_hull_ = false;
     double range_ = 0;
-    bool points_changed_ = true;  ///< added or removed, not only moved
+    bool points_changed_ = true;  ///< true if points were added or removed
     DelaunayMesh delaunay_;
     Seeds mesh_;
 };

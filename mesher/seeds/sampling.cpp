@@ -12,7 +12,7 @@ namespace {
 
 constexpr int tries_per_point = 16;
 
-/// Grid of cells so small that points at the smallest distance lie in different cells.
+/// A grid whose cells are so small that points at the smallest distance lie in different cells.
 class OccupancyGrid {
 public:
     OccupancyGrid(const Box& box, double smallest, double largest, const std::vector<Point>& points)
@@ -24,7 +24,7 @@ public:
           n_y_(static_cast<std::int64_t>(box.height() * inv_cell_) + 2 * margin_ + 1),
           occupant_(static_cast<std::size_t>(n_x_ * n_y_), -1) {}
 
-    /// Whether a point keeps a distance from all others.
+    /// True if a point keeps a distance from all others.
     [[nodiscard]] bool admits(Point p, double distance) const {
         const std::int64_t cell = cell_of(p);
         if (occupant_[static_cast<std::size_t>(cell)] >= 0) return false;
@@ -44,7 +44,7 @@ public:
 
 private:
     [[nodiscard]] std::int64_t cells_within(double distance) const { return 1 + static_cast<std::int64_t>(distance * inv_cell_); }
-    /// A margin on all sides makes bounds checks in the neighbour loops unnecessary.
+    /// The cell of a point. A margin on all sides makes bounds checks in neighbour loops unnecessary.
     [[nodiscard]] std::int64_t cell_of(Point p) const {
         const auto x = static_cast<std::int64_t>((p.x - origin_.x) * inv_cell_) + margin_;
         const auto y = static_cast<std::int64_t>((p.y - origin_.y) * inv_cell_) + margin_;
@@ -59,7 +59,7 @@ private:
     std::vector<std::int32_t> occupant_;
 };
 
-/// Random direction times a length between r and 1.5 r, without trigonometry.
+/// A random vector with a length between r and 1.5 r, without trigonometry.
 Point random_step(double r, RandomNumbers& random) {
     for (;;) {
         const Point p{1.5 * random.symmetric(), 1.5 * random.symmetric()};
@@ -68,8 +68,8 @@ Point random_step(double r, RandomNumbers& random) {
     }
 }
 
-/// Points on the bisectors of corners, as far from the corner as a grain edge is long there, and from each other at least as far.
-/// \param edge of relative size 1
+/// Points on the bisectors of corners, a grain edge away from the corner and at least as far from each other.
+/// \param edge of relative size 1, m
 std::vector<Point> corner_points(const Region& region, double edge, const SizeField& size) {
     std::vector<Point> points;
     for (const Loop& loop : region.loops) {
@@ -134,7 +134,7 @@ std::vector<Point> sample_points(const Region& region, const DepthGrid& depth, d
         if (depth.is_deep(p, margin * size.at(p))) accept(p);
     }
     grow();
-    // Holes, necks, prescribed edges and steps of size may have kept the growth from some parts: a point is tried all over the
+    // Holes, necks, prescribed edges and steps of size may keep the growth from some parts, so points are tried all over the
     // region.
     if (!is_plain(region) || size.varies()) {
         for (double y = box.low.y; y < box.high.y; y += smallest / 2) {

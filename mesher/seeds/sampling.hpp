@@ -1,4 +1,4 @@
-// First positions of the inner points of a mesh: random, but not too close to each other (Poisson disc).
+// Places the inner points of a mesh at random, but not too close to each other (Poisson disc).
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace graincrack::mesher {
 
-/// Points no closer than `min_distance` to each other and no closer than `margin` to loops and prescribed edges, both times the
-/// local size, so dense that there is room for hardly any further point; in the order of a Hilbert curve.
+/// Returns points no closer than `min_distance` to each other and `margin` to loops and prescribed edges, both times the local
+/// size, so dense that hardly any further point has room; in the order of a Hilbert curve.
 ///
-/// Bridson's dart throwing (SIGGRAPH 2007) on a grid. Near each convex corner that a grain could cut off one point is placed on
-/// the bisector, so that such corners are shared by two triangles.
-/// \param depth of the region, with a reach of `margin` times the largest size at least
+/// The method is Bridson's dart throwing (SIGGRAPH 2007) on a grid, linear in the number of points. Near each convex corner that
+/// a grain could cut off, a point on the bisector lets two triangles share the corner.
+/// \param depth of the region, with a reach of at least `margin` times the largest size
 std::vector<Point> sample_points(const Region& region, const DepthGrid& depth, double min_distance, double margin,
                                  RandomNumbers& random, const SizeField& size = {});
 

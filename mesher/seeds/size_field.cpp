@@ -13,14 +13,14 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double table_spacing = 0.5;  ///< of the table of graded sizes, over the smallest edge
-constexpr double max_table = 4e6;      ///< entries of that table
-constexpr double max_distances = 3e8;  ///< computed for it
-constexpr double field_spacing = 0.8;  ///< of the coefficients of z, over the edge: the correlation of z is 1/e at 1.5 edges
-constexpr double largest_z = 3;        ///< z is a sum of bounded numbers
-constexpr double steepest = 0.3;       ///< change of sizes from a grain to the next
+constexpr double table_spacing = 0.5;  ///< spacing of the table of graded sizes, over the smallest edge
+constexpr double max_table = 4e6;      ///< largest number of entries
+constexpr double max_distances = 3e8;  ///< largest number of distances computed for it
+constexpr double field_spacing = 0.8;  ///< spacing of the coefficients of z, over the edge: z is correlated to 1/e over 1.5 edges
+constexpr double largest_z = 3;        ///< bound: z is a sum of bounded numbers
+constexpr double steepest = 0.3;       ///< largest change of size between neighbouring grains; by trial
 
-/// Mean edge of equilateral grains of all directions that are elongated, over their edge before.
+/// Mean edge of elongated equilateral grains of all directions, over their edge before.
 double mean_of_elongated(const Stretch& stretch) {
     constexpr int n = 360;
     double sum = 0;
@@ -31,7 +31,7 @@ double mean_of_elongated(const Stretch& stretch) {
     return sum / n;
 }
 
-/// Weights of a cubic B-spline, of the four coefficients around a place 0 ≤ t < 1 between the second and the third.
+/// Weights of a cubic B-spline for the four coefficients around a place 0 ≤ t < 1 between the second and the third.
 std::array<double, 4> spline_weights(double t) {
     const double s = 1 - t;
     return {s * s * s / 6, (3 * t * t * (t - 2) + 4) / 6, (3 * s * s * (s - 2) + 4) / 6, t * t * t / 6};

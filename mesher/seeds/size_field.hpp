@@ -1,4 +1,4 @@
-// The local size of grains: graded over the region, scattered from grain to grain, elongated.
+// Defines the local size of grains: graded over the region, scattered from grain to grain, elongated.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@
 namespace graincrack::mesher {
 
 /// Relative size of grains at points of the plane in which they are equiaxed: the requested edge there over the edge of as many
-/// equal grains, which have the same area in all. A relative size is graded (g, from a table) and scattered by a factor
-/// f = exp(σz + σ²), where z is a random field of variance 1 that is correlated over about two grains; the mean of 1/(gf)² over
-/// the area is 1, so that sizes do not change the number of grains.
+/// equal grains of the same total area. A relative size is graded (g, from a table) and scattered by a factor f = exp(σz + σ²),
+/// where z is a random field of variance 1 that is correlated over about two grains. The mean of 1/(gf)² over the area is 1, so
+/// that sizes do not change the number of grains.
 class SizeField {
 public:
-    /// Size 1 everywhere.
+    /// Has the size 1 everywhere.
     SizeField() = default;
     /// \param edge of equal grains, m
-    /// \param scatter standard deviation σ of the logarithm of sizes; none until `draw`
-    /// \throws UsageError if sizes change too much from a grain to the next, or there is nothing towards which they are graded
+    /// \param scatter standard deviation σ of the logarithm of sizes; no effect before `draw`
+    /// \throws UsageError if sizes change too much between neighbouring grains, or the curves of the grading are missing
     SizeField(const Region& region, double edge, const std::optional<Grading>& grading, const Stretch& stretch, double scatter);
 
     [[nodiscard]] const Stretch& stretch() const { return stretch_; }
     [[nodiscard]] bool is_uniform() const { return !varies() && stretch_.is_identity(); }
-    /// Whether sizes differ in the plane where grains are equiaxed.
+    /// True if sizes vary in the plane where grains are equiaxed.
     [[nodiscard]] bool varies() const { return !graded_.empty() || is_scattered(); }
     [[nodiscard]] bool is_scattered() const { return scatter_ > 0; }
 
@@ -41,7 +41,7 @@ public:
     /// Bounds of the sizes.
     [[nodiscard]] double smallest() const;
     [[nodiscard]] double largest() const;
-    /// Length of a short line of the specimen over the local size, m: as many edges of equal grains lie along it.
+    /// Length of a short line of the specimen over the local size, m: as many edges of equal grains fit on it.
     [[nodiscard]] double relative_length(Point from, Point to) const {
         return length(stretch_.equiaxed(to - from)) / at(stretch_.equiaxed(midpoint(from, to)));
     }
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] double mean_edge() const;
     /// Expected mean edge over that without scatter.
     [[nodiscard]] double mean_edge_of_scatter() const;
-    /// Expected mean edge along a line over the edge of equal grains, but for grading and elongation.
+    /// Expected mean edge along a line over the edge of equal grains, without grading and elongation.
     [[nodiscard]] double mean_edge_along_lines() const;
 
 private:
@@ -74,7 +74,7 @@ private:
 
     Stretch stretch_;
     double edge_ = 1, scatter_ = 0, resolution_ = 1;
-    double mean_of_inverse_ = 1;  ///< of the graded sizes, over the area
+    double mean_of_inverse_ = 1;  ///< mean inverse of the graded sizes, over the area
     double smallest_grade_ = 1, largest_grade_ = 1;
     Table graded_;
     Table field_;  ///< coefficients of z
