@@ -8,7 +8,7 @@
 
 namespace graincrack::mesher {
 
-/// Makes every body a grain. The cost is linear in the number of triangles but for sorting.
+/// Makes every body a grain. The cost is O(n log n) for n triangles.
 ///
 /// Grains follow a Hilbert curve of their centres; nodes and elements follow their grains; contacts are ordered by (grain a,
 /// grain b), those of one grain boundary along a1→a2; boundary edges are in the order of the mesh's sides. The function sets the

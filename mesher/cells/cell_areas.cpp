@@ -12,7 +12,7 @@ namespace {
 
 constexpr double cut_off = 3;               ///< standard deviations
 constexpr double smallest_diameter = 0.25;  ///< smallest diameter of a normal distribution, over its middle
-constexpr double widest_scatter = 4;
+constexpr double widest_scatter = 4;        ///< largest scatter of diameters that is tried
 
 double normal_probability(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 

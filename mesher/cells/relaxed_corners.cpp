@@ -150,9 +150,9 @@ namespace {
 
 /// Longest moves of a corner in each sweep, over the root of the area of the smallest cell there. Chosen by trial.
 constexpr std::array<double, 8> longest_moves{0.08, 0.08, 0.06, 0.06, 0.04, 0.04, 0.03, 0.02};
-constexpr double acceptable_error = 1e-6;  ///< largest error of areas
-constexpr double hexagon_side = 0.6204;    ///< side of a regular hexagon, over the root of its area
-constexpr double weight_of_flat_corners = 0.2;
+constexpr double acceptable_error = 1e-6;       ///< largest error of areas
+constexpr double hexagon_side = 0.6204;         ///< side of a regular hexagon, over the root of its area
+constexpr double weight_of_flat_corners = 0.2;  ///< of their cost against sharp ones; chosen by trial
 
 /// Cost of a corner between sides in the directions `next` and `last`: for a sharp corner that of its triangle, for a nearly
 /// straight one a penalty on shapes that crystals do not have.

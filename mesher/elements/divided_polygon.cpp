@@ -14,10 +14,10 @@ namespace graincrack::mesher {
 
 namespace {
 
-constexpr double least_distance = 0.72;  ///< distance of a new point from others, over the element size; chosen by trial
-constexpr double farthest = 1.5;         ///< distance over the size beyond which places are equivalent
-constexpr int n_levels = 32;             ///< levels of distance
-constexpr double places_per_size = 5;
+constexpr double least_distance = 0.72;     ///< distance of a new point from others, over the element size; chosen by trial
+constexpr double farthest = 1.5;            ///< distance over the size beyond which places are equivalent
+constexpr int n_levels = 32;                ///< levels of distance
+constexpr double places_per_size = 5;       ///< grid places along an element; chosen by trial
 constexpr double points_over_sides = 1.15;  ///< weight of a distance from a side against one from a point; chosen by trial
 
 /// Places on a grid over a polygon, each with its distance from boundary and points.

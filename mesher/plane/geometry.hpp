@@ -9,7 +9,7 @@
 
 namespace graincrack::mesher {
 
-/// A non-negative number of a point, a cell or the like, as an index.
+/// A non-negative number of a point, a cell and so on, as an index.
 constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// A point or vector, m.

@@ -17,14 +17,14 @@ constexpr int n_range_rounds = 4;     ///< rounds with springs that act outside 
 constexpr int n_settling_rounds = 2;  ///< last rounds, without splits and merges
 constexpr int max_extra_rounds = 60;  ///< further rounds to meet the number of points
 constexpr int n_sweeps = 6;
-constexpr double relaxation_factor = 0.3;
-constexpr double split_above = 1.28;  ///< over the requested edge; chosen by trial, as the next numbers
-constexpr double merge_below = 0.78;
-constexpr double turning = 0.19;          ///< rotation away from a common direction
-constexpr int n_smoothings = 10;          ///< a neighbourhood has a radius of about three edges
-constexpr double ordered_spread = 0.115;  ///< larger spreads need no ordering rounds
-constexpr double min_depth = 0.3;         ///< smallest depth of inner points, over the requested edge
-constexpr double least_scatter = 0.01;    ///< bounds of the scatter of the logarithm of sizes
+constexpr double relaxation_factor = 0.3;  ///< fraction of a spring move that a sweep makes; chosen by trial, as the next numbers
+constexpr double split_above = 1.28;       ///< over the requested edge
+constexpr double merge_below = 0.78;       ///< over the requested edge
+constexpr double turning = 0.19;           ///< rotation away from a common direction
+constexpr int n_smoothings = 10;           ///< a neighbourhood has a radius of about three edges
+constexpr double ordered_spread = 0.115;   ///< larger spreads need no ordering rounds
+constexpr double min_depth = 0.3;          ///< smallest depth of inner points, over the requested edge
+constexpr double least_scatter = 0.01;     ///< bounds of the scatter of the logarithm of sizes
 constexpr double largest_scatter = 0.6;
 
 /// Half range of the springs that gives a spread on average. Fitted to meshes; the rounds correct it.

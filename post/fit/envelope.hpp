@@ -74,7 +74,7 @@ struct EnvelopeTests {
     std::vector<std::string> left_out;   ///< runs without a strength of this kind: their names and the reason
     std::vector<double> brazilian;       ///< tensile strengths by 2Fmax/(π t D)
     std::vector<double> direct_tension;  ///< tensile strengths
-    std::size_t at_strain_limit = 0;     ///< runs whose largest stress stands for a peak
+    std::size_t at_strain_limit = 0;     ///< runs whose largest stress replaces a peak
     [[nodiscard]] std::vector<double> confining() const;
     [[nodiscard]] std::set<double> pressures() const;  ///< distinct confining pressures, Pa
     [[nodiscard]] std::vector<double> strength() const;

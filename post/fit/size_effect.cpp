@@ -87,7 +87,7 @@ namespace {
 
 /// Settings that may differ: the grain size, and the size of the specimen if both have the same ratio.
 SettingGroups of_sizes(const std::vector<RunData>& runs) {
-    constexpr double slack = 0.1;
+    constexpr double slack = 0.1;  // relative difference of equal ratios; chosen, not fitted
     const auto scale = [](const RunData& run) { return run.specimen.width / run.specimen.mean_edge; };
     for (const RunData& run : runs) {
         const auto other = std::ranges::find_if(runs, [&](const RunData& r) { return r.header.test == run.header.test; });

@@ -12,7 +12,7 @@ class H5Output;
 std::string project_version();
 /// Commit from which the project was built, "" if unknown.
 std::string project_commit();
-/// Versions of the libraries of this build, "HDF5 1.10.8" and the like; tools add their own (CGAL, VTK, …).
+/// Versions of the libraries of this build, "HDF5 1.10.8" and the like; programs add their own (CGAL, VTK, …).
 std::vector<std::string> library_versions();
 
 /// The content of /provenance.

@@ -414,8 +414,8 @@ void soften_points(const Assemblage& a, const ContactLaw& law, std::int32_t chun
 /// Opens a point whose contact has lost its frame, in small increments, so that it dissipates the rest of its fracture energy.
 template <class Law>
 void pull_apart(const ContactLaw& law, double far, ContactResponse& r) {
-    constexpr double first = 1e-9;  // first increment, over `far`
-    constexpr double growth = 1.02;
+    constexpr double first = 1e-9;   // first increment, over `far`
+    constexpr double growth = 1.02;  // of the opening in an increment; chosen, not fitted
     for (double opening = first * far; opening < far; opening *= growth) contact_law::move_point<Law>(law, {opening, 0}, r);
     contact_law::move_point<Law>(law, {far, 0}, r);
 }
