@@ -7,8 +7,11 @@
 #include <deque>
 #include <map>
 
+#include "post/calibrate/kind_prior.hpp"
 #include "post/calibrate/report.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/normal.hpp"
+#include "tests/support/synthetic_kind.hpp"
 
 namespace graincrack::calibrate {
 namespace {
@@ -133,7 +136,7 @@ Decision decide_on(const Rock& rock, bool one_at_a_time, std::size_t& n_runs) {
 
 // The truth lies within the 95 % intervals of the parameters, and within 95 % of the draws of what was not fitted, in 95 ± 5 % of
 // 60 rocks each.
-TEST(CalibrationOfAKind, IntervalsHoldTheTruth) {
+TEST(CalibrationOfAKind, HasIntervalsThatHoldTheTruth) {
     std::map<std::string, int> held;
     std::vector<double> runs;
     int calibrated = 0;
@@ -168,7 +171,7 @@ TEST(CalibrationOfAKind, IntervalsHoldTheTruth) {
     EXPECT_LE(median(runs), 70);
 }
 
-TEST(CalibrationOfAKind, TheOrderInWhichRunsEndChangesNothing) {
+TEST(CalibrationOfAKind, DoesNotDependOnTheOrderInWhichRunsEnd) {
     const Rock rock(7);
     std::size_t together = 0;
     std::size_t in_turn = 0;
@@ -179,6 +182,18 @@ TEST(CalibrationOfAKind, TheOrderInWhichRunsEndChangesNothing) {
     EXPECT_EQ(together, in_turn);
     // No run has been made where the kind gives the first guess.
     EXPECT_EQ(decision.steps.front().stage, "kind");
+}
+
+// Bridges are a coordinate of the surface, their stiffness is none.
+TEST(KindPrior, KnowsBridgesAndNamesWhatItDoesNotKnow) {
+    const auto surface = std::make_shared<const KindSurface>(test::SyntheticKind{}.rows(70), "granite");
+    const Material rock = read_material("granite-crystals");
+    std::string text;
+    for (const std::string key : {"ratios.bridging_strength", "ratios.open_shear_strength"}) {
+        const KindPrior prior(surface, rock, {{key, true, 0.4, 0.8, 0.3, 0.9, 0.6}}, Study{});
+        text += key + ": \"" + prior.lacks({}) + "\"\n";
+    }
+    test::expect_golden(text);
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // Parts of a calibration, each on numbers with known answers.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +9,7 @@
 #include "post/calibrate/target.hpp"
 #include "post/calibrate/verdict.hpp"
 #include "post/statistics/statistics.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/normal.hpp"
 
 namespace graincrack {
@@ -54,7 +57,7 @@ TEST(Design, FillsItsBoxEvenly) {
     EXPECT_EQ(sobol_points(box, 7, 2)[0], points[7]);
 }
 
-TEST(Design, ABoxStaysInItsLimits) {
+TEST(Box, StaysInItsLimits) {
     const Box limits{point(0, 0), point(1.5, 1)};
     const Box moved = unit.about(point(1, 0.5), 1, limits);
     EXPECT_NEAR(moved.centre(0), 0.5, 1e-12);
@@ -81,7 +84,7 @@ TEST(LocalSurface, HasTheTermsThatPredict) {
     EXPECT_NEAR(other->gradient(point(0.3, 0.1))(0), 0.5 + 0.6 * 0.3, 1e-4);
 }
 
-TEST(LocalSurface, PointsWithoutAValueAreLeftOut) {
+TEST(LocalSurface, LeavesOutPointsWithoutAValue) {
     const std::vector<DesignPoint> points = sobol_points(unit, 0, 20);
     std::vector<double> values = values_at(
         points, [](double x, double y) { return x + y; }, 0.1);
@@ -109,7 +112,7 @@ struct Planes {
 constexpr double nothing_known = 1e3;  // beforehand
 
 // x + y = 0.5 ± 0.1 and x − y = 0.1 ± 0.2: x = 0.3 and y = 0.2, each with a variance of (0.01 + 0.04)/4.
-TEST(Optimum, OfTwoPlanes) {
+TEST(Optimum, LiesWhereTwoPlanesMeetTheirTargets) {
     const Planes planes;
     const Optimum optimum =
         find_optimum(unit, point(0, 0), {{&planes.first, 0.5, 0.1}, {&planes.second, 0.1, 0.2}}, {}, nothing_known);
@@ -128,7 +131,7 @@ TEST(Optimum, OfTwoPlanes) {
 
 // From (0.2, −0.4) ± 1 along (1, 1) towards x + y = 0.5 ± 0.1: of the lack of 0.7, 2/(2 + 0.01) is made up. x − y keeps its
 // variance of 2, so that x has a half and that of x + y, 2 · 0.01/2.01, a quarter.
-TEST(Optimum, WhatNothingTellsStaysAtTheFirstGuess) {
+TEST(FirstGuess, IsKeptWhereDataDoNotDetermineIt) {
     const Planes planes;
     const Optimum optimum = find_optimum(unit, point(0.2, -0.4), {{&planes.first, 0.5, 0.1}});
     EXPECT_NEAR(optimum.point(0), 0.2 + 0.35 * 2 / 2.01, 1e-6);
@@ -144,7 +147,7 @@ TEST(Optimum, WhatNothingTellsStaysAtTheFirstGuess) {
 
 // Draws of two planes, one of which is a target, scatter as the covariance says; so does x − y, which nothing tells but the first
 // guess.
-TEST(Optimum, DrawsHaveItsCovariance) {
+TEST(Draws, HaveTheCovarianceOfTheOptimum) {
     const Planes planes;
     const std::vector<Residual> residuals{{&planes.first, 0.1, 0.1}};
     const Optimum optimum = find_optimum(unit, point(0, 0), residuals, {}, 0.2);
@@ -166,7 +169,7 @@ TEST(Optimum, DrawsHaveItsCovariance) {
 }
 
 // Two quantities of the same specimens, which scatter together, are drawn together, and by Student's distribution.
-TEST(Optimum, DrawsOfOneSpecimenGoTogether) {
+TEST(Draws, CorrelateQuantitiesOfTheSameSpecimens) {
     test::Normal normal(5);
     std::vector<std::vector<double>> factors;
     std::vector<double> first;
@@ -219,7 +222,7 @@ TEST(Optimum, KeepsAShare) {
 using calibrate::Measures;
 using calibrate::target_of;
 
-TEST(CalibrationTarget, CrackThresholdsAreThoseOfStrainGaugesUnlessTheCountIsAskedFor) {
+TEST(CalibrationTarget, ReadsCrackThresholdsOfStrainGaugesUnlessTheCountIsAskedFor) {
     const Measures measures{
         {"crack_initiation_MPa", 55}, {"crack_damage_MPa", 98}, {"crack_damage_2d_MPa", 110}, {"crack_initiation_count_MPa", 80}};
     const auto value = [&](const std::string& name) { return target_of(name, "targets").read(measures); };
@@ -229,7 +232,7 @@ TEST(CalibrationTarget, CrackThresholdsAreThoseOfStrainGaugesUnlessTheCountIsAsk
     EXPECT_TRUE(std::isnan(target_of("crack_damage", "targets").read({{"crack_damage_2d_MPa", 110}})));
 }
 
-TEST(CalibrationTarget, ToughnessIsOfHalfDiscs) {
+TEST(CalibrationTarget, ReadsToughnessOfHalfDiscs) {
     calibrate::Target target = target_of("toughness", "targets");
     target.value = 1.5e6;
     EXPECT_EQ(target.test(), "bend");
@@ -241,7 +244,7 @@ TEST(CalibrationTarget, ToughnessIsOfHalfDiscs) {
     EXPECT_EQ(target.fitted_name(), "mode_i_toughness");
 }
 
-TEST(CalibrationTarget, SurfacesOfAFallAreOfWhatIsLeft) {
+TEST(CalibrationTarget, HasTheLogarithmOfWhatAFallLeaves) {
     calibrate::Target fall = target_of("drop_50MPa", "targets");
     fall.value = 0.42;
     fall.deviation = 0.1;
@@ -253,36 +256,38 @@ TEST(CalibrationTarget, SurfacesOfAFallAreOfWhatIsLeft) {
     EXPECT_TRUE(std::isnan(strength.logarithm(-1)));
 }
 
-TEST(CalibrationTarget, ANameThatBeginsWithAnotherIsNotTakenForIt) {
-    EXPECT_EQ(target_of("crack_initiation_8MPa", "targets").property.name, "crack_initiation");
-    EXPECT_EQ(target_of("crack_initiation_count", "targets").property.name, "crack_initiation_count");
-    const calibrate::Target confined = target_of("crack_initiation_count_8MPa", "targets");
-    EXPECT_EQ(confined.property.name, "crack_initiation_count");
-    EXPECT_EQ(confined.confining_pressure, 8e6);
-    EXPECT_EQ(confined.name(), "crack_initiation_count_8MPa");
-    EXPECT_EQ(confined.symbol(), "crack initiation by count of cracks at 8 MPa");
+TEST(CalibrationTarget, IsNotTakenForOneWithWhichItsNameBegins) {
+    std::string text;
+    for (const char* name : {"crack_initiation_8MPa", "crack_initiation_count", "crack_initiation_count_8MPa"}) {
+        const calibrate::Target target = target_of(name, "targets");
+        text +=
+            fmt::format("{}: {} at {} Pa: {}\n", target.name(), target.property.name, target.confining_pressure, target.symbol());
+    }
+    test::expect_golden(text);
 }
 
-TEST(Outcomes, AreWithinByTheWholeIntervalAndMetByTheMeanOfWhatIsFitted) {
+TEST(Outcomes, HaveAVerdictByTheWholeIntervalAndTheMean) {
     calibrate::Target target = target_of("uniaxial", "test");
     target.value = 100e6;
     target.deviation = 5e6;
-    const auto outcome = [&](const std::vector<double>& strengths) {
+    std::string text;
+    const auto add = [&](const std::vector<double>& strengths) {
         std::vector<Measures> runs;
         for (const double each : strengths) runs.push_back({{"first_peak_MPa", each}});
         std::vector<const Measures*> list;
         for (const Measures& run : runs) list.push_back(&run);
-        return calibrate::outcome_of(target, list, calibrate::Study{});
+        const calibrate::Outcome outcome = calibrate::outcome_of(target, list, calibrate::Study{});
+        text +=
+            fmt::format("{} MPa: {}: {}\n", fmt::join(strengths, ", "), outcome.verdict, outcome.is_met() ? "met" : "not met");
+        return outcome.ours->mean;
     };
-    EXPECT_EQ(outcome({99.9, 100.1}).verdict, "within");
-    const calibrate::Outcome met = outcome({97, 101, 103});  // ± 7.6
-    EXPECT_EQ(met.verdict, "mean within");
-    EXPECT_TRUE(met.is_met());
-    EXPECT_FALSE(outcome({94, 95.5}).is_met());
-    EXPECT_EQ(outcome({30, 170}).verdict, "undecided");
-    EXPECT_EQ(outcome({30, 170}).ours->mean.low, 0);  // 100 ± 890
+    add({99.9, 100.1});
+    add({97, 101, 103});  // ± 7.6
+    add({94, 95.5});
+    EXPECT_EQ(add({30, 170}).low, 0);  // 100 ± 890
     target.use = calibrate::Use::predict;
-    EXPECT_EQ(outcome({97, 101, 103}).verdict, "undecided");
+    add({97, 101, 103});
+    test::expect_golden(text);
 }
 
 }  // namespace
