@@ -145,7 +145,7 @@ TEST_F(CalibrationProblem, HasAStudyWithSettings) {
 TEST_F(CalibrationProblem, HasTheSpecimenOfTheLaboratoryOrHalfDiscsWithTheGrainsOfDiscs) {
     const auto add = [&](const std::string& what, const Settings& settings) {
         const calibrate::Test last = tests_of(problem(settings).targets).back();  // so that discs keep their specimens with it
-        add_run(fmt::format("{}; {}", what, fmt::join(settings, ", ")), last, settings);
+        add_run(fmt::format("{} ({})", what, fmt::join(settings, ", ")), last, settings);
     };
     for (const char* method :
          {R"(method = "half-disc", diameter = "75 mm", notch = "18 mm")", R"(method = "beam", height = "40 mm", notch = "12 mm")",
@@ -167,7 +167,7 @@ TEST_F(CalibrationProblem, HasSpecimensOfTheFabricOfTheMaterial) {
         "elongation = 1.5\nelongation_angle = \"30 deg\"\n";
     for (const std::string study : {"", "grains = 300", "mean_edge = \"5 mm\""}) {
         granite_and(fabric + "[study]\n" + study);
-        add_run("crystals of 6 mm; " + study, {"uniaxial", 0, 0.3});
+        add_run("crystals of 6 mm (" + study + ")", {"uniaxial", 0, 0.3});
     }
     granite_and(fabric);
     // The equilateral triangle of the area of that diameter has the edge d √(π/√3).

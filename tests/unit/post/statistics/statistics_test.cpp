@@ -10,12 +10,12 @@
 namespace graincrack {
 namespace {
 
-TEST(Statistics, StudentIsThatOfTables) {
+TEST(Statistics, HaveStudentsQuantilesOfTables) {
     EXPECT_NEAR(student_t_95(1), 12.706205, 1e-6);  // printed tables of t(0.975)
     EXPECT_NEAR(student_t_95(7), 2.364624, 1e-6);
 }
 
-TEST(Statistics, SampleHasMeanDeviationAndInterval) {
+TEST(Statistics, HaveMeanDeviationAndIntervalOfASample) {
     const std::array<double, 4> values{2, 4, 4, 6};
     const Sample s = sample(values);
     EXPECT_DOUBLE_EQ(s.mean.value, 4);
@@ -27,7 +27,7 @@ TEST(Statistics, SampleHasMeanDeviationAndInterval) {
     EXPECT_FALSE(one.mean.low.has_value());
 }
 
-TEST(Statistics, LineWithVariancesByHand) {
+TEST(Statistics, FitALineWithVariances) {
     const std::array<double, 4> x{0, 1, 2, 3};
     const std::array<double, 4> y{1, 3, 4, 8};  // by hand: slope 2.2, intercept 0.7, scatter 1.8, Sxx 5
     const auto line = fit_line(x, y);
@@ -57,7 +57,7 @@ struct Observations {
 
 const std::vector<SurfaceTerm> plane{{{0, 0}}, {{1, 0}}, {{0, 1}}};
 
-TEST(LinearModel, AnUpdateIsAFitWithOneObservationMore) {
+TEST(LinearModel, UpdatesAsAFitWithOneObservationMore) {
     const Observations all(20);
     Observations first(19);
     LinearModel updated = LinearModel::fit(plane, first.factors, first.response).value();
@@ -69,7 +69,7 @@ TEST(LinearModel, AnUpdateIsAFitWithOneObservationMore) {
 }
 
 // What bends nothing is drawn to 0; a square that is there stays.
-TEST(LinearModel, RestrictedLikelihoodDrawsToZeroWhatIsNotThere) {
+TEST(LinearModel, ShrinksTermsThatAreNotThere) {
     Observations data(60);
     const auto fit = [&] { return LinearModel::fit_restricted(quadratic_terms(2), 3, data.factors, data.response, {}).value(); };
     const LinearModel flat = fit();
@@ -81,7 +81,7 @@ TEST(LinearModel, RestrictedLikelihoodDrawsToZeroWhatIsNotThere) {
 }
 
 // Each specimen observed twice, with nearly the same result, tells hardly more than observed once.
-TEST(LinearModel, ObservationsOnOneSpecimenScatterTogether) {
+TEST(LinearModel, TakesObservationsOnOneSpecimenTogether) {
     const Observations once(40);
     Observations twice = once;
     std::vector<std::string> specimens;
