@@ -64,7 +64,7 @@ double mohr_coulomb(double c, double phi, double confining) {
 }
 double hoek_brown(double ci, double m, double confining) { return confining + ci * std::sqrt(m * confining / ci + 1); }
 
-TEST(Coverage, EnvelopesOverAllRuns) {
+TEST(Coverage, Is95PercentForEnvelopesOverAllRuns) {
     const std::vector<double> confining{0, 0, 0, 4e6, 4e6, 4e6, 8e6, 8e6, 8e6};
     expect_coverage(20140402, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> line;
@@ -84,7 +84,7 @@ TEST(Coverage, EnvelopesOverAllRuns) {
     });
 }
 
-TEST(Coverage, EnvelopesOverSeeds) {
+TEST(Coverage, Is95PercentForEnvelopesOverSeeds) {
     expect_coverage(20140404, [&](Normal& normal, Coverage& coverage) {
         EnvelopeTests lines;
         for (std::int64_t seed = 1; seed <= 5; ++seed) {  // each seed is a rock of its own
@@ -98,7 +98,7 @@ TEST(Coverage, EnvelopesOverSeeds) {
     });
 }
 
-TEST(Coverage, PowerLawsOfSize) {
+TEST(Coverage, Is95PercentForPowerLawsOfSize) {
     expect_coverage(20140439, [&](Normal& normal, Coverage& coverage) {
         std::vector<double> edge;
         std::vector<double> relative;
@@ -112,7 +112,7 @@ TEST(Coverage, PowerLawsOfSize) {
     });
 }
 
-TEST(Coverage, LinearModels) {
+TEST(Coverage, Is95PercentForLinearModels) {
     const auto runs = ccd::coded_runs(2, ccd::Star::rotatable, 5);
     const std::vector<double> planted{11, 7, -5, -7, 1, 7};  // as Eq 19: 1, x1, x2, x1 x2, x1², x2²
     const auto terms = quadratic_terms(2);
@@ -136,7 +136,7 @@ TEST(Coverage, LinearModels) {
     });
 }
 
-TEST(Coverage, JointRegionOfFactors) {
+TEST(Coverage, Is95PercentForTheJointRegionOfFactors) {
     const auto runs = ccd::coded_runs(2, ccd::Star::rotatable, 5);
     const std::vector<double> place{0.4, -0.5};
     const auto first = [](const std::vector<double>& x) { return 11 + 7 * x[0] - 5 * x[1] - 7 * x[0] * x[1]; };
@@ -154,7 +154,7 @@ TEST(Coverage, JointRegionOfFactors) {
     });
 }
 
-TEST(Coverage, GutenbergRichter) {
+TEST(Coverage, Is95PercentForGutenbergRichter) {
     constexpr double planted = 1.2;
     double mean = 0;
     expect_coverage(20140441, [&](Normal& normal, Coverage& coverage) {

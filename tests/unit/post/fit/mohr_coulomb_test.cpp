@@ -15,7 +15,7 @@ namespace {
 constexpr double MPa = 1e6;
 constexpr double degree = std::numbers::pi / 180;
 
-TEST(MohrCoulomb, ALineGivesItsOwnCohesionAndFriction) {
+TEST(MohrCoulomb, GivesCohesionAndFrictionOfALine) {
     const double C = 21 * MPa;
     const double phi = 53 * degree;
     const double b = (1 + std::sin(phi)) / (1 - std::sin(phi));
@@ -29,7 +29,7 @@ TEST(MohrCoulomb, ALineGivesItsOwnCohesionAndFriction) {
     EXPECT_NEAR(envelope.r_squared, 1, 1e-12);
 }
 
-TEST(MohrCoulomb, WhatHasNoEnvelope) {
+TEST(MohrCoulomb, RefusesStrengthsWithoutALine) {
     const std::array<double, 2> same{4 * MPa, 4 * MPa};
     const std::array<double, 2> strength{100 * MPa, 110 * MPa};
     EXPECT_NEAR(mohr_coulomb_slope(std::asin(4.0 / 6)), 5, 1e-12);  // the line of tests/unit/post/summary/summarize_test.cpp
