@@ -53,6 +53,7 @@ std::vector<Resultant> borne_by(const PrescribedConditions& prescribed, const st
 
 void require_borne(const Assemblage& a, const PrescribedConditions& prescribed, const std::vector<double>& values,
                    const std::string& where) {
+    if (prescribed.edges.empty()) return;
     StepLoading loading;
     loading.amplitudes = values;
     double size = 0;
