@@ -95,6 +95,12 @@ class DrivesThePrograms(unittest.TestCase):
                                 "--phases quartz=0.4,mica=0.6 --quiet")
             self.assertEqual(specimen["tessellation"], tessellation)
 
+    def test_an_imported_mesh(self):
+        mesh = Path(__file__).resolve().parents[1] / "data" / "meshes" / "two-parts.msh"
+        specimen = graincrack.import_(mesh, scale="10mm", grain="entity", format="gmsh")
+        self.same(specimen, f"mesh import {mesh} --scale 10mm --grain entity --quiet")
+        self.assertEqual(specimen.nodes.max(), 0.01)
+
     def test_tests_with_the_material_of_their_specimen(self):
         brazilian, uniaxial, triaxial = self.runs
         self.same(brazilian, f"solve brazilian disc.h5 {QUICK_LINE}")

@@ -90,7 +90,7 @@ class _Command:
         known = {option["name"] for option in own}
         others = [option for option in of_program if option["name"] not in known]
         self.options = {_python_name(each["name"]): each for each in own + others if each["name"] not in _NONE_OF_A_FUNCTION}
-        self._makes_table = "format" in self.options and not self.options["output"].get("required")
+        self._makes_table = program == "graincrack-post" and "format" in self.options and not self.options["output"].get("required")
         self.output = None if self._makes_table else self.options.get("output")  # tables have a file only where it is named
 
     @property
