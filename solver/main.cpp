@@ -99,6 +99,10 @@ void print_summary(std::ostream& out, const SimulationSummary& s, const Specimen
                     "{:.2f} % of the load before the peak",
                     h.test, h.energy_balance_error, 100 * h.platen_force_difference, 100 * h.damping_load));
     if (output != "-") say(out, fmt::format("{}: written to {} after {:.1f} s", h.test, output, s.wall_time));
+    if (s.ranks.threads_at_work < s.ranks.balance.threads - 0.05) {
+        say(out, fmt::format("{}: {:.1f} of {} threads worked, as others used the processors", h.test, s.ranks.threads_at_work,
+                             s.ranks.balance.threads));
+    }
     const std::string few = h.loading() == Loading::program ? "" : note_on_few_crystals(specimen);
     const auto caution = [&](const std::string& code, const std::string& text) { warn(out, h.test, {text, code}, output); };
     if (!few.empty()) caution("few_crystals", few);

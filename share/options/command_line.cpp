@@ -473,7 +473,8 @@ int available_processors() {
 
 Option add_threads(OptionSet set, int& threads) {
     threads = available_processors();
-    return add_integer<int>(set, "--threads", threads, "threads; default: the processors this process may use", 1, 4096);
+    return add_integer<int>(set, "--threads", threads,
+                            "most threads, fewer on busy processors; default: the processors this process may use", 1, 4096);
 }
 
 Option add_dry_run(OptionSet set, CommonOptions& common, const std::string& help) {

@@ -72,7 +72,7 @@ public:
 
     /// Writes the run to an output as it goes; to be called before `run`.
     void write_to(const std::string& output, Provenance provenance) {
-        provenance.threads = team_.size();
+        provenance.threads = team_.most();
         provenance.ranks = request_.ranks->size();
         provenance.vector_target = name_of(setup_.assemblage.vector_target);
         output_.emplace(Run{specimen_, request_, setup_, driver_, state_, recorder_, header_, team_, provenance}, output,
@@ -119,7 +119,8 @@ public:
                 static_cast<double>(sums[0]) / steps,
                 static_cast<double>(sums[1]) / steps,
                 1e-9 * static_cast<double>(sums[2]) / (ranks.size() * wall_time),
-                share_step(setup_.assemblage, setup_.boundary, &state_, team_.size()).balance};
+                share_step(setup_.assemblage, setup_.boundary, &state_, team_.most()).balance,
+                team_.mean_size()};
     }
     [[nodiscard]] const CrackLog& crack_log() const { return recorder_.crack_log(); }
     [[nodiscard]] const std::vector<std::string>& overshoots() const { return driver_.stages().overshoots(); }

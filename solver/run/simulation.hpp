@@ -20,6 +20,7 @@ struct RankSummary {
     double bytes_a_step = 0, messages_a_step = 0;           ///< mean of the ranks
     double waited = 0;                                      ///< fraction of the time, mean of the ranks
     StepBalance balance;                                    ///< of the first rank at the end
+    double threads_at_work = 1;                             ///< of the first rank, mean over time
 };
 
 /// The summary of a finished run for its user.

@@ -141,6 +141,7 @@ void advance_between_updates(const Assemblage& a, const Boundary& boundary, cons
                              std::int64_t n_steps, ThreadTeam& team, LoadingClock& clock, State& s) {
     const std::int64_t first_step = s.step + 1;
     LoadingClock clock_after = clock;  // all clocks of the threads end alike
+    team.adapt();
     const StepShares shares = share_step(a, boundary, &s, team.size());
     team.run([&](int thread) {
         ThreadSteps steps{a, boundary, parameters, shares.of_threads[thread], thread == 0, team, clock, s};

@@ -1,23 +1,29 @@
 // A team of threads that work together on many steps. Each thread has a share (step_shares.hpp); a barrier separates stages.
+// On processors that other programs use too, the team has fewer threads at work (team_size.hpp).
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <thread>
 #include <vector>
 
+#include "solver/step/team_size.hpp"
+
 namespace graincrack {
 
-/// Barrier for a fixed number of threads. It spins for a short time. If the other threads do not arrive by then, because
+/// Barrier for a number of threads. It spins for a short time. If the other threads do not arrive by then, because
 /// processors are busy or fewer than threads, it sleeps and releases the processor.
 class SpinBarrier {
 public:
     explicit SpinBarrier(int n_threads) : n_threads_(n_threads) {}
+    /// Changes the number; to be called by a thread for which the others of the new number wait at the barrier.
+    void resize(int n_threads) { n_threads_.store(n_threads, std::memory_order_release); }
     void wait() {
-        if (n_threads_ == 1) return;
+        if (n_threads_.load(std::memory_order_acquire) == 1) return;
         const std::uint32_t generation = generation_.load(std::memory_order_acquire);
-        if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == n_threads_) {
+        if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == n_threads_.load(std::memory_order_acquire)) {
             arrived_.store(0, std::memory_order_relaxed);
             generation_.store(generation + 1, std::memory_order_release);
             generation_.notify_all();
@@ -42,7 +48,7 @@ private:
     static constexpr int patient_spins = 20000;  // about 250 µs, the longest serial work between two parallel stages
     static constexpr int impatient_spins = 100;
     static constexpr std::uint32_t waits_between_trials = 64;
-    const int n_threads_;
+    std::atomic<int> n_threads_;
     alignas(64) std::atomic<int> arrived_{0};
     alignas(64) std::atomic<std::uint32_t> generation_{0};
     alignas(64) std::atomic<bool> patient_{true};
@@ -51,17 +57,28 @@ private:
 /// Threads that live as long as the team. Between two calls of `run` they wait at a barrier and sleep if that takes long.
 class ThreadTeam {
 public:
-    explicit ThreadTeam(int n_threads);
+    explicit ThreadTeam(int most);
     ~ThreadTeam();
     ThreadTeam(const ThreadTeam&) = delete;
     ThreadTeam& operator=(const ThreadTeam&) = delete;
-    [[nodiscard]] int size() const { return static_cast<int>(others_.size()) + 1; }
+    /// Number of threads at work.
+    [[nodiscard]] int size() const { return active_; }
+    [[nodiscard]] int most() const { return static_cast<int>(others_.size()) + 1; }
+    /// Mean number at work, by time between calls of `adapt`.
+    [[nodiscard]] double mean_size() const { return time_ > 0 ? thread_time_ / time_ : size(); }
     /// Runs `work(thread)` for every thread 0 … size − 1, thread 0 in the caller; returns when all are done.
     void run(const std::function<void(int)>& work);
     /// Separates stages of `work`: returns when all threads of the team have called it.
     void wait() { barrier_.wait(); }
+    /// Between two calls of `run`: parks threads that wait for processors, and tries from time to time whether there are more.
+    void adapt();
+    /// Between two calls of `run`. \pre 1 ≤ n ≤ most
+    void resize(int n);
 
 private:
+    using Clock = std::chrono::steady_clock;
+    void work_as(int thread);
+
     SpinBarrier barrier_;
     const std::function<void(int)>* work_ = nullptr;  ///< null: the team ends
     std::vector<std::thread> others_;
