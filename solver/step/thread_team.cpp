@@ -4,9 +4,7 @@ namespace graincrack {
 
 ThreadTeam::ThreadTeam(int most) : barrier_(most), active_(most), team_size_(most), queues_(static_cast<std::size_t>(most)) {
     queues_[0].begin();
-    for (int thread = 1; thread < most; ++thread) {
-        others_.emplace_back([this, thread] { work_as(thread); });
-    }
+    for (int thread = 1; thread < most; ++thread) others_.emplace_back([this, thread] { work_as(thread); });
     run([](int /*thread*/) {});  // so that all have begun
 }
 

@@ -81,6 +81,13 @@ private:
 
     SpinBarrier barrier_;
     const std::function<void(int)>* work_ = nullptr;  ///< null: the team ends
+    std::atomic<int> active_;
+    std::atomic<int> parked_{0};
+    TeamSize team_size_;
+    std::vector<QueueTime> queues_;  ///< one a thread
+    Clock::time_point decided_ = Clock::now();
+    double time_ = 0;         ///< s
+    double thread_time_ = 0;  ///< s, times the threads at work
     std::vector<std::thread> others_;
 };
 
