@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -288,6 +289,9 @@ inline std::string field(const std::string& tsv, const std::string& column, std:
     }
     return "(no such column)";
 }
+
+/// A table for terminals with two blanks between columns, whatever the lengths of the names of files.
+inline std::string narrow(const std::string& table) { return std::regex_replace(table, std::regex("  +"), "  "); }
 
 inline std::string read_text(const std::string& path) {
     std::ifstream file(path, std::ios::binary);

@@ -204,7 +204,7 @@ TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
     EXPECT_NEAR(surface->predict(rock, uniaxial, 0)->value / at.tensile_strength,
                 std::exp(SyntheticKind{}.log_of("uniaxial", at, 0)), 1.5);
     std::string reasons;
-    const auto expect_none = [&](const char* what, const std::string& name, const std::function<void(Material&)>& change) {
+    const auto add_reason = [&](const char* what, const std::string& name, const std::function<void(Material&)>& change) {
         Material other = read_material(name);
         change(other);
         std::string why;
@@ -212,20 +212,20 @@ TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
         reasons += fmt::format("{}: {}\n", what, why);
     };
     const std::string granite = "granite-crystals";
-    expect_none("strong crystals", granite, [](Material& m) { m.fabric.within.fracture_energy = 4; });
-    expect_none("bridges at boundaries alone", granite,
-                [](Material& m) { m.fabric.within.bridging_strength = m.fabric.within.bridging_energy = 0; });
+    add_reason("strong crystals", granite, [](Material& m) { m.fabric.within.fracture_energy = 4; });
+    add_reason("bridges at boundaries alone", granite,
+               [](Material& m) { m.fabric.within.bridging_strength = m.fabric.within.bridging_energy = 0; });
     rock.ratios.bridging_strength = rock.ratios.bridging_energy = 0;
     EXPECT_TRUE(KindSurface::of(rock));
-    expect_none("no wear", granite, [](Material& m) { m.contact.wear_slip = 0; });
-    expect_none("strong open contacts", granite, [&](Material& m) { m.contact.open_shear_strength = 2 * at.tensile_strength; });
-    expect_none("no grain size", granite, [](Material& m) { m.grains.grain_size.reset(); });
+    add_reason("no wear", granite, [](Material& m) { m.contact.wear_slip = 0; });
+    add_reason("strong open contacts", granite, [&](Material& m) { m.contact.open_shear_strength = 2 * at.tensile_strength; });
+    add_reason("no grain size", granite, [](Material& m) { m.grains.grain_size.reset(); });
     const auto with_rough_platens = [](Material& m) { m.platen_friction_angle = 10 * std::numbers::pi / 180; };
-    expect_none("rough platens", granite, with_rough_platens);
+    add_reason("rough platens", granite, with_rough_platens);
     // The kind that it names, not the nearest.
-    expect_none("rough platens of a gabbro", granite, [&](Material& m) { with_rough_platens(m), m.kind = "gabbro"; });
-    expect_none("unknown kind", granite, [&](Material& m) { with_rough_platens(m), m.kind = "amphibolite"; });
-    expect_none("no crystals", "augig-granite", [](Material&) {});
+    add_reason("rough platens of a gabbro", granite, [&](Material& m) { with_rough_platens(m), m.kind = "gabbro"; });
+    add_reason("unknown kind", granite, [&](Material& m) { with_rough_platens(m), m.kind = "amphibolite"; });
+    add_reason("no crystals", "augig-granite", [](Material&) {});
     test::expect_golden(reasons);
 }
 

@@ -36,7 +36,7 @@ struct MadeTest {
     std::vector<double> failed;
 };
 
-TEST(FirstPeak, OfATestThatFallsAndHardensAgain) {
+TEST(FirstPeak, HasAResidualStrengthAndRehardening) {
     // Peak of 108 MPa at 0.4 %, a fall to 58 at 0.45 %, from there 5 GPa.
     const MadeTest test({{0, 8}, {0.4, 108}, {0.45, 58}, {1.5, 110.5}});
     const auto peak = test.first_peak(8e6);
@@ -52,20 +52,16 @@ TEST(FirstPeak, OfATestThatFallsAndHardensAgain) {
     EXPECT_NEAR(*peak->rehardening, 5e9, 1);
 }
 
-TEST(FirstPeak, NoneWhereTheStressOnlyHardens) {
-    EXPECT_FALSE(MadeTest({{0, 0}, {0.4, 100}, {1.5, 180}}).first_peak().has_value());
-    EXPECT_FALSE(MadeTest({{0, 0}, {0.4, 100}, {1.5, 100}}).first_peak().has_value());
-}
-
-TEST(FirstPeak, ADipOfFourPerCentIsNoFall) {
-    EXPECT_FALSE(MadeTest({{0, 0}, {0.4, 100}, {0.45, 96}, {1.5, 180}}).first_peak().has_value());
+TEST(FirstPeak, NeedsAFallOfMoreThanFivePerCentOfTheDeviator) {
+    using Points = std::vector<std::pair<double, double>>;
+    for (const Points& points : {Points{{0, 0}, {0.4, 100}, {1.5, 180}}, Points{{0, 0}, {0.4, 100}, {1.5, 100}},
+                                 Points{{0, 0}, {0.4, 100}, {0.45, 96}, {1.5, 180}}}) {
+        EXPECT_FALSE(MadeTest(points).first_peak().has_value());
+    }
     const auto six = MadeTest({{0, 0}, {0.4, 100}, {0.45, 94}, {1.5, 180}}).first_peak();
     ASSERT_TRUE(six.has_value());
     EXPECT_NEAR(six->strain, 0.004, smoothing_strain);
     EXPECT_LT(*six->drop, 0);  // the stress has risen beyond the first peak
-}
-
-TEST(FirstPeak, AFallIsOneOfTheDeviatorNotOfTheAxialStress) {
     // From 100 to 95.5 MPa: 4.5 % of σ1, 5.6 % of σ1 − σ3.
     const MadeTest test({{0, 20}, {0.4, 100}, {0.45, 95.5}, {0.6, 95.5}, {1.5, 180}});
     EXPECT_FALSE(test.first_peak().has_value());
@@ -88,7 +84,7 @@ TEST(FirstPeak, IsTheFirstMaximumThatTheStressHasFallenFrom) {
     }
 }
 
-TEST(FirstPeak, NoiseNarrowerThanTheWindowIsNone) {
+TEST(FirstPeak, IgnoresNoiseNarrowerThanTheWindow) {
     MadeTest test({{0, 0}, {0.4, 100}, {1.5, 180}});
     // Spikes of ten per cent that last a fifth of the window, either way: the mean moves by two per cent.
     for (std::size_t row = 500; row + 600 < test.stress.size(); row += 300) {
@@ -101,13 +97,13 @@ TEST(FirstPeak, NoiseNarrowerThanTheWindowIsNone) {
     EXPECT_TRUE(test.first_peak().has_value());
 }
 
-TEST(FirstPeak, FallsBeforeAnyContactHasFailedAreNone) {
+TEST(FirstPeak, IgnoresFallsBeforeAnyContactHasFailed) {
     const std::vector<std::pair<double, double>> points{{0, 0}, {0.05, 10}, {0.08, 5}, {0.4, 100}, {1.5, 180}};
     EXPECT_FALSE(MadeTest(points).first_peak().has_value());
     EXPECT_TRUE(MadeTest(points, 0.01).first_peak().has_value());
 }
 
-TEST(FirstPeak, ATestThatEndsTooEarlyHasNoResidualStrength) {
+TEST(FirstPeak, HasNoResidualStrengthIfTheTestEndsTooEarly) {
     // The window of the residual strength ends at 0.9 %.
     const auto peak = MadeTest({{0, 0}, {0.4, 100}, {0.45, 60}, {0.88, 60}}).first_peak();
     ASSERT_TRUE(peak.has_value());
@@ -120,7 +116,7 @@ TEST(FirstPeak, ATestThatEndsTooEarlyHasNoResidualStrength) {
     EXPECT_FALSE(longer->rehardening.has_value());
 }
 
-TEST(FirstPeak, ReHardeningIsThatOfTheStrainThatWasReached) {
+TEST(FirstPeak, HasRehardeningOfTheStrainThatWasReached) {
     const auto part = MadeTest({{0, 0}, {0.4, 100}, {0.45, 60}, {0.85, 60}, {1.1, 70}}).first_peak();
     ASSERT_TRUE(part->rehardening.has_value());  // from 0.9 to 1.1 %
     EXPECT_NEAR(*part->rehardening, 4e9, 1);
@@ -128,7 +124,7 @@ TEST(FirstPeak, ReHardeningIsThatOfTheStrainThatWasReached) {
     EXPECT_NEAR(*falls->rehardening, -2e9, 1);
 }
 
-TEST(FirstPeak, OfARunAreThoseOfItsAxialLoading) {
+TEST(FirstPeak, IsThatOfTheAxialLoadingOfARun) {
     test::Recipe recipe;
     recipe.test = "triaxial";
     recipe.confining_pressure = 8e6;

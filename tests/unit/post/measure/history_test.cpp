@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(HistoryFollow, RowsOfARunInWorkAppearOnceEach) {
+TEST(HistoryFollow, WritesRowsOfARunInWorkOnceEach) {
     const test::TemporaryFolder folder;
     const std::string name = folder.file("run.h5");
     const test::Recipe recipe;
@@ -42,7 +42,7 @@ TEST(HistoryFollow, RowsOfARunInWorkAppearOnceEach) {
     EXPECT_EQ(test::parse_tsv(out.str()).size(), whole.size() + 1);
 }
 
-TEST(HistoryFollow, AFinishedRunIsWrittenAtOnce) {
+TEST(HistoryFollow, WritesAFinishedRunAtOnce) {
     const test::TemporaryFolder folder;
     test::write_run(folder.file("run.h5"), {});
     std::ostringstream out;
@@ -50,19 +50,22 @@ TEST(HistoryFollow, AFinishedRunIsWrittenAtOnce) {
     EXPECT_EQ(test::parse_tsv(out.str()).size(), 112U);
 }
 
-TEST(HistoryFollow, NothingThereAndAbandonedAreOneLine) {
+TEST(HistoryFollow, RefusesMissingAndAbandonedRuns) {
     const test::TemporaryFolder folder;
     std::ostringstream out;
-    test::expect_one_line<InputError>([&] { follow_history(out, folder.file("none.h5"), TableFormat::tsv, 1ms); },
-                                      {"none.h5", "no such file"});
+    test::Refusals refused;
+    const auto add = [&](const std::string& name) {
+        refused.add<InputError>(name, [&] { follow_history(out, folder.file(name), TableFormat::tsv, 5ms); });
+    };
+    add("none.h5");
     std::ofstream(folder.file("dead.h5.part")) << "unfinished";
     std::thread killer([&] {
         std::this_thread::sleep_for(30ms);
         std::filesystem::remove(folder.file("dead.h5.part"));
     });
-    test::expect_one_line<InputError>([&] { follow_history(out, folder.file("dead.h5"), TableFormat::tsv, 5ms); },
-                                      {"dead.h5", "abandoned"});
+    add("dead.h5");
     killer.join();
+    test::expect_golden(refused.text());
 }
 
 }  // namespace

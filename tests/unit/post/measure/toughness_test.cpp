@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -41,7 +41,7 @@ protected:
     std::ostringstream notes_;
 };
 
-TEST_F(ToughnessTable, OfANotchThroughTheMiddle) {
+TEST_F(ToughnessTable, HasTheIntensityOfANotchThroughTheMiddle) {
     const std::string table = table_of(notched_tension(-0.02, 0.02));
     EXPECT_NEAR(std::stod(field(table, "notch_mm")), 40, 1e-4);
     EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 6, 1e-5);
@@ -50,13 +50,11 @@ TEST_F(ToughnessTable, OfANotchThroughTheMiddle) {
                 1e-5);
     std::ostringstream terminal;
     write_toughness_table(terminal, {folder_.file("run.h5")}, TableFormat::aligned, notes_);
-    EXPECT_NE(terminal.str().find("K_IC"), std::string::npos) << terminal.str();
-    EXPECT_NE(terminal.str().find("MPa√m"), std::string::npos) << terminal.str();
-    EXPECT_EQ(terminal.str().find("mode_i_toughness"), std::string::npos);
+    test::expect_golden(test::narrow(terminal.str()));
 }
 
 // l_ch = E' Gf/tc² = (predicted/tc)², with Gf = 82.6 J/m² and tc = 24.15 MPa of the synthetic run.
-TEST_F(ToughnessTable, SaysWhereTheProcessZoneIsNoSmallPartOfTheNotch) {
+TEST_F(ToughnessTable, WarnsOfAProcessZoneThatIsNoSmallPartOfTheNotch) {
     const std::string table = table_of(notched_tension(-0.02, 0.02));
     const double length = std::stod(field(table, "characteristic_length_mm"));
     EXPECT_NEAR(length, 1e3 * std::pow(std::stod(field(table, "predicted_mode_i_toughness_MPa.m^0.5")) / 24.15, 2), 1e-5);
@@ -65,13 +63,12 @@ TEST_F(ToughnessTable, SaysWhereTheProcessZoneIsNoSmallPartOfTheNotch) {
     EXPECT_EQ(notes_.str(), "");
     const std::string shorter = table_of(notched_tension(-0.01, 0.01));
     EXPECT_LT(std::stod(field(shorter, "half_notch_over_characteristic_length")), 5);
-    EXPECT_TRUE(field(shorter, "warning").starts_with("a/l_ch is 2.")) << field(shorter, "warning");
-    EXPECT_NE(notes_.str().find("run.h5: warning: a/l_ch is 2."), std::string::npos) << notes_.str();
+    test::expect_golden(notes_.str());
 }
 
 // Energy release of two crack lengths by plane finite elements of 0.5 mm, ends moved apart as a whole: 1.104 √(π a) for 2a = 32
 // mm in a plate of 80 mm × 160 mm, 0.7 % below Feddersen's; with even stress at the ends the same to 0.1 %.
-TEST(Toughness, IntensityIsThatOfFiniteElements) {
+TEST(CentreCrackIntensity, IsThatOfFiniteElements) {
     EXPECT_NEAR(centre_crack_intensity(1, 0.032, 0.08) / std::sqrt(std::numbers::pi * 0.016), 1.104, 0.01);
 }
 
@@ -87,26 +84,19 @@ Recipe bent(const std::string& shape, double notch) {
     return recipe;
 }
 
-TEST_F(ToughnessTable, OfANotchedBeam) {
+TEST_F(ToughnessTable, HasTheIntensityOfANotchedBeam) {
     const std::string table = table_of(bent("beam", 0.01));
     EXPECT_NEAR(std::stod(field(table, "notch_mm")), 10, 1e-4);
     EXPECT_NEAR(std::stod(field(table, "peak_load_kN/m")), 2, 1e-4);
     EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 0.6, 1e-5);  // 3 F S/(2 H²)
     // ASTM E399: F S/H^1.5 f(1/2), f = 2.6625; the formula of any span is 0.15 % lower
     EXPECT_NEAR(std::stod(field(table, "mode_i_toughness_MPa.m^0.5")), 1e-6 * 2e3 * 0.08 / std::pow(0.02, 1.5) * 2.6625, 3e-4);
-    EXPECT_NE(field(table, "warning").find("a/l_ch is "), std::string::npos);
-    EXPECT_NE(field(table, "warning").find("the ligament is "), std::string::npos);
-    EXPECT_EQ(field(table, "warning").find("heights"), std::string::npos);
     Recipe squat = bent("beam", 0.01);
     squat.span = 0.04;
-    EXPECT_NE(field(table_of(squat), "warning").find("the span is 2 heights; the formula is for 2.5 at least"),
-              std::string::npos);
-}
-
-TEST_F(ToughnessTable, OfAHalfDiscSaysWhereTheSuggestedMethodEnds) {
-    const std::string table = table_of(bent("half-disc", 0.01));
-    EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 2e-3 / 0.09, 1e-6);
-    EXPECT_NE(field(table, "warning").find("span/2R is 0.89 and a/R 0.22"), std::string::npos) << field(table, "warning");
+    const std::string half_disc = table_of(bent("half-disc", 0.01));
+    EXPECT_NEAR(std::stod(field(half_disc, "strength_MPa")), 2e-3 / 0.09, 1e-6);
+    test::expect_golden("beam: " + field(table, "warning") + "\nsquat beam: " + field(table_of(squat), "warning") +
+                        "\nhalf-disc: " + field(half_disc, "warning"));
 }
 
 /// A half-disc as it was measured with materials of known √(Ẽ G): diameter 80 mm, slit 20 mm, span 48 mm.
@@ -114,7 +104,7 @@ const CrackedSpecimen half_disc_of_80{0.02, 0.032, [](double a) { return half_di
 
 // A zone as long as the measured toughness makes it, and one as long as that of the rock makes it, bound what Ghouli's law may be
 // read as; the first is ours, and at 8 MPa the upper end.
-TEST(StripYield, AHalfDiscShowsLessThanItsRockHas) {
+TEST(StripYield, GivesAHalfDiscLessThanItsRockHas) {
     const std::array<std::array<double, 3>, 4> rows{
         {{1.48, 0.76, 1.065}, {0.89, 0.69, 0.78}, {0.52, 0.47, 0.49}, {0.37, 0.35, 0.36}}};
     for (const auto& [infinite, low, high] : rows) {
@@ -126,7 +116,7 @@ TEST(StripYield, AHalfDiscShowsLessThanItsRockHas) {
     EXPECT_NEAR(strip_yield_zone(1.5e6, 8e6), 13.806e-3, 1e-6);
 }
 
-TEST(StripYield, SizeMattersNoMoreWhereTheZoneIsSmallAndHasNoSolutionWhereItIsTheLigament) {
+TEST(StripYield, HasNoEffectOnLargeSpecimensAndNoSolutionOnSmallOnes) {
     const CrackedSpecimen large{20, 32, [](double a) { return half_disc_intensity(1, a, 48, 40); }};
     EXPECT_NEAR(toughness_at_size(1.48e6, 8e6, large).value(), 1.48e6, 0.01e6);
     EXPECT_FALSE(toughness_at_size(3e6, 8e6, half_disc_of_80));
@@ -134,7 +124,7 @@ TEST(StripYield, SizeMattersNoMoreWhereTheZoneIsSmallAndHasNoSolutionWhereItIsTh
 }
 
 // By sums of the higher of two lines.
-TEST(Toughness, EnergyWithBridgesIsThatUnderTheHigherOfTwoSoftenings) {
+TEST(TotalFractureEnergy, IsThatUnderTheHigherOfTwoSoftenings) {
     ContactParameters contact;
     contact.tensile_strength = 9e6;
     contact.fracture_energy = 5;
@@ -174,7 +164,7 @@ TEST_F(ToughnessTable, HasTheSizeAndTheStripYieldLaw) {
                 std::sqrt(total_fracture_energy(run.header.contact) / run.header.contact.fracture_energy), 1e-9);
 }
 
-TEST_F(ToughnessTable, OpenBoundariesAreNoPartOfTheNotch) {
+TEST_F(ToughnessTable, HasNotchesWithoutOpenBoundaries) {
     const auto with_open = [&](Recipe recipe) {
         const std::string closed = field(table_of(recipe), "notch_mm");
         for (std::uint8_t& kind : recipe.specimen.contact_kind) {
@@ -186,24 +176,26 @@ TEST_F(ToughnessTable, OpenBoundariesAreNoPartOfTheNotch) {
     with_open(bent("half-disc", 0.01));
 }
 
-TEST_F(ToughnessTable, OtherRunsAreRefused) {
-    const auto refused = [&](const Recipe& recipe, const std::string& part) {
-        test::expect_one_line<InputError>([&] { table_of(recipe); }, {part});
+TEST_F(ToughnessTable, RefusesOtherRuns) {
+    test::Refusals refused;
+    const auto add = [&](const std::string& what, const Recipe& recipe) {
+        refused.add<InputError>(what, [&] { table_of(recipe); });
     };
-    refused(notched_tension(1, 1), "run.h5: toughness needs a tension test");
-    refused(notched_tension(-0.04, 0), "through its middle");
-    refused(bent("beam", 0), "toughness needs a beam with a notch from the middle of its lower side");
-    refused(bent("beam", 0.02), "a joint through the whole height has no toughness");
+    add("no notch", notched_tension(1, 1));
+    add("notch at a side", notched_tension(-0.04, 0));
+    add("beam without a notch", bent("beam", 0));
+    add("beam with a joint", bent("beam", 0.02));
     Recipe pressed = notched_tension(-0.02, 0.02);
     pressed.test = "uniaxial";
-    refused(pressed, "toughness needs a tension test");
+    add("compression", pressed);
     Recipe at_strain_limit = notched_tension(-0.02, 0.02);
     at_strain_limit.drop = 0;
     at_strain_limit.stop_reason = "strain limit";
-    refused(at_strain_limit, "without a peak");
+    add("no peak", at_strain_limit);
+    test::expect_golden(refused.text());
 }
 
-TEST(Bending, NominalStressOfABeam) {
+TEST(NominalBendingStress, IsThatOfABeam) {
     // M = F S/4 = 1.2 kN, W = H²/6 = 24 mm²: 50 MPa
     EXPECT_NEAR(nominal_bending_stress(100e3, 0.048, 0.012), 50e6, 1);
 }
@@ -213,7 +205,7 @@ double half_disc_shape(double notch_share, double span_share) {
     return half_disc_intensity(1, notch_share, 2 * span_share, 1) * 2 / std::sqrt(std::numbers::pi * notch_share);
 }
 
-TEST(Bending, IntensityOfAHalfDiscIsThatOfISRM) {
+TEST(BendIntensity, IsThatOfISRMForAHalfDisc) {
     EXPECT_NEAR(half_disc_shape(0.5, 0.5), 3.680, 5e-4);
     EXPECT_NEAR(half_disc_shape(0.5, 0.6), 4.668, 5e-4);
     EXPECT_NEAR(half_disc_shape(0.5, 0.8), 6.646, 5e-4);
@@ -224,7 +216,7 @@ double astm_e399(double x) {
     return 3 * std::sqrt(x) * (1.99 - x * (1 - x) * (2.15 - 3.93 * x + 2.7 * x * x)) / (2 * (1 + 2 * x) * std::pow(1 - x, 1.5));
 }
 
-TEST(Bending, IntensityOfANotchedBeamIsThatOfASTMAtFourHeights) {
+TEST(BendIntensity, IsThatOfASTMForABeamOfFourHeights) {
     EXPECT_NEAR(astm_e399(0.5), 2.66, 5e-3);  // as the standard tabulates it
     for (const double x : {0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}) {
         EXPECT_NEAR(notched_beam_intensity(1, x, 4, 1) / 4 / astm_e399(x), 1, 5e-3) << x;
@@ -232,7 +224,7 @@ TEST(Bending, IntensityOfANotchedBeamIsThatOfASTMAtFourHeights) {
 }
 
 // The limits of long spans: a shallow notch in a half-plane has 1.122 σ √(π a), a deep one 3.975 M/b^1.5 (Tada, Paris & Irwin).
-TEST(Bending, IntensityInPureBendingHasItsLimits) {
+TEST(BendIntensity, HasItsLimitsInPureBending) {
     constexpr double span = 1e9;
     const double shallow = notched_beam_intensity(1, 1e-9, span, 1) / nominal_bending_stress(1, span, 1);
     EXPECT_NEAR(shallow / std::sqrt(std::numbers::pi * 1e-9), 1.122, 2e-3);
@@ -241,7 +233,7 @@ TEST(Bending, IntensityInPureBendingHasItsLimits) {
 }
 
 // A force in the middle lowers the stress below it by 4.43 % at S = 4 H (Timoshenko & Goodier, §40: 3 P l/(4 c²) − 0.133 P/c).
-TEST(Bending, AShallowNotchFeelsTheForceAboveIt) {
+TEST(BendIntensity, IsLessUnderTheForceAboveAShallowNotch) {
     constexpr double a = 1e-9;
     const double ratio = notched_beam_intensity(1, a, 4, 1) / notched_beam_intensity(1, a, 1e9, 1) * 1e9 / 4;
     EXPECT_NEAR(ratio, 1 - 0.1773 / 4, 2e-3);
