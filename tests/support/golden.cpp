@@ -80,6 +80,7 @@ void expect_golden(const std::string& text, const std::string& what, const char*
     const std::string title = std::string(test.test_suite_name()) + "." + test.name() + (what.empty() ? "" : ": " + what);
     const std::string path = golden_file(file);
     const std::string own = without_places(text);
+    if (own.empty()) ADD_FAILURE_AT(file, line) << title << ": there is no text";
     Sections sections = read(path);
     std::string& golden = section(sections, title);
     if (std::getenv("GRAINCRACK_ACCEPT") != nullptr) {

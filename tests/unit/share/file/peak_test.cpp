@@ -10,7 +10,7 @@
 namespace graincrack {
 namespace {
 
-TEST(MeanOverStrain, EachStrainCountsEquallyHoweverDenseTheRows) {
+TEST(MeanOverStrain, CountsEachStrainEquallyHoweverDenseTheRows) {
     const std::vector<double> strain{0, 0.25, 0.3125, 0.375, 0.5, 1};
     const std::vector<double> value{2, 2, 2, 2, 2, 6};  // 2, from 0.5 on a rise to 6
     const MeanOverStrain curve(strain, value);
@@ -20,7 +20,7 @@ TEST(MeanOverStrain, EachStrainCountsEquallyHoweverDenseTheRows) {
     EXPECT_DOUBLE_EQ(curve.mean(0.75, 3), 5);  // of the part that the curve has
 }
 
-TEST(MeanOverStrain, PlatensThatStopOrRetreatLeaveTheFirstValueAtAStrain) {
+TEST(MeanOverStrain, KeepsTheFirstValueAtAStrainWherePlatensStopOrRetreat) {
     const std::vector<double> strain{0, 0.5, 0.5, 0.25, 0.5, 1};
     const std::vector<double> value{1, 1, 7, 7, 7, 1};
     EXPECT_DOUBLE_EQ(MeanOverStrain(strain, value).mean(0, 1), 1);
@@ -99,7 +99,7 @@ double strength_of(const std::string& test, double heat, const std::vector<std::
     return peak ? peak->stress * 1e-6 : 0;
 }
 
-TEST(Strength, HasNoneOfATestWhosePlatensRetreat) {
+TEST(Strength, IsMissingWherePlatensRetreat) {
     for (const char* test : {"uniaxial", "tension"}) {
         EXPECT_EQ(strength_of(test, 0, {{0, 0}, {0.1, 20}, {0.3, 60}, {0.2, 5}}), 0) << test;
         EXPECT_NEAR(strength_of(test, 0, {{0, 0}, {0.1, 20}, {0.3, 60}, {0.2, 5}, {0.3, 60}, {0.5, 110}, {0.6, 70}}), 110, 1)

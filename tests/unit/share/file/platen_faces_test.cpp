@@ -26,7 +26,7 @@ TEST(PlatenFaces, AreReadAsTheyWereWritten) {
     EXPECT_EQ(read("rollers.h5").direction, 1.2);
 }
 
-TEST(PlatenFaces, ABarLiesOutsideAndMovesInwards) {
+TEST(PlatenFaces, HaveBarsThatLieOutsideAndMoveInwards) {
     const PlatenFaceSet upright{std::numbers::pi / 2, {}};
     using Corners = std::array<std::array<double, 2>, 4>;
     EXPECT_EQ(upright.bar({1, -1, 2, 5}, 0.5, 0.25), (Corners{{{-1, 4.75}, {2, 4.75}, {2, 5.25}, {-1, 5.25}}}));
