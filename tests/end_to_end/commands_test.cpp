@@ -11,13 +11,16 @@
 // Unless a step says otherwise, a command that ends with another code than 0 prints nothing to stdout and one line to stderr,
 // which begins with the name of a program, and leaves no file. `for_each` repeats a case for each of its texts, which takes the
 // place of {each}; or for each of its rows, whose values take the place of their keys in braces or are keys of the first step. A
-// case is skipped where its lines `only_where` fail.
+// case is skipped where its lines `only_where` fail. A row that has another key, or a value of another type, fails.
+// `wrong_rows.py` shows that each key fails where its value is wrong; it names another folder of rows by GRAINCRACK_ROWS.
 #include <toml++/toml.h>
 
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -53,16 +56,19 @@ std::string joined(const std::string& sentence) {
 }
 
 std::vector<Case> all_cases() {
+    const char* const other = std::getenv("GRAINCRACK_ROWS");
     std::map<std::string, toml::table> files;
-    for (const auto& file : std::filesystem::directory_iterator(folder_of_cases)) {
+    for (const auto& file : std::filesystem::directory_iterator(other == nullptr ? folder_of_cases : other)) {
         const std::string stem = file.path().stem().string();
         if (file.path().extension() == ".toml" && stem != "files") files[stem] = toml::parse_file(file.path().string());
     }
     std::vector<Case> cases;
     for (const auto& [stem, file] : files) {
-        for (const auto& row : *file["case"].as_array()) {
+        const toml::array* rows = file["case"].as_array();
+        if (rows == nullptr || file.size() != 1) throw std::invalid_argument(stem + ".toml: another table than [[case]]");
+        for (const auto& row : *rows) {
             const toml::table& table = *row.as_table();
-            cases.push_back({joined(stem) + "_" + joined(table["requires"].value<std::string>().value()), table});
+            cases.push_back({joined(stem) + "_" + joined(table["requires"].value_or("")), table});
         }
     }
     return cases;
@@ -74,14 +80,25 @@ using Values = std::map<std::string, std::string>;
 class Step {
 public:
     Step(const Shell& shell, const toml::table& row, const Values& values) : shell_(shell), row_(row), values_(values) {
-        for (const auto& [key, value] : row) EXPECT_TRUE(is_key(key.str())) << key.str() << ": no key of a step";
+        for (const auto& [key, value] : row) {
+            const auto type = types().find(key.str());
+            EXPECT_TRUE(type != types().end() && type->second.contains(value.type())) << key.str() << ": no such key, or type";
+        }
     }
 
-    static bool is_key(std::string_view word) {
-        static const std::set<std::string, std::less<>> keys{
-            "requires", "only_where", "files",        "then",         "for_each",  "command",   "exit",         "stdout",
-            "stderr",   "leaves",     "stdout_lacks", "stderr_lacks", "stdout_is", "stderr_is", "stdout_lines", "stderr_lines"};
-        return keys.contains(word);
+    /// Of the values of keys.
+    static const std::map<std::string, std::set<toml::node_type>, std::less<>>& types() {
+        using enum toml::node_type;
+        static const std::map<std::string, std::set<toml::node_type>, std::less<>> all{
+            {"requires", {string}},      {"only_where", {string}},
+            {"files", {array}},          {"then", {array}},
+            {"for_each", {array}},       {"command", {string}},
+            {"exit", {integer}},         {"leaves", {string}},
+            {"stdout", {string, array}}, {"stdout_is", {string}},
+            {"stdout_lines", {integer}}, {"stdout_lacks", {string, array}},
+            {"stderr", {string, array}}, {"stderr_is", {string}},
+            {"stderr_lines", {integer}}, {"stderr_lacks", {string, array}}};
+        return all;
     }
 
     void check() const {
@@ -133,18 +150,25 @@ private:
 
 void check_case(const toml::table& first, const Values& values) {
     const Shell shell;
+    EXPECT_NE(first["requires"].value_or(""), std::string());
     const std::string condition = first["only_where"].value_or("");
-    if (Step::run(shell, condition).exit_code != 0) GTEST_SKIP() << "only where: " << condition;
+    const int unfulfilled = Step::run(shell, condition).exit_code;
+    ASSERT_NE(unfulfilled, 127) << "no such command: " << condition;
+    if (unfulfilled != 0) GTEST_SKIP() << "only where: " << condition;
     if (const toml::array* files = first["files"].as_array()) {
         for (const auto& file : *files) {
             const auto name = file.value<std::string>().value();
-            const Outcome made = Step::run(shell, common()["files"][name].value<std::string>().value());
-            ASSERT_EQ(made.exit_code, 0) << name << "\n" << made.err;
+            const auto lines = common()["files"][name].value<std::string>();
+            const Outcome made = Step::run(shell, lines.value_or("false"));
+            ASSERT_EQ(made.exit_code, 0) << name << (lines ? "" : ": no such file") << "\n" << made.err;
         }
     }
     Step(shell, first, values).check();
     if (const toml::array* then = first["then"].as_array()) {
-        for (const auto& row : *then) Step(shell, *row.as_table(), values).check();
+        for (const auto& row : *then) {
+            ASSERT_TRUE(row.is_table()) << "then: another value than a step";
+            Step(shell, *row.as_table(), values).check();
+        }
     }
 }
 
@@ -154,15 +178,23 @@ TEST_P(Commands, Answer) {
     const toml::table& table = GetParam().table;
     const toml::array* variants = table["for_each"].as_array();
     if (variants == nullptr) return check_case(table, {});
+    EXPECT_FALSE(variants->empty()) << "for_each: no rows";
+    std::ostringstream text;
+    text << table;
     for (const auto& variant : *variants) {
         toml::table first = table;
         Values values;
-        if (const auto text = variant.value<std::string>()) values["each"] = *text;
+        const auto add = [&](const std::string& key, const toml::node& value) {
+            const bool is_key = Step::types().contains(key);
+            if (is_key) first.insert_or_assign(key, value);
+            if (const auto word = value.value<std::string>()) values[key] = *word;
+            EXPECT_TRUE(is_key || (values.contains(key) && text.str().find("{" + key + "}") != std::string::npos))
+                << "for_each: {" << key << "} is in no line, or its value no text";
+        };
         if (const toml::table* row = variant.as_table()) {
-            for (const auto& [key, value] : *row) {
-                if (const auto word = value.value<std::string>()) values[std::string(key.str())] = *word;
-                if (Step::is_key(key.str())) first.insert_or_assign(key, value);
-            }
+            for (const auto& [key, value] : *row) add(std::string(key.str()), value);
+        } else {
+            add("each", variant);
         }
         check_case(first, values);
     }

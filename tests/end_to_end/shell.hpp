@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <string>
 
 #include "tests/support/temporary_folder.hpp"
@@ -72,22 +71,5 @@ private:
     TemporaryFolder folder_;
     TemporaryFolder own_;
 };
-
-/// The first data row of a table under a header, "" if there is none.
-inline std::string cell(const std::string& table, const std::string& column) {
-    std::istringstream lines(table);
-    std::string names;
-    std::string values;
-    std::getline(lines, names);
-    std::getline(lines, values);
-    std::istringstream name_stream(names);
-    std::istringstream value_stream(values);
-    std::string name;
-    std::string value;
-    while (std::getline(name_stream, name, '\t') && std::getline(value_stream, value, '\t')) {
-        if (name == column) return value;
-    }
-    return "";
-}
 
 }  // namespace graincrack::test
