@@ -21,22 +21,22 @@ std::vector<Point> grid_points(int nx, int ny, double width, double height, doub
     return points;
 }
 
-std::vector<Triangle> grid_triangles(int nx, int ny, bool alternate) {
+/// \param falls whether the diagonal of a cell is the falling one
+std::vector<Triangle> grid_triangles(int nx, int ny, const std::function<bool(int, int)>& falls) {
     std::vector<Triangle> triangles;
     const auto at = [nx](int i, int j) { return j * (nx + 1) + i; };
     for (int j = 0; j < ny; ++j) {
         for (int i = 0; i < nx; ++i) {
-            if (alternate && (i + j) % 2 == 1) {
-                triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
-                triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-            } else {
-                triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-                triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-            }
+            const bool is_falling = falls(i, j);
+            triangles.push_back({at(i, j), at(i + 1, j), is_falling ? at(i, j + 1) : at(i + 1, j + 1)});
+            triangles.push_back({is_falling ? at(i + 1, j) : at(i, j), at(i + 1, j + 1), at(i, j + 1)});
         }
     }
     return triangles;
 }
+bool always(int, int) { return true; }
+bool never(int, int) { return false; }
+bool alternately(int i, int j) { return (i + j) % 2 == 1; }
 
 double area(const Point& a, const Point& b, const Point& c) {
     return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
@@ -126,27 +126,19 @@ Specimen specimen_of_triangles(const std::vector<Point>& points, const std::vect
 }
 
 Specimen one_diagonal_grid(int nx, int ny, double width, double height) {
-    return specimen_of_triangles(grid_points(nx, ny, width, height, 0), grid_triangles(nx, ny, false));
+    return specimen_of_triangles(grid_points(nx, ny, width, height, 0), grid_triangles(nx, ny, never));
 }
 Specimen union_jack_grid(int nx, int ny, double width, double height) {
-    return specimen_of_triangles(grid_points(nx, ny, width, height, 0), grid_triangles(nx, ny, true));
+    return specimen_of_triangles(grid_points(nx, ny, width, height, 0), grid_triangles(nx, ny, alternately));
 }
 Specimen jittered_grid(int nx, int ny, double width, double height, double jitter) {
-    return specimen_of_triangles(grid_points(nx, ny, width, height, jitter), grid_triangles(nx, ny, true));
+    return specimen_of_triangles(grid_points(nx, ny, width, height, jitter), grid_triangles(nx, ny, alternately));
 }
 
 Specimen equilateral_lattice(int nx, int ny, double edge) {
     std::vector<Point> points = grid_points(nx, ny, nx * edge, ny * edge * std::sqrt(0.75), 0);
     for (Point& p : points) p[0] += p[1] / std::sqrt(3.0);
-    std::vector<Triangle> triangles;
-    const auto at = [nx](int i, int j) { return j * (nx + 1) + i; };
-    for (int j = 0; j < ny; ++j) {
-        for (int i = 0; i < nx; ++i) {
-            triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
-            triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
-    }
-    return specimen_of_triangles(points, triangles);
+    return specimen_of_triangles(points, grid_triangles(nx, ny, always));
 }
 
 Specimen crossed_blocks(int nx, int ny, double width, double height, const std::function<int(int, int)>& grain_of) {

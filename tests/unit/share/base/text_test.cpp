@@ -31,11 +31,6 @@ TEST(KeyAndValue, AreDividedByTheFirstEqualsSign) {
     test::expect_golden(refused.text());
 }
 
-TEST(DidYouMean, TellsTheNearestWordUnlessItIsFar) {
-    test::expect_golden(did_you_mean("confning-pressure", {"edge", "confining-pressure"}));
-    EXPECT_EQ(did_you_mean("colour", {"edge", "spread"}), "");
-}
-
 TEST(TextOfFile, IsThatOfAPipeAtEachCallAndHasAnEnd) {
     const test::TemporaryFolder folder;
     const std::string pipe = folder.file("pipe");

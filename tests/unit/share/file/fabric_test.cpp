@@ -56,13 +56,26 @@ Material material_of(const std::string& text) {
     return read_material(folder.file("granite.toml"));
 }
 Fabric fabric_from(const std::string& text) {
-    return fabric_of(material_of(text), PlaneCondition::strain, std::nullopt, phase_names);
+    return fabric_of(material_of(granite_text + text), PlaneCondition::strain, std::nullopt, phase_names);
 }
 const ContactParameters& between(const Fabric& fabric, std::size_t a, std::size_t b) {
     return fabric.contacts[contact_class(a, b)];
 }
+/// Of the rock itself, and of the contacts within the crystals of a phase, `length` of them per area (1/m).
+ContactParameters of_rock(const std::string& text) {
+    return contact_parameters(material_of(granite_text + text), PlaneCondition::strain, std::nullopt);
+}
+constexpr double length_per_area = 700;
+ContactParameters within(const std::string& text, const std::string& phase, double length = length_per_area) {
+    return contact_within_crystals(material_of(granite_text + text), PlaneCondition::strain, std::nullopt, within_class(phase),
+                                   length);
+}
+void expect_same(const ContactParameters& contact, const ContactParameters& other) {
+    for (const ContactParameter& row : all_contact_parameters()) EXPECT_EQ(contact.*row.value, other.*row.value) << row.key();
+}
+
 TEST(Fabric, GivesGrainsTheirShareOfTheContrast) {
-    const Fabric fabric = fabric_from(granite_text + phases);
+    const Fabric fabric = fabric_from(phases);
     ASSERT_EQ(fabric.phases.size(), 3U);
     EXPECT_NEAR(fabric.phases[0].young_modulus, 60e9 * (1 + 0.5 * 0.4), 1);
     EXPECT_NEAR(fabric.phases[1].young_modulus, 60e9 * (1 - 0.5 * 0.6), 1);
@@ -74,13 +87,9 @@ TEST(Fabric, GivesGrainsTheirShareOfTheContrast) {
 }
 
 TEST(Fabric, GivesContactsOfTheRockUnlessSaid) {
-    const Material granite = material_of(granite_text + phases);
-    const ContactParameters of_rock = contact_parameters(granite, PlaneCondition::strain, std::nullopt);
-    for (const ContactParameters& contact : fabric_from(granite_text + phases).contacts) {
-        for (const ContactParameter& row : all_contact_parameters()) {
-            EXPECT_EQ(contact.*row.value, of_rock.*row.value) << row.key();
-        }
-        EXPECT_EQ(contact.ultimate_opening, of_rock.ultimate_opening);
+    for (const ContactParameters& contact : fabric_from(phases).contacts) {
+        expect_same(contact, of_rock(phases));
+        EXPECT_EQ(contact.ultimate_opening, of_rock(phases).ultimate_opening);
     }
 }
 
@@ -95,7 +104,7 @@ cohesion = "10 MPa"
 [pairs.heterophase]
 tensile_strength = 0.5
 )";
-    const Fabric mean = fabric_from(granite_text + phases + own);
+    const Fabric mean = fabric_from(phases + own);
     EXPECT_NEAR(between(mean, 0, 0).tensile_strength, 30e6, 1);        // quartz-quartz: no factor
     EXPECT_NEAR(between(mean, 0, 1).tensile_strength, 0.5 * 19e6, 1);  // quartz-mica: mean of 30 and 8
     EXPECT_NEAR(between(mean, 0, 2).tensile_strength, 0.5 * 25e6, 1);  // quartz-feldspar: mean of 30 and the rock's 20
@@ -105,22 +114,22 @@ tensile_strength = 0.5
     // What derives from a strength follows it.
     EXPECT_NEAR(between(mean, 0, 1).critical_opening * between(mean, 0, 1).normal_stiffness,
                 2.718281828459045 * between(mean, 0, 1).tensile_strength, 1);
-    const Fabric least = fabric_from(granite_text + phases + own + "[pairs]\nrule = \"minimum\"\n");
+    const Fabric least = fabric_from(phases + own + "[pairs]\nrule = \"minimum\"\n");
     EXPECT_NEAR(between(least, 0, 1).tensile_strength, 0.5 * 8e6, 1);
     EXPECT_NEAR(between(least, 0, 2).tensile_strength, 0.5 * 20e6, 1);
 }
 
 TEST(Fabric, TakesTheHarmonicMeanOfTheSidesAsStiffnessAndKeepsEnergies) {
-    const Fabric of_rock = fabric_from(granite_text + phases);
-    const Fabric of_sides = fabric_from(granite_text + phases + "[pairs]\nstiffness = \"sides\"\n");
+    const Fabric plain = fabric_from(phases);
+    const Fabric of_sides = fabric_from(phases + "[pairs]\nstiffness = \"sides\"\n");
     for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = a; b < 3; ++b) {
-            const double first = of_rock.phases[a].young_modulus;
-            const double second = of_rock.phases[b].young_modulus;
+            const double first = plain.phases[a].young_modulus;
+            const double second = plain.phases[b].young_modulus;
             const double ratio = 2 * first * second / (first + second) / 60e9;
-            EXPECT_NEAR(between(of_sides, a, b).normal_stiffness / between(of_rock, a, b).normal_stiffness, ratio, 1e-12);
-            EXPECT_NEAR(between(of_sides, a, b).shear_stiffness / between(of_rock, a, b).shear_stiffness, ratio, 1e-12);
-            EXPECT_EQ(between(of_sides, a, b).fracture_energy, between(of_rock, a, b).fracture_energy);
+            EXPECT_NEAR(between(of_sides, a, b).normal_stiffness / between(plain, a, b).normal_stiffness, ratio, 1e-12);
+            EXPECT_NEAR(between(of_sides, a, b).shear_stiffness / between(plain, a, b).shear_stiffness, ratio, 1e-12);
+            EXPECT_EQ(between(of_sides, a, b).fracture_energy, between(plain, a, b).fracture_energy);
         }
     }
 }
@@ -165,79 +174,59 @@ correlation = "10 mm"
 }
 
 TEST(Fabric, GivesAClassOfFlawsTheContactOfTheRockAndItsOwnValues) {
-    const Material material =
-        material_of(granite_text + "[flaws.joint]\nnormal_stiffness = \"50 GPa/m\"\ncohesion = \"1 MPa\"\n");
-    const ContactParameters joint = flaw_contact(material, PlaneCondition::strain, std::nullopt, "joint");
-    const ContactParameters base = contact_parameters(material, PlaneCondition::strain, std::nullopt);
+    const auto flaw = [](const std::string& text, const std::string& name = "joint") {
+        return flaw_contact(material_of(granite_text + text), PlaneCondition::strain, std::nullopt, name);
+    };
+    const std::string table = "[flaws.joint]\nnormal_stiffness = \"50 GPa/m\"\ncohesion = \"1 MPa\"\n";
+    const ContactParameters joint = flaw(table);
+    const ContactParameters base = of_rock(table);
     EXPECT_NEAR(joint.normal_stiffness, 50e9, 1);
     EXPECT_NEAR(joint.cohesion, 1e6, 1e-3);
     EXPECT_EQ(joint.shear_stiffness, base.shear_stiffness);
     EXPECT_EQ(joint.friction_angle, base.friction_angle);
     EXPECT_NEAR(joint.critical_opening / base.critical_opening, base.normal_stiffness / 50e9, 1e-9) << "derived anew";
     test::Refusals refused;
-    refused.add<InputError>("fault", [&] { flaw_contact(material, PlaneCondition::strain, std::nullopt, "fault"); });
+    refused.add<InputError>("fault", [&] { flaw(table, "fault"); });
     expect_golden(refused.text());
     const std::string bridges = "bridging_strength = \"5 MPa\"\nbridging_energy = \"80 J/m2\"\n";
-    const auto bridging = [&](const std::string& own, bool is_joint) {
-        const Material m = material_of(granite_text + bridges + own);
-        return is_joint ? flaw_contact(m, PlaneCondition::strain, std::nullopt, "joint").bridging_strength
-                        : contact_within_crystals(m, PlaneCondition::strain, std::nullopt, "within_rock", 0).bridging_strength;
-    };
-    EXPECT_EQ(bridging("[flaws.joint]\ncohesion = \"1 MPa\"\n", true), 0);
-    EXPECT_EQ(bridging("[flaws.joint]\n" + bridges, true), 5e6);
-    EXPECT_EQ(bridging("", false), 5e6);
-    EXPECT_EQ(bridging("[pairs.within]\nbridging_strength = 0\nbridging_energy = 0\n", false), 0);
-    EXPECT_EQ(bridging("[pairs.within]\nbridging_strength = 0.5\n", false), 2.5e6);
+    EXPECT_EQ(flaw(bridges + "[flaws.joint]\ncohesion = \"1 MPa\"\n").bridging_strength, 0);
+    EXPECT_EQ(flaw(bridges + "[flaws.joint]\n" + bridges).bridging_strength, 5e6);
+    const auto bridging = [&](const std::string& own) { return within(bridges + own, "rock", 0).bridging_strength; };
+    EXPECT_EQ(bridging(""), 5e6);
+    EXPECT_EQ(bridging("[pairs.within]\nbridging_strength = 0\nbridging_energy = 0\n"), 0);
+    EXPECT_EQ(bridging("[pairs.within]\nbridging_strength = 0.5\n"), 2.5e6);
 }
 
 TEST(Fabric, GivesContactsWithinCrystalsThoseOfTheirPhaseUnlessTheyHaveATable) {
-    constexpr double length_per_area = 700;  // 1/m
-    const std::vector<std::string> sorted{"feldspar", "mica", "quartz"};
-    const Material material =
-        material_of(granite_text + phases + "[pairs.homophase]\ncohesion = 2\n[flaws.within_mica]\ncohesion = \"1 MPa\"\n");
-    const auto within = [&](const std::string& phase) {
-        return contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class(phase), length_per_area);
-    };
-    const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, sorted);
-    const ContactParameters& quartz = fabric.contacts[contact_class(2, 2)];
-    const auto is_stiffness = [](const ContactParameter& row) {
-        return row.value == &ContactParameters::normal_stiffness || row.value == &ContactParameters::shear_stiffness;
-    };
-    for (const ContactParameter& row : all_contact_parameters()) {
-        if (is_stiffness(row)) continue;
-        EXPECT_EQ(within("quartz").*row.value, quartz.*row.value) << row.key();
-    }
-    EXPECT_NEAR(within("mica").cohesion, 1e6, 1e-3);
-    const Material plain = material_of(granite_text);
-    EXPECT_EQ(contact_within_crystals(plain, PlaneCondition::strain, std::nullopt, "within_rock", length_per_area).cohesion,
-              contact_parameters(plain, PlaneCondition::strain, std::nullopt).cohesion);
+    const std::string text = phases + "[pairs.homophase]\ncohesion = 2\n[flaws.within_mica]\ncohesion = \"1 MPa\"\n";
+    const Fabric fabric = fabric_from(text);
+    ContactParameters quartz = within(text, "quartz");
+    quartz.normal_stiffness = between(fabric, 0, 0).normal_stiffness;
+    quartz.shear_stiffness = between(fabric, 0, 0).shear_stiffness;
+    expect_same(quartz, between(fabric, 0, 0));
+    EXPECT_NEAR(within(text, "mica").cohesion, 1e6, 1e-3);
+    EXPECT_EQ(within("", "rock").cohesion, of_rock("").cohesion);
 }
 
 TEST(Fabric, MakesContactsWithinCrystalsAsStiffAsTheMineralUnlessTheyHaveATable) {
-    constexpr double length_per_area = 700;  // 1/m
-    const Material material = material_of(granite_text + phases + "[flaws.within_mica]\nnormal_stiffness = \"50 GPa/m\"\n");
-    const auto within = [&](const std::string& phase, double length) {
-        return contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class(phase), length);
-    };
-    const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, {"feldspar", "mica", "quartz"});
+    const std::string text = phases + "[flaws.within_mica]\nnormal_stiffness = \"50 GPa/m\"\n";
+    const Fabric fabric = fabric_from(text);
     for (const std::size_t phase : {0U, 1U, 2U}) {
-        Rock mineral = material.rock;
+        Rock mineral = material_of(granite_text + text).rock;
         mineral.young_modulus = fabric.phases[phase].young_modulus;
         mineral.poisson_ratio = fabric.phases[phase].poisson_ratio;
         const fpz::ContactStiffness stiff =
             fpz::stiffness_of_added_compliance(mineral, PlaneCondition::strain, compliance_within_crystals, length_per_area);
-        const ContactParameters contact = within(std::vector{"feldspar", "mica", "quartz"}[phase], length_per_area);
+        const ContactParameters contact = within(text, phase_names[phase]);
         EXPECT_EQ(contact.normal_stiffness, phase == 1 ? 50e9 : stiff.normal);
         EXPECT_EQ(contact.shear_stiffness, stiff.shear);
         EXPECT_EQ(contact.critical_opening, fpz::critical_displacement(contact.tensile_strength, contact.normal_stiffness));
     }
     // Crystals without contacts have no stiffness to derive.
-    const ContactParameters& between = fabric.contacts[contact_class(2, 2)];
-    EXPECT_EQ(within("quartz", 0).normal_stiffness, between.normal_stiffness);
+    EXPECT_EQ(within(text, "quartz", 0).normal_stiffness, between(fabric, 0, 0).normal_stiffness);
 }
 
 TEST(Fabric, AppliesFactorsWithinCrystalsBehindTheirPhaseAndBeforeTheirTable) {
-    constexpr double length_per_area = 700;  // 1/m
     const std::string own = R"(
 [phases.quartz.contact]
 tensile_strength = "30 MPa"
@@ -250,10 +239,6 @@ tensile_strength = 1.25
 fracture_energy = 8
 normal_stiffness = 3
 )";
-    const auto within = [&](const std::string& text, const std::string& phase) {
-        return contact_within_crystals(material_of(granite_text + text), PlaneCondition::strain, std::nullopt,
-                                       within_class(phase), length_per_area);
-    };
     const ContactParameters before = within(phases + own, "quartz");
     const ContactParameters quartz = within(phases + own + factors, "quartz");
     EXPECT_NEAR(quartz.tensile_strength, 1.25 * 2 * 30e6, 1);
@@ -269,13 +254,9 @@ normal_stiffness = 3
     const ContactParameters stronger = within(phases + own + "[pairs.within]\ntensile_strength = 1.25\n", "quartz");
     EXPECT_NEAR(stronger.open_shear_strength / before.open_shear_strength, 1.25, 1e-12);
     // Contacts between crystals have none of them.
-    const Fabric with = fabric_from(granite_text + phases + own + factors);
-    const Fabric without = fabric_from(granite_text + phases + own);
-    for (std::size_t k = 0; k < with.contacts.size(); ++k) {
-        for (const ContactParameter& row : all_contact_parameters()) {
-            EXPECT_EQ(with.contacts[k].*row.value, without.contacts[k].*row.value) << row.key();
-        }
-    }
+    const Fabric with = fabric_from(phases + own + factors);
+    const Fabric without = fabric_from(phases + own);
+    for (std::size_t k = 0; k < with.contacts.size(); ++k) expect_same(with.contacts[k], without.contacts[k]);
     // Values of a table of the class replace them; what it lacks is [contact]'s, with the factors.
     const std::string table = "[flaws.within_quartz]\ntensile_strength = \"12 MPa\"\nnormal_stiffness = \"50 GPa/m\"\n";
     const ContactParameters own_table = within(phases + own + factors + table, "quartz");
@@ -292,17 +273,16 @@ normal_stiffness = 3
 TEST(Fabric, AppliesFactorsToRatios) {
     std::string text = granite_text + phases + "[fabric]\ngrain_size = \"3 mm\"\n[ratios]\ncohesion = 6\nprocess_zone = 0.5\n" +
                        "[pairs.homophase]\ncohesion = 2\n[pairs.within]\nfracture_energy = 8\n";
-    text.replace(text.find("cohesion = \"60 MPa\"\n"), 20, "");
-    const Material material = material_of(text);
+    const Material material = material_of(text.replace(text.find("cohesion = \"60 MPa\"\n"), 20, ""));
     const Fabric fabric = fabric_of(material, PlaneCondition::strain, std::nullopt, phase_names);
     const double energy = 0.5 * 3e-3 * 20e6 * 20e6 / 60e9;
     EXPECT_DOUBLE_EQ(between(fabric, 0, 0).cohesion, 2 * 6 * 20e6);
     EXPECT_DOUBLE_EQ(between(fabric, 0, 1).cohesion, 6 * 20e6);
     EXPECT_DOUBLE_EQ(between(fabric, 0, 1).fracture_energy, energy);
-    const ContactParameters within =
-        contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class("quartz"), 700);
-    EXPECT_DOUBLE_EQ(within.cohesion, 2 * 6 * 20e6);
-    EXPECT_DOUBLE_EQ(within.fracture_energy, 8 * energy);
+    const ContactParameters in_quartz =
+        contact_within_crystals(material, PlaneCondition::strain, std::nullopt, within_class("quartz"), length_per_area);
+    EXPECT_DOUBLE_EQ(in_quartz.cohesion, 2 * 6 * 20e6);
+    EXPECT_DOUBLE_EQ(in_quartz.fracture_energy, 8 * energy);
 }
 
 TEST(Fabric, MeasuresLengthWithinCrystalsByTheAreaOfTheirPhase) {

@@ -38,6 +38,7 @@ bridging_strength = 0.5
 bridging_energy = 2
 )";
 const std::string stone_fabric = "[fabric]\ngrain_size = \"4 mm\"\n";
+const std::string whole_stone = stone_rock + stone_contact + stone_ratios + stone_fabric;
 
 class Ratios : public testing::Test {
 protected:
@@ -53,7 +54,7 @@ protected:
 };
 
 TEST_F(Ratios, GiveWhatContactDoesNot) {
-    const Material stone = material(stone_rock + stone_contact + stone_ratios + stone_fabric);
+    const Material stone = material(whole_stone);
     const ContactParameters p = values(stone);
     EXPECT_EQ(p.tensile_strength, 8e6);
     EXPECT_DOUBLE_EQ(p.cohesion, 6.6 * 8e6);
@@ -74,7 +75,7 @@ TEST_F(Ratios, GiveWhatContactDoesNot) {
 }
 
 TEST_F(Ratios, FollowATensileStrengthThatIsChanged) {
-    Material stone = material(stone_rock + stone_contact + stone_ratios + stone_fabric);
+    Material stone = material(whole_stone);
     stone.contact.tensile_strength = 16e6;  // as an option of the solver does
     EXPECT_DOUBLE_EQ(values(stone).cohesion, 6.6 * 16e6);
     EXPECT_DOUBLE_EQ(values(stone).fracture_energy, 0.7 * 4e-3 * 16e6 * 16e6 / 50e9);
@@ -88,7 +89,7 @@ TEST_F(Ratios, GiveWayToValuesAndChoices) {
     EXPECT_EQ(values(given).open_shear_strength, 5e6);
     EXPECT_EQ(values(given).fracture_energy, 20);
     EXPECT_DOUBLE_EQ(values(given).mode_ii_fracture_energy, 40 * 20.0);
-    const Material stone = material(stone_rock + stone_contact + stone_ratios + stone_fabric);
+    const Material stone = material(whole_stone);
     const double of_toughness = fpz::mode_i_fracture_energy(stone.rock, PlaneCondition::strain);
     EXPECT_EQ(values(stone, FractureEnergyChoice{FractureEnergyChoice::Kind::mode_i}).fracture_energy, of_toughness);
     EXPECT_EQ(values(stone, FractureEnergyChoice{FractureEnergyChoice::Kind::value, 90}).fracture_energy, 90);
@@ -106,7 +107,7 @@ TEST_F(Ratios, AreKeysOfAMaterialFile) {
         refused.add<InputError>(printable(text), [&] { std::ignore = material(stone_rock + stone_contact + text); });
     }
     test::expect_golden(refused.text());
-    std::ofstream(file_) << stone_rock + stone_contact + stone_ratios + stone_fabric;
+    std::ofstream(file_) << whole_stone;
     std::ofstream changed(folder_.file("changed.toml"));
     changed << material_with(file_, {{"ratios.process_zone", "0.5"}, {"contact.tensile_strength", "4 MPa"}});
     changed.close();
