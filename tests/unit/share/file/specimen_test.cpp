@@ -156,10 +156,8 @@ const std::vector<Offence>& offences() {
          }},
         {"node shared by grains",
          [](Specimen& s) {
-             const auto [a1, a2, b1, b2] = s.contact_nodes[0];
-             for (auto& nodes : s.element_nodes) std::replace(nodes.begin(), nodes.end(), b1, a1);
-             static_cast<void>(a2);
-             static_cast<void>(b2);
+             const auto& contact = s.contact_nodes[0];
+             for (auto& nodes : s.element_nodes) std::replace(nodes.begin(), nodes.end(), contact[2], contact[0]);
          }},
         {"element twice",
          [](Specimen& s) {
@@ -222,11 +220,7 @@ const std::vector<Offence>& offences() {
          }},
         {"unknown phase", [](Specimen& s) { s.grain_phase[1] = 1; }},
         {"contact with a node that is not there", [](Specimen& s) { s.contact_nodes[0][3] = 99; }},
-        {"grain a above grain b",
-         [](Specimen& s) {
-             auto& c = s.contact_nodes[0];
-             c = {c[3], c[2], c[1], c[0]};
-         }},
+        {"grain a above grain b", [](Specimen& s) { std::reverse(s.contact_nodes[0].begin(), s.contact_nodes[0].end()); }},
         {"contact within a grain", [](Specimen& s) { s.contact_nodes[0][2] = s.contact_nodes[0][0]; }},
         {"contact turned about: a1→a2 clockwise around a",
          [](Specimen& s) {

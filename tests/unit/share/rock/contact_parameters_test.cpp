@@ -23,7 +23,7 @@ GivenContact different_values() {
     return given;
 }
 
-TEST(ContactParameters, ARowIsAMemberOfItsOwnAKeyAndAnOption) {
+TEST(ContactParameters, HaveAMemberAKeyAndAnOptionForEachRow) {
     std::set<std::string> names;
     const GivenContact given = different_values();
     const ContactParameters all = derived_contact(given, test::augig_granite().rock, PlaneCondition::strain);
@@ -40,7 +40,7 @@ TEST(ContactParameters, ARowIsAMemberOfItsOwnAKeyAndAnOption) {
     EXPECT_EQ(contact_parameter(&ContactParameters::mode_ii_fracture_energy).option(), "--mode-ii-fracture-energy");
 }
 
-TEST(ContactParameters, AnExampleOfTheTemplateIsWhatItsKeyMayHold) {
+TEST(ContactParameters, HaveExamplesThatTheirKeysMayHold) {
     for (const ContactParameter& row : all_contact_parameters()) {
         const std::string set = new_material("every-key", "marble", {{"contact." + row.key(), row.example}});
         EXPECT_NE(set.find("\n" + row.key() + " = "), std::string::npos) << set;
@@ -48,7 +48,7 @@ TEST(ContactParameters, AnExampleOfTheTemplateIsWhatItsKeyMayHold) {
 }
 
 // The energy of bridges does by its ratio alone, which is none here.
-TEST(ContactParameters, OnlyWhatFollowsThePlaneDependsOnIt) {
+TEST(ContactParameters, DependOnThePlaneWhereTheyFollowIt) {
     const Material granite = test::augig_granite();
     const ContactParameters strain = derived_contact(granite.contact, granite.rock, PlaneCondition::strain);
     const ContactParameters stress = derived_contact(granite.contact, granite.rock, PlaneCondition::stress);
@@ -59,7 +59,7 @@ TEST(ContactParameters, OnlyWhatFollowsThePlaneDependsOnIt) {
     }
 }
 
-TEST(ContactParameters, WhatIsNotGivenIsThatOfTheBase) {
+TEST(ContactParameters, AreThoseOfTheBaseUnlessGiven) {
     GivenContact given;
     given.cohesion = 30e6;
     given.residual_friction_angle = 0.3;
