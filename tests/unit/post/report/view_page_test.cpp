@@ -10,7 +10,7 @@
 
 #include "post/report/packed_array.hpp"
 #include "share/file/probe_file.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -118,7 +118,7 @@ TEST_F(ViewPage, HoldsTheSpecimenTheFramesAndTheCracksOfEach) {
     EXPECT_NEAR(run["curve"]["marks"].back()["y"].get<double>(), run["frames"][1]["y"].get<double>(), 1e-9);  // of the peak
 }
 
-TEST_F(ViewPage, OfAProgramHasForceOverDisplacementOfTheBoundaryThatWorksMost) {
+TEST_F(ViewPage, HasForceOverDisplacementOfTheBoundaryOfAProgramThatWorksMost) {
     recipe_.test = "program";
     History history = test::synthetic_history(recipe_);
     for (const auto column : {HistoryColumn::axial_stress, HistoryColumn::force_top, HistoryColumn::force_bottom}) {
@@ -133,7 +133,7 @@ TEST_F(ViewPage, OfAProgramHasForceOverDisplacementOfTheBoundaryThatWorksMost) {
     append_probes(writer.file(), {{"base", columns, {nothing, way}}, {"push", columns, {way, way}}}, 0);
     writer.finish(test::synthetic_header(recipe_), {}, {});
     const nlohmann::json curve = runs_of(make_view({folder_.file("program.h5")}, {}, Verbosity::quiet))[0]["curve"];
-    EXPECT_EQ(curve["across"], "displacement of push along y, mm");
+    test::expect_golden(curve["across"]);
     EXPECT_NEAR(curve["x"]["step"].get<double>(), 1e3 * way.back() / 65535, 1e-12);
     EXPECT_TRUE(curve["marks"].empty());
 }
