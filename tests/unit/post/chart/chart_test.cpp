@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "post/chart/axis.hpp"
 #include "post/chart/drawing.hpp"
@@ -12,11 +11,9 @@
 #include "post/chart/map_view.hpp"
 #include "post/chart/page.hpp"
 #include "post/chart/picture_style.hpp"
-#include "post/command_line.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
 #include "tests/support/drawing_shapes.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/golden.hpp"
 
 namespace graincrack {
 namespace {
@@ -26,73 +23,65 @@ using test::texts_of;
 
 constexpr Colour pen{1, 2, 3};
 
+const std::vector<double> unit{0, 1};
 Chart unit_chart(const std::optional<Axis>& right = std::nullopt) {
     return {PictureStyle{}, ChartText{"title", {}}, Axis{"x", 0, 1}, Axis{"y", 0, 1}, {right}};
 }
 
-TEST(Chart, WhatLeavesTheFrameIsCutAtIt) {
+TEST(Chart, InterruptsLinesAtTheFrameAndNaNAlone) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
     Chart chart = unit_chart();
-    const std::vector<double> x{-1, 2};
-    const std::vector<double> y{-1, 2};
-    chart.line(x, y, Stroke{pen, 2});
-    chart.line(std::vector<double>{0, 1}, std::vector<double>{0, 1}, Stroke{pen, 2});
+    chart.line(std::vector<double>{-1, 2}, std::vector<double>{-1, 2}, Stroke{pen, 2});
+    chart.line(unit, unit, Stroke{pen, 2});
+    chart.line(std::vector<double>{0, 0.2, 0.4, 0.6, 0.8}, std::vector<double>{0, 0.5, nan, 0.5, 1}, Stroke{pen, 2});
+    chart.line(std::vector<double>{0, 0.5, 1}, std::vector<double>{0.5, 2, 0.5}, Stroke{pen, 2});  // out and in again
     const auto lines = lines_of(chart.finish(), pen);
-    ASSERT_EQ(lines.size(), 2U);
+    ASSERT_EQ(lines.size(), 6U);
     for (std::size_t end : {0U, 1U}) {
         EXPECT_NEAR(lines[0].points[end].x, lines[1].points[end].x, 1e-9);
         EXPECT_NEAR(lines[0].points[end].y, lines[1].points[end].y, 1e-9);
     }
 }
 
-TEST(Chart, NothingInterruptsButTheFrameAndNaN) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
+TEST(Chart, KeepsTheLengthOfACurveOfSmallSteps) {
     Chart chart = unit_chart();
-    chart.line(std::vector<double>{0, 0.2, 0.4, 0.6, 0.8}, std::vector<double>{0, 0.5, nan, 0.5, 1}, Stroke{pen, 2});
-    chart.line(std::vector<double>{0, 0.5, 1}, std::vector<double>{0.5, 2, 0.5}, Stroke{pen, 2});  // out and in again
-    EXPECT_EQ(lines_of(chart.finish(), pen).size(), 4U);
-}
-
-TEST(Chart, SmallStepsAddUpToTheCurveTheyAre) {
-    Chart chart = unit_chart();
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (int i = 0; i <= 20000; ++i) {  // steps of 0.04 pixels
         x.push_back(i / 20000.0);
         y.push_back(x.back() * x.back());
     }
     chart.line(x, y, Stroke{pen, 2});
+    chart.line(unit, unit, Stroke{pen, 2});
     const auto lines = lines_of(chart.finish(), pen);
-    ASSERT_EQ(lines.size(), 1U);
+    ASSERT_EQ(lines.size(), 2U);
     EXPECT_GT(lines[0].points.size(), 1000U);
     EXPECT_LT(lines[0].points.size(), 6000U);
-    const double width = lines[0].points.back().x - lines[0].points.front().x;
-    Chart straight = unit_chart();
-    straight.line(std::vector<double>{0, 1}, std::vector<double>{0, 1}, Stroke{pen, 2});
-    const auto whole = lines_of(straight.finish(), pen);
-    EXPECT_NEAR(width, whole[0].points[1].x - whole[0].points[0].x, 1e-6);
+    const auto width = [](const Polyline& line) { return line.points.back().x - line.points.front().x; };
+    EXPECT_NEAR(width(lines[0]), width(lines[1]), 1e-6);
 }
 
-TEST(Chart, CurvesOfASeriesStayApartInGrey) {
+TEST(Chart, KeepsCurvesOfASeriesApartInGrey) {
     for (std::size_t i = 0; i < 5; ++i) {
         for (std::size_t k = 0; k < i; ++k) EXPECT_NE(series_stroke(i).dash, series_stroke(k).dash) << i << " and " << k;
     }
     Chart chart = unit_chart();
-    chart.line(std::vector<double>{0, 1}, std::vector<double>{0.5, 0.5}, Stroke{pen, 2, Dash::dashed});
+    chart.line(unit, std::vector<double>{0.5, 0.5}, Stroke{pen, 2, Dash::dashed});
     EXPECT_EQ(lines_of(chart.finish(), pen).at(0).dash, Dash::dashed);
 }
 
-TEST(Chart, TicksKeepTheirExponent) {
-    const Ticks small = ticks_of({"opening, m", 0, 8e-14}, 5);
-    EXPECT_EQ(small.label, "opening, 10⁻¹⁵ m");
-    EXPECT_EQ(small.texts, (std::vector<std::string>{"0", "20", "40", "60", "80"}));
-    EXPECT_EQ(ticks_of({"stress", 0, 4e7}, 4).label, "stress, 10⁶");
-    const Ticks plain = ticks_of({"stress, MPa", -50, 150}, 4);
-    EXPECT_EQ(plain.label, "stress, MPa");
-    EXPECT_EQ(plain.texts, (std::vector<std::string>{"−50", "0", "50", "100", "150"}));
-    EXPECT_EQ(ticks_of({"dose", 1e-7, 1e-4, true}, 4).texts, (std::vector<std::string>{"10⁻⁷", "10⁻⁶", "10⁻⁵", "10⁻⁴"}));
+TEST(Ticks, KeepTheirExponent) {
+    std::string told;
+    for (const Axis& axis :
+         {Axis{"opening, m", 0, 8e-14}, Axis{"stress", 0, 4e7}, Axis{"stress, MPa", -50, 150}, Axis{"dose", 1e-7, 1e-4, true}}) {
+        const Ticks ticks = ticks_of(axis, 4);
+        told += ticks.label + ":";
+        for (const std::string& text : ticks.texts) told += " " + text;
+        told += "\n";
+    }
+    test::expect_golden(told);
 }
 
-TEST(Chart, TextsOfTicksDoNotTouch) {
+TEST(Ticks, DoNotTouch) {
     const Axis axis{"x", 0.00010, 0.00018};
     const double length = 300;
     const Ticks ticks = ticks_along(axis, length, 26, 12);
@@ -103,7 +92,7 @@ TEST(Chart, TextsOfTicksDoNotTouch) {
     }
 }
 
-TEST(Chart, AHollowMarkerIsAClosedOutlineAboutItsPlace) {
+TEST(Marker, IsAClosedOutlineIfItIsHollow) {
     for (const MarkerShape shape : {MarkerShape::disc, MarkerShape::square, MarkerShape::triangle, MarkerShape::diamond}) {
         Drawing drawing(100, 100);
         draw_marker(drawing, {50, 50}, {pen, shape, 20, true});
@@ -117,7 +106,7 @@ TEST(Chart, AHollowMarkerIsAClosedOutlineAboutItsPlace) {
     }
 }
 
-TEST(Chart, ALabelStandsOnItsLineWhereNothingElseIs) {
+TEST(Chart, LabelsALineWhereNothingElseIs) {
     using Places = std::vector<std::array<double, 2>>;
     const auto place_of = [](const Drawing& page, const std::string& label) {
         for (const Text& text : texts_of(page)) {
@@ -132,41 +121,37 @@ TEST(Chart, ALabelStandsOnItsLineWhereNothingElseIs) {
     chart.keep_clear({0.8, 0.5}, 6);
     EXPECT_FALSE(chart.label_line(line, "on a marker", pen, Places{}));
     EXPECT_FALSE(chart.label_line(Places{{0.5, 0.8}}, "on a line", pen, Places{{0.5, 0.8}}));
-    EXPECT_TRUE(chart.label_line(Places{{0.5, 0.8}}, "beside it", pen, Places{{0.5, 0.2}}));
+    EXPECT_TRUE(chart.label_line(Places{{0.5, 0.8}}, "beside", pen, Places{{0.5, 0.2}}));
     const Drawing page = chart.finish();
     EXPECT_LT(place_of(page, "two"), place_of(page, "one"));
-    EXPECT_NEAR(place_of(page, "one"), place_of(page, "beside it"), 1e-9);
+    EXPECT_NEAR(place_of(page, "one"), place_of(page, "beside"), 1e-9);
     EXPECT_TRUE(std::isnan(place_of(page, "on a marker")));
 }
 
-TEST(Chart, NotesStandBelowTheLegend) {
+TEST(Chart, HasNotesBelowTheLegend) {
     Chart chart{PictureStyle{}, ChartText{"title", {}, {"what a crack is"}}, Axis{"x", 0, 1}, Axis{"y", 0, 1}};
     chart.legend(Stroke{pen, 2}, "entry");
     chart.add_note("and more");
-    const std::string words = chart.finish().words();
-    EXPECT_LT(words.find("entry"), words.find("what a crack is")) << words;
-    EXPECT_LT(words.find("what a crack is"), words.find("and more")) << words;
+    test::expect_golden(chart.finish().words());
 }
 
-TEST(Page, LinesBreakWhereTheyAreToldAndHyphensBeforeNumbersAreMinuses) {
+TEST(BrokenLines, BreakWhereTheyAreToldAndHaveMinusesBeforeNumbers) {
     EXPECT_EQ(broken_lines("b = -0.5 [-1, 2]\nmode-i run-1", 20, 1000),
               (std::vector<std::string>{"b = −0.5 [−1, 2]", "mode-i run-1"}));
     EXPECT_EQ(broken_lines("", 20, 1000), std::vector<std::string>{""});
 }
 
-TEST(Labels, NamesOfColumnsAndMineralsAreThoseOfPrint) {
-    EXPECT_EQ(column_label("phi_deg"), "φ, °");
-    EXPECT_EQ(column_label("contact_cohesion_MPa"), "contact cohesion, MPa");
-    EXPECT_EQ(column_label("strain_at_peak"), "strain at peak");
-    EXPECT_EQ(column_label("phic_over_phi"), "φc over φ");
-    EXPECT_EQ(column_label("grain_young_modulus_GPa"), "grain Young's modulus, GPa");
-    EXPECT_EQ(column_label("philosophy"), "philosophy");
-    EXPECT_EQ(mineral_label("k_feldspar"), "K-feldspar");
-    EXPECT_EQ(mineral_label("k_feldspar-mica"), "K-feldspar–mica");
-    EXPECT_EQ(mineral_label("dark_mica"), "dark mica");
+TEST(Labels, AreNamesOfColumnsAndMineralsInPrint) {
+    std::string labels;
+    for (const char* const name :
+         {"phi_deg", "contact_cohesion_MPa", "strain_at_peak", "phic_over_phi", "grain_young_modulus_GPa", "philosophy"}) {
+        labels += column_label(name) + "\n";
+    }
+    for (const char* const name : {"k_feldspar", "k_feldspar-mica", "dark_mica"}) labels += mineral_label(name) + "\n";
+    test::expect_golden(labels);
 }
 
-TEST(Palette, MineralsHaveOneColourInEveryPicture) {
+TEST(Palette, GivesAMineralOneColourInEveryPicture) {
     const std::vector<Colour> granite = palette::phases({"k_feldspar", "mica", "quartz"});
     const std::vector<Colour> schist = palette::phases({"quartz", "garnet", "staurolite", "mica"});
     EXPECT_EQ(granite[2], schist[0]);
@@ -177,16 +162,16 @@ TEST(Palette, MineralsHaveOneColourInEveryPicture) {
     EXPECT_EQ(palette::phases({"rock"}), std::vector<Colour>{palette::grain});
 }
 
-TEST(Chart, TheRightScaleIsItsOwn) {
+TEST(Chart, HasARightScaleOfItsOwn) {
     Chart chart = unit_chart(Axis{"n", 0, 100});
-    chart.line(std::vector<double>{0, 1}, std::vector<double>{50, 50}, Stroke{pen, 2}, "", Chart::Side::right);
-    chart.line(std::vector<double>{0, 1}, std::vector<double>{0.5, 0.5}, Stroke{pen, 2});
+    chart.line(unit, std::vector<double>{50, 50}, Stroke{pen, 2}, "", Chart::Side::right);
+    chart.line(unit, std::vector<double>{0.5, 0.5}, Stroke{pen, 2});
     const auto lines = lines_of(chart.finish(), pen);
     ASSERT_EQ(lines.size(), 2U);
     EXPECT_NEAR(lines[0].points[0].y, lines[1].points[0].y, 1e-9);
 }
 
-TEST(Chart, LogarithmicScaleSpacesDecadesEvenly) {
+TEST(Chart, SpacesDecadesEvenlyOnALogarithmicScale) {
     Chart chart{PictureStyle{}, ChartText{}, Axis{"x", 0.1, 10, true}, Axis{"y", 0, 1}};
     chart.line(std::vector<double>{0.1, 1, 10}, std::vector<double>{0, 0.5, 1}, Stroke{pen, 2});
     const auto lines = lines_of(chart.finish(), pen);
@@ -195,25 +180,21 @@ TEST(Chart, LogarithmicScaleSpacesDecadesEvenly) {
     EXPECT_NEAR(lines[0].points[1].x, (lines[0].points[0].x + lines[0].points[2].x) / 2, 1e-9);
 }
 
-TEST(Chart, ALongNameInTheLegendLosesItsMiddle) {
+TEST(Chart, LeavesOutTheMiddleOfALongNameInTheLegend) {
     Chart chart = unit_chart();
     std::string name = "φ-first";
     for (int i = 0; i < 20; ++i) name += "_several°";
     chart.legend(Stroke{pen, 2}, name + "_last.h5: peak");
-    int found = 0;
     const Drawing page = chart.finish();
+    std::string shown;
     for (const Text& text : texts_of(page)) {
-        if (text.label.find("several") == std::string::npos) continue;
-        ++found;
         EXPECT_LE(text.at.x + text_width(text.label, text.size, text.bold), page.width());
-        EXPECT_EQ(text.label.find("φ-first_"), 0U) << text.label;
-        EXPECT_NE(text.label.find("…"), std::string::npos) << text.label;
-        EXPECT_NE(text.label.find("_last.h5:"), std::string::npos) << text.label;
+        if (text.label.find("_last") != std::string::npos) shown += text.label;
     }
-    EXPECT_EQ(found, 1);
+    test::expect_golden(shown);
 }
 
-TEST(Chart, RangesLeaveNaNOut) {
+TEST(PaddedRange, LeavesOutNaN) {
     const auto [low, high] = padded_range(std::vector<double>{1, std::nan(""), 3}, 0.1);
     EXPECT_DOUBLE_EQ(low, 0.8);
     EXPECT_DOUBLE_EQ(high, 3.2);
@@ -223,7 +204,7 @@ TEST(Chart, RangesLeaveNaNOut) {
     EXPECT_GT(one_high, 5);
 }
 
-TEST(Drawing, MarksOfOneKindThatFollowEachOtherAreOneShape) {
+TEST(Drawing, JoinsMarksOfOneKindThatFollowEachOther) {
     Drawing drawing(100, 50);
     for (double x : {0.0, 20.0, 40.0}) drawing.polygon({{x, 0}, {x + 10, 0}, {x, 10}}, palette::grain);
     drawing.rectangle({0, 0}, {1, 1}, palette::grain);  // other sides
@@ -238,7 +219,7 @@ TEST(Drawing, MarksOfOneKindThatFollowEachOtherAreOneShape) {
     EXPECT_EQ(std::get<Strokes>(page.shapes()[2]).ends.back().y, 55);
 }
 
-TEST(Drawing, TicksAreRoundAndInside) {
+TEST(Ticks, AreRoundAndInside) {
     EXPECT_EQ(round_ticks(0, 10, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
     const std::vector<double> ticks = round_ticks(-0.21, 0.62, 8);
     ASSERT_FALSE(ticks.empty());
@@ -247,76 +228,41 @@ TEST(Drawing, TicksAreRoundAndInside) {
     EXPECT_TRUE(round_ticks(1, 1, 5).empty());
 }
 
-TEST(PictureStyle, LimitsAreTwoNumbersInTheUnitOfTheAxis) {
+TEST(PictureStyle, HasLimitsOfTwoNumbersInTheUnitOfTheAxis) {
     const AxisLimits limits = parse_limits("-0.2, 0.4", "--x-limits");
     EXPECT_DOUBLE_EQ(limits.low, -0.2);
     EXPECT_DOUBLE_EQ(limits.high, 0.4);
-    for (const char* wrong : {"0.4", "0,", "a,b", "0,inf", "0,4mm"}) {
-        test::expect_one_line<UsageError>([&] { (void)parse_limits(wrong, "--x-limits"); }, {"--x-limits", wrong, "0,0.4 fits"});
-    }
-    test::expect_one_line<UsageError>([&] { (void)parse_limits("0.4,0.4", "--y-limits"); }, {"--y-limits 0.4,0.4", "below"});
     const Axis strain{"strain, % (lateral left, axial right)", -1, 1};
     EXPECT_EQ(strain.unit(), "%");
     EXPECT_DOUBLE_EQ(strain.limited(limits).high, 0.4);
-    test::expect_one_line<UsageError>(
-        [&] {
-            (void)Axis({"n", 1, 9, true}).limited(parse_limits("0,4", "--y-limits"));
-        },
-        {"logarithmic", "above 0"});
-}
-
-TEST(PictureStyle, LimitsThatShowNothingAreRefused) {
-    const auto draw = [](const std::string& limits) {
+    const auto draw = [](const std::string& given) {
         PictureStyle style;
-        style.x_limits = parse_limits(limits, "--x-limits");
+        style.x_limits = parse_limits(given, "--x-limits");
         Chart chart(style, {}, {"x, mm", 0, 1}, {"y", 0, 1});
-        chart.line(std::vector<double>{0, 1}, std::vector<double>{0, 1}, Stroke{});
+        chart.line(unit, unit, Stroke{});
         (void)chart.finish();
     };
     EXPECT_NO_THROW(draw("0.5,3"));
-    test::expect_one_line<UsageError>([&] { draw("5,6"); }, {"--x-limits 5,6", "nothing lies there", "0,1"});
+    test::Refusals refused;
+    for (const char* wrong : {"0.4", "0,", "a,b", "0,inf", "0,4mm", "0.4,0.4", "5,6"}) {
+        refused.add<UsageError>(wrong, [&] { draw(wrong); });
+    }
+    refused.add<UsageError>("of a logarithm", [] { (void)Axis({"n", 1, 9, true}).limited(parse_limits("0,4", "--y-limits")); });
+    test::expect_golden(refused.text());
 }
 
-TEST(PictureStyle, ALabelNamesAFileOfThePicture) {
+TEST(PictureStyle, LabelsFilesOfThePicture) {
     PictureStyle style;
-    style.labels = {parse_run_label("uniaxial=dry, fast"), parse_run_label("runs/wet.h5=wet = slow")};
-    EXPECT_EQ(style.label_of("runs/uniaxial.h5"), "dry, fast");
+    style.labels = {parse_run_label("uniaxial=dry, 5 mm/s"), parse_run_label("runs/wet.h5=wet = slow")};
+    EXPECT_EQ(style.label_of("runs/uniaxial.h5"), "dry, 5 mm/s");
     EXPECT_EQ(style.label_of("runs/wet.h5"), "wet = slow");
     EXPECT_EQ(style.label_of("other.h5"), "");
-    test::expect_one_line<UsageError>(
-        [&] {
-            style.require_labels_of({"uniaxial.h5", "dry.h5"});
-        },
-        {"--label runs/wet.h5", "uniaxial.h5, dry.h5"});
+    test::Refusals refused;
+    refused.add<UsageError>("another file", [&] { style.require_labels_of({"uniaxial.h5", "dry.h5"}); });
     for (const char* wrong : {"uniaxial.h5", "=dry", "uniaxial.h5="}) {
-        test::expect_one_line<UsageError>([&] { (void)parse_run_label(wrong); }, {"--label", wrong});
+        refused.add<UsageError>(wrong, [&] { (void)parse_run_label(wrong); });
     }
-}
-
-TEST(PictureStyle, EveryPictureTakesTheOptions) {
-    const test::TemporaryFolder folder;
-    const std::string run = folder.file("run.h5");
-    test::write_run(run, {});
-    const auto svg_of = [&](std::vector<std::string> words) {
-        const std::string picture = folder.file("picture.svg");
-        words.insert(words.begin(), {"graincrack-post", "plot"});
-        words.insert(words.end(), {"-o", picture});
-        std::vector<const char*> arguments;
-        for (const std::string& word : words) arguments.push_back(word.c_str());
-        std::ostringstream out;
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), out);
-        return test::read_text(picture);
-    };
-    for (const char* plot : {"specimen", "curve", "cracks", "rosette", "energy", "thresholds"}) {
-        EXPECT_NE(svg_of({plot, run, "--title", "My own words"}).find("My own words"), std::string::npos) << plot;
-    }
-    EXPECT_NE(svg_of({"cracks", run, "--frame", "first,last", "--title", "My own words"}).find("My own words"),
-              std::string::npos);
-    EXPECT_NE(svg_of({"law", run, "--title", "My own words"}).find("My own words"), std::string::npos);
-    EXPECT_NE(svg_of({"curve", run, "--label", "run.h5=dry"}).find("dry\n"), std::string::npos);
-    EXPECT_NE(svg_of({"curve", run, "--x-limits", "-0.1,0.2", "--y-limits", "0,500"}).find("\n500\n"), std::string::npos);
-    test::expect_one_line<UsageError>([&] { (void)svg_of({"curve", run, "--label", "wet.h5=wet"}); }, {"wet.h5", "run.h5"});
-    test::expect_one_line<UsageError>([&] { (void)svg_of({"energy", run, "--x-limits", "1e6,2e6"}); }, {"--x-limits 1e6,2e6"});
+    test::expect_golden(refused.text());
 }
 
 TEST(ColourScale, HoldsAllButAHundredthOnEachSideAndIsWhiteAtZero) {
@@ -332,9 +278,7 @@ TEST(ColourScale, HoldsAllButAHundredthOnEachSideAndIsWhiteAtZero) {
     EXPECT_GT(scale.of(-39).red, scale.of(-39).blue);  // orange
     Drawing page(1000, 0);
     EXPECT_GT(scale.draw(page, {28, 972}, 100), 150);
-    for (const char* word : {"stress, MPa\n", "\n0\n", "\n50\n", "\n150\n"}) {
-        EXPECT_NE(page.words().find(word), std::string::npos) << word << page.words();
-    }
+    test::expect_golden(page.words());
 }
 
 }  // namespace

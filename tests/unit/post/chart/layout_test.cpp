@@ -21,12 +21,8 @@ protected:
     }
     std::string path(const std::string& name) const { return folder_.file(name); }
     RunData run_of(const std::string& test, double peak, double confining, const std::string& name) const {
-        test::Recipe recipe;
-        recipe.test = test;
-        recipe.peak = peak;
-        recipe.confining_pressure = confining;
-        if (test == "brazilian") recipe.plane = PlaneCondition::stress;
-        test::write_run(path(name), recipe);
+        const PlaneCondition plane = test == "brazilian" ? PlaneCondition::stress : PlaneCondition::strain;
+        test::write_run(path(name), {.test = test, .plane = plane, .confining_pressure = confining, .peak = peak});
         return read_run_data(path(name));
     }
     void expect_fit_to_print(const Drawing& drawing, const std::string& what) const {
@@ -52,7 +48,7 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Widths, Layout, ::testing::Values(0.084, 0.174));
 
-TEST_P(Layout, PicturesOfOneRun) {
+TEST_P(Layout, FitsPicturesOfOneRun) {
     const RunReader run(path("run.h5"));
     const RunData data = run_data(run);
     const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
@@ -75,7 +71,7 @@ TEST_P(Layout, PicturesOfOneRun) {
     expect_fit_to_print(draw_lennard_jones(style_), "lennard-jones");
 }
 
-TEST_P(Layout, PicturesOfSeveralRuns) {
+TEST_P(Layout, FitsPicturesOfSeveralRuns) {
     const std::vector<RunData> runs{run_of("brazilian", 9e6, 0, "b.h5"), run_of("uniaxial", 120e6, 0, "u.h5"),
                                     run_of("triaxial", 150e6, 4e6, "t4.h5"), run_of("triaxial", 180e6, 8e6, "t8.h5"),
                                     run_of("uniaxial", 125e6, 0, "a-long-name-of-a-file-with-words-that-never-end-and-end.h5")};
@@ -93,19 +89,17 @@ TEST_P(Layout, PicturesOfSeveralRuns) {
     expect_fit_to_print(draw_size_effect(sizes, style_), "size effect");
 }
 
-TEST_P(Layout, PicturesOfTables) {
+TEST_P(Layout, FitsPicturesOfTables) {
     std::ofstream(path("small.tsv"))
         << "time_s\topening_m\tsliding_m\n1e-5\t1e-14\t3e-13\n2e-5\t2e-14\t4e-13\n3e-5\t2e-14\t4.5e-13\n";
     expect_fit_to_print(draw_tables({path("small.tsv")}, {"time_s", {"opening_m", "sliding_m"}, false}, style_), "table");
-    const std::string label = draw_tables({path("small.tsv")}, {"time_s", {"opening_m"}, false}, style_).words();
-    EXPECT_NE(label.find("opening, 10⁻¹⁵ m"), std::string::npos) << label;
     ccd::SolveOptions problem;
     problem.goals.targets = {"C_MPa=21", "phi_deg=53"};
     const ccd::Problem solved = ccd::solve_problem(std::string(GRAINCRACK_SOURCE) + "/tests/data/table7.csv", problem);
     expect_fit_to_print(draw_surface(solved, style_), "surface");
 }
 
-TEST_P(Layout, ALongTitleIsBrokenIntoLines) {
+TEST_P(Layout, BreaksALongTitleIntoLines) {
     style_.title =
         "A title that somebody gave, with many words, and then some more, so that no page is wide enough for all of them, "
         "however small its letters are";

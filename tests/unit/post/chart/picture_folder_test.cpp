@@ -7,7 +7,7 @@
 #include <set>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -34,15 +34,17 @@ TEST(PictureFolder, AppearsWholeOrNotAtAll) {
     EXPECT_EQ(names(path), (std::set<std::string>{"frame-0001.png", "frame-0002.png", "frame-0003.png"}));
     write(2, 9);  // in place of the others
     EXPECT_EQ(names(path), (std::set<std::string>{"frame-0001.png", "frame-0002.png"}));
+    test::Refusals refused;
     for (const char* other : {"notes.txt", "frame-1.png"}) {
         std::ofstream(path + "/" + other) << "mine";
-        test::expect_one_line<OutputError>([&] { write(1, 9); }, {other});
+        refused.add<OutputError>("another file", [&] { write(1, 9); });
         std::filesystem::remove(path + "/" + other);
     }
     EXPECT_EQ(names(folder.file("")), std::set<std::string>{"film"});
     std::ofstream(folder.file("file")) << "mine";
-    test::expect_one_line<OutputError>([&] { write_picture_folder(folder.file("file"), 0, {}); }, {"is no folder"});
-    test::expect_one_line<OutputError>([&] { write_picture_folder(folder.file("none/film"), 0, {}); }, {"does not exist"});
+    refused.add<OutputError>("a file", [&] { write_picture_folder(folder.file("file"), 0, {}); });
+    refused.add<OutputError>("below none", [&] { write_picture_folder(folder.file("none/film"), 0, {}); });
+    test::expect_golden(refused.text());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "post/plot/plots.hpp"
 #include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -46,12 +46,26 @@ protected:
         test::write_run(path("run.h5"), recipe_);
     }
     std::string path(const std::string& name) const { return folder_.file(name); }
-    Drawing cracks(const std::string& frame) const { return draw_cracks(RunReader(path("run.h5")), {frame, std::nullopt, 1}); }
+    Drawing cracks(const std::string& frame, const std::string& run = "run.h5") const {
+        return draw_cracks(RunReader(path(run)), {frame, std::nullopt, 1});
+    }
+    /// The texts of the picture that `plot` with some words draws.
+    std::string plotted(std::vector<std::string> words) const {
+        words.insert(words.begin(), {"graincrack-post", "plot"});
+        words.insert(words.end(), {"-o", path("picture.svg")});
+        std::vector<const char*> arguments;
+        for (const std::string& word : words) arguments.push_back(word.c_str());
+        std::ostringstream out;
+        run_command_line(static_cast<int>(arguments.size()), arguments.data(), out);
+        const std::string svg = test::read_text(path("picture.svg"));
+        return svg.substr(0, svg.find("</desc>")).substr(svg.find("<desc>") + 6);
+    }
     test::Recipe recipe_;
+    test::Refusals refused_;
     test::TemporaryFolder folder_;
 };
 
-TEST_F(Picture, LaterShapesCoverEarlierOnesAtTheirPlace) {
+TEST_F(Picture, CoversEarlierShapesByLaterOnesAtTheirPlace) {
     Drawing drawing(60, 40);
     drawing.rectangle({0, 0}, {30, 40}, palette::grain);
     drawing.rectangle({10, 10}, {20, 30}, palette::tensile);
@@ -61,7 +75,7 @@ TEST_F(Picture, LaterShapesCoverEarlierOnesAtTheirPlace) {
     EXPECT_EQ(pixels_of(path("shapes.png"), palette::white), 30 * 40);
 }
 
-TEST_F(Picture, CrackMapShowsRedAndBlackWithoutADisplay) {
+TEST_F(Picture, HasCracksInRedAndBlackWithoutADisplay) {
     write_picture(cracks("last"), path("last.png"));
     write_picture(cracks("first"), path("first.png"));
     // Before any crack only the legend has them.
@@ -72,178 +86,124 @@ TEST_F(Picture, CrackMapShowsRedAndBlackWithoutADisplay) {
     EXPECT_FALSE(std::filesystem::exists(path("last.png.part")));
 }
 
-TEST_F(Picture, CrackMapCountsContactsAndNamesTheTest) {
-    const std::string svg = to_svg(cracks("last"));
-    std::size_t tensile = 0;
-    const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
-    for (const Crack& crack : all) tensile += crack.mode == CrackMode::tensile ? 1 : 0;
-    EXPECT_NE(svg.find("tensile cracks: " + std::to_string(tensile / 2)), std::string::npos);
-    EXPECT_NE(svg.find("shear cracks: " + std::to_string((all.size() - tensile) / 2)), std::string::npos);
-    EXPECT_NE(svg.find("cracks: points past their peak; tensile: open, |"), std::string::npos);
-    EXPECT_NE(svg.find("Uniaxial compression, Augig granite"), std::string::npos);
-    EXPECT_NE(svg.find("seed 7"), std::string::npos);
-    EXPECT_NE(to_svg(cracks("peak")).find("(peak)"), std::string::npos);
-}
-
-TEST_F(Picture, FramesAreChosenByWordNumberOrTime) {
-    EXPECT_EQ(to_svg(cracks("peak")), to_svg(cracks("1")));
+TEST_F(Picture, IsOfFramesByWordNumberOrTime) {
+    // The frame nearest to 80 % of the peak, on either side, is that of the peak here: 0, 1 and 1.25 s
+    for (const char* const frame : {"peak", "before", "after"}) EXPECT_EQ(to_svg(cracks(frame)), to_svg(cracks("1"))) << frame;
     EXPECT_EQ(to_svg(cracks("last")), to_svg(cracks("2")));
     EXPECT_EQ(to_svg(draw_cracks(RunReader(path("run.h5")), {"last", 0.9, 1})), to_svg(cracks("1")));
-    EXPECT_THROW((void)cracks("3"), UsageError);
-    EXPECT_THROW((void)cracks("middle"), UsageError);
+    for (const char* const frame : {"3", "middle", "before,noon", ""}) {
+        refused_.add<UsageError>(frame, [&] { (void)cracks(frame); });
+    }
+    test::expect_golden(refused_.text());
 }
 
-TEST_F(Picture, MapsStandSideBySide) {
-    const std::string svg = to_svg(cracks("first,peak,last"));
-    for (const char* words : {"(a) before", "(b) peak", "(c) after"}) EXPECT_NE(svg.find(words), std::string::npos) << words;
-    // The frame nearest to 80 % of the peak, on either side, is that of the peak here: 0, 1 and 1.25 s
-    EXPECT_EQ(to_svg(cracks("before")), to_svg(cracks("1")));
-    EXPECT_EQ(to_svg(cracks("after")), to_svg(cracks("1")));
-    EXPECT_THROW((void)cracks("before,noon"), UsageError);
-    EXPECT_THROW((void)cracks(""), UsageError);
-}
-
-TEST_F(Picture, EveryPictureHasWhatItIsAbout) {
-    const RunReader run(path("run.h5"));
-    const RunData data = run_data(run);
+TEST_F(Picture, SaysWhatItIsAbout) {
+    const RunData data = read_run_data(path("run.h5"));
     const std::vector<Crack> all = test::synthetic_cracks(recipe_.specimen);
-    const auto expect = [&](const Drawing& drawing, const std::vector<std::string>& words) {
-        const std::string svg = to_svg(drawing);
-        for (const std::string& each : words) EXPECT_NE(svg.find(each), std::string::npos) << each;
-    };
-    expect(draw_rosette(crack_rosette(all, recipe_.specimen), "title", "run.h5", "what a crack is"),
-           {"tensile:", "shear:", "own facets", "what a crack is"});
-    expect(draw_energy(data), {"energy balance", "largest residual 0.2 %"});
-    expect(draw_thresholds(data),
-           {"the third strain is taken as ε3", "axial strain by gauges, %", "crack initiation CI: not reached before the peak",
-            "crack damage CD: not reached before the peak"});
-    LawPlotOptions laws;
-    laws.all = true;
-    expect(draw_laws(data.header.contact, "granite", laws), {"literal", "consistent", "under 20 MPa"});
-    EXPECT_LT(draw_laws(data.header.contact, "granite", laws).height(), 1900);
-    expect(draw_lennard_jones(), {"m 12, n 18: b = 0.200"});
-    expect(draw_specimen(recipe_.specimen), {"256 grains"});
     Specimen jointed = recipe_.specimen;
     jointed.flaw_names = {"joint"};
     jointed.contact_flaw.assign(jointed.n_contacts(), 0);
     jointed.contact_flaw[3] = 1;
-    expect(draw_specimen(jointed), {"intact joint"});
-    expect(draw_curves({data}, "what a crack is"), {"peak 124.4 MPa", "what a crack is", "plane strain"});
-    expect(cracks("last"), {"tensile cracks:", "plane strain"});
-    // One of the two points of a contact has failed: one micro-crack, not a half.
     test::write_run(path("odd.h5"), recipe_, {all.front()});
-    expect(draw_cracks(RunReader(path("odd.h5")), {"last", std::nullopt, 1}), {"cracks: 1\n"});
-    expect(cracks("first,peak,last"), {"(b) peak", "plane strain"});
-    expect(cracks("peak"), {"124.4 MPa (peak)"});  // that of the curve and of tables
-    EXPECT_THROW((void)draw_laws(data.header.contact, "", {{"newton"}}), UsageError);
-    test::expect_one_line<InputError>([&] { (void)draw_rosette({}, "title", "run.h5", ""); }, {"run.h5", "no micro-cracks"});
+    const std::vector<std::pair<const char*, Drawing>> pictures{
+        {"rosette", draw_rosette(crack_rosette(all, recipe_.specimen), "title", "run.h5", "what a crack is")},
+        {"thresholds", draw_thresholds(data)},
+        {"lennard-jones", draw_lennard_jones()},
+        {"specimen", draw_specimen(recipe_.specimen)},
+        {"specimen with a joint", draw_specimen(jointed)},
+        {"curve", draw_curves({data}, "what a crack is")},
+        {"cracks", cracks("last")},
+        {"cracks of one point of a contact", cracks("last", "odd.h5")},
+        {"cracks side by side", cracks("first,peak,last")},
+        {"cracks at the peak", cracks("peak")}};
+    for (const auto& [name, picture] : pictures) test::expect_golden(picture.words(), name);
+    refused_.add<UsageError>("a law", [&] { (void)draw_laws(data.header.contact, "", {{"newton"}}); });
+    refused_.add<InputError>("no cracks", [&] { (void)draw_rosette({}, "title", "run.h5", ""); });
+    test::expect_golden(refused_.text(), "refused");
 }
 
-TEST_F(Picture, NotesSayWhatSpeaksAgainstAStrength) {
-    test::Recipe disc;
-    disc.test = "brazilian";  // the synthetic cracks span half of the height
-    test::write_run(path("disc.h5"), disc);
-    const std::string line = "caveat: open cracks never span 0.8 D";
-    for (const char* frame : {"last", "first,last"}) {
-        const std::string map = to_svg(draw_cracks(RunReader(path("disc.h5")), {frame, std::nullopt, 1}));
-        EXPECT_NE(map.find(line), std::string::npos) << frame;
+TEST_F(Picture, NotesWhatSpeaksAgainstAStrength) {
+    test::write_run(path("disc.h5"), {.test = "brazilian"});  // the synthetic cracks span half of the height
+    test::expect_golden(cracks("last", "disc.h5").words(), "one map");
+    test::expect_golden(cracks("first,last", "disc.h5").words(), "two maps");
+    test::expect_golden(plotted({"curve", path("disc.h5")}), "curve");
+}
+
+TEST_F(Picture, TakesATitleLabelsAndLimits) {
+    const std::string run = path("run.h5"), title = "My own words";
+    for (const std::vector<std::string>& plot : {std::vector<std::string>{"specimen"},
+                                                 {"curve"},
+                                                 {"cracks"},
+                                                 {"cracks", "--frame", "first,last"},
+                                                 {"rosette"},
+                                                 {"energy"},
+                                                 {"thresholds"},
+                                                 {"law"}}) {
+        std::vector<std::string> words = plot;
+        words.insert(words.end(), {run, "--title", title});
+        EXPECT_NE(plotted(words).find(title), std::string::npos) << plot.back();
     }
-    EXPECT_EQ(to_svg(cracks("last")).find("caveat"), std::string::npos);
-    const auto svg_of = [&](std::vector<const char*> arguments) {
-        arguments.insert(arguments.begin(), "graincrack-post");
-        const std::string picture = path("doubted.svg");
-        arguments.insert(arguments.end(), {"-o", picture.c_str()});
-        std::ostringstream out;
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), out);
-        return test::read_text(picture);
-    };
-    const std::string run = path("disc.h5");
-    EXPECT_NE(svg_of({"plot", "curve", run.c_str()}).find(line), std::string::npos);
+    test::expect_golden(plotted({"curve", run, "--label", "run.h5=dry", "--x-limits", "-0.1,0.2", "--y-limits", "0,500"}));
+    refused_.add<UsageError>("a label", [&] { plotted({"curve", run, "--label", "wet.h5=wet"}); });
+    refused_.add<UsageError>("limits", [&] { plotted({"energy", run, "--x-limits", "1e6,2e6"}); });
+    test::expect_golden(refused_.text(), "refused");
 }
 
-TEST_F(Picture, TablesAreDrawnByTheirColumns) {
+TEST_F(Picture, IsOfTheColumnsOfATable) {
     std::ofstream(path("t.tsv")) << "edge_mm\tstrength_MPa\tnote\n1\t5\ta\n2\t\tb\n4\t9\tc\n";
-    const std::string svg = to_svg(draw_tables({path("t.tsv")}, {"edge_mm", {"strength_MPa"}, true}));
-    EXPECT_NE(svg.find("edge, mm"), std::string::npos);
-    EXPECT_NE(svg.find("strength, MPa"), std::string::npos);
-    test::expect_one_line<InputError>(
-        [&] {
-            (void)draw_tables({path("t.tsv")}, {"edge_mm", {"weight"}, false});
-        },
-        {"t.tsv", "no column weight", "strength_MPa"});
-    test::expect_one_line<InputError>(
-        [&] {
-            (void)draw_tables({path("t.tsv")}, {"edge_mm", {"note"}, false});
-        },
-        {"line 2", "\"a\""});
+    const auto draw = [&](const char* column) { return draw_tables({path("t.tsv")}, {"edge_mm", {column}, true}); };
+    test::expect_golden(draw("strength_MPa").words());
+    for (const char* const column : {"weight", "note"}) refused_.add<InputError>(column, [&] { (void)draw(column); });
+    test::expect_golden(refused_.text(), "refused");
 }
 
-TEST_F(Picture, CurvesMarkTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStrength) {
-    recipe_.plane_young_modulus = 2.6e9;  // so that the fall lasts 1 % of strain
-    test::write_run(path("soft.h5"), recipe_);
-    RunData run = read_run_data(path("soft.h5"));
-    const std::string falls = to_svg(draw_curves({run}, ""));
-    EXPECT_NE(falls.find("first peak "), std::string::npos);
-    EXPECT_EQ(falls.find("largest stress"), std::string::npos);
-    EXPECT_NE(falls.find("residual strength"), std::string::npos);
+TEST_F(Picture, MarksTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStrength) {
+    test::write_run(path("soft.h5"), {.plane_young_modulus = 2.6e9});  // so that the fall lasts 1 % of strain
+    const RunData soft = read_run_data(path("soft.h5"));
+    test::expect_golden(draw_curves({soft}, "").words(), "falls");
+    RunData run = soft;
     for (auto& column : run.history.columns) column.push_back(2 * column.back());
     run.history[HistoryColumn::axial_stress].back() = -200e6;
-    EXPECT_NE(to_svg(draw_curves({run}, "")).find("largest stress"), std::string::npos);
+    test::expect_golden(draw_curves({run}, "").words(), "rises beyond");
     // If the stress rises again behind the fall, nothing is residual.
-    RunData rises = read_run_data(path("soft.h5"));
-    const LoadCurve curve = load_curve(rises);
+    run = soft;
+    const LoadCurve curve = load_curve(run);
     for (std::size_t row = 0; row < curve.stress.size(); ++row) {
         if (curve.axial_strain[row] > curve.axial_strain[curve.peak] + 0.002) {
-            rises.history[HistoryColumn::axial_stress][curve.start + row] = -2 * curve.stress[curve.peak];
+            run.history[HistoryColumn::axial_stress][curve.start + row] = -2 * curve.stress[curve.peak];
         }
     }
-    const std::string hardens = to_svg(draw_curves({rises}, ""));
-    EXPECT_NE(hardens.find("first peak"), std::string::npos);
-    EXPECT_EQ(hardens.find("residual strength"), std::string::npos);
+    test::expect_golden(draw_curves({run}, "").words(), "hardens");
 }
 
-TEST_F(Picture, CurvesOfSeveralMaterialsNameThem) {
+TEST_F(Picture, NamesSeveralMaterialsAndHasTestsOfOneKind) {
     std::vector<RunData> runs(2, read_run_data(path("run.h5")));
     runs[1].header.material = "Gabbro";
-    const std::string words = draw_curves(runs, "").words();
-    EXPECT_NE(words.find("Stress and strain"), std::string::npos) << words;
-    for (const RunData& run : runs) EXPECT_NE(words.find("uniaxial, " + run.header.material + ":"), std::string::npos) << words;
+    test::expect_golden(draw_curves(runs, "").words());
+    test::write_run(path("brazilian.h5"), {.test = "brazilian", .peak = 8e6});
+    runs[1] = read_run_data(path("brazilian.h5"));
+    refused_.add<InputError>("another test", [&] { (void)draw_curves(runs, ""); });
+    test::expect_golden(refused_.text(), "refused");
 }
 
-TEST_F(Picture, EnvelopeShowsCirclesAndBothCurves) {
+TEST_F(Picture, HasCirclesAndBothCurvesOfAnEnvelope) {
     EnvelopeTests tests;
-    for (double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, 120e6 + 9 * s, 1});
+    for (double s : {0.0, 4e6, 8e6}) tests.compression.push_back({s, 120e6 + 9 * s, 1});  // sin φ = 8/10
     tests.brazilian = {8e6};
-    const std::string svg = to_svg(draw_envelope(tests, "rock"));
-    for (const char* words : {"σ3 = 4 MPa", "Mohr–Coulomb", "Hoek–Brown", "centre of the disc", "φ = 53.1"}) {
-        EXPECT_NE(svg.find(words), std::string::npos) << words;  // sin φ = 8/10
-    }
-    EXPECT_NE(svg.find("σ1 is the largest stress of a test"), std::string::npos);
-    tests.kind = StrengthKind::first_peak;
-    tests.compression_runs = 4;
-    EXPECT_NE(to_svg(draw_envelope(tests, "rock")).find("σ1 is the first peak of a test; 3 of 4 tests have one"),
-              std::string::npos);
-    EnvelopeTests two;
-    two.compression = {tests.compression[0], tests.compression[2]};
-    const std::string head = draw_envelope(two, "rock").words();
-    EXPECT_NE(head.find("C and φ: not determined by 2 tests"), std::string::npos) << head;
-    EXPECT_EQ(head.find("mi "), std::string::npos) << head;
-    for (auto& test : tests.compression) test.strength = 200e6 - 9 * test.confining;
-    EXPECT_NE(to_svg(draw_envelope(tests, "rock")).find("no Mohr–Coulomb line"), std::string::npos);
-    for (auto& test : tests.compression) test.strength = 120e6 + 9 * test.confining;
+    test::expect_golden(draw_envelope(tests, "rock").words());
     write_picture(draw_envelope(tests, "rock"), path("envelope.png"));
     EXPECT_GT(pixels_of(path("envelope.png"), palette::series(0)), 500);
+    EnvelopeTests two;
+    two.compression = {tests.compression[0], tests.compression[2]};
+    test::expect_golden(draw_envelope(two, "rock").words(), "of two tests");
+    tests.kind = StrengthKind::first_peak;
+    tests.compression_runs = 4;
+    test::expect_golden(draw_envelope(tests, "rock").words(), "of first peaks");
+    for (auto& test : tests.compression) test.strength = 200e6 - 9 * test.confining;
+    test::expect_golden(draw_envelope(tests, "rock").words(), "of strengths that fall");
 }
 
-TEST_F(Picture, CurvesOfDifferentTestsDoNotShareAPlot) {
-    test::Recipe other;
-    other.test = "brazilian";
-    other.peak = 8e6;
-    test::write_run(path("brazilian.h5"), other);
-    EXPECT_THROW((void)draw_curves({read_run_data(path("run.h5")), read_run_data(path("brazilian.h5"))}, ""), InputError);
-}
-
-TEST_F(Picture, AWidthOnPaperSetsPixelsOfAPngAndPointsOfSvgAndPdf) {
+TEST_F(Picture, HasTheWidthOnPaperInPixelsOfPngAndPointsOfSvgAndPdf) {
     Drawing drawing(1000, 500);
     drawing.rectangle({0, 0}, {500, 500}, palette::grain);
     drawing.text({{500, 250}, "σ1 < 3 & φ"});
@@ -256,17 +216,15 @@ TEST_F(Picture, AWidthOnPaperSetsPixelsOfAPngAndPointsOfSvgAndPdf) {
     EXPECT_NE(svg.find("width=\"144pt\" height=\"72pt\""), std::string::npos) << svg.substr(0, 300);
     EXPECT_NE(svg.find("<desc>σ1 &lt; 3 &amp; φ\n</desc>"), std::string::npos) << svg.substr(0, 500);
     write_picture(drawing, path("column.pdf"), {0.0508, std::nullopt});
-    std::ifstream file(path("column.pdf"), std::ios::binary);
-    const std::string pdf((std::istreambuf_iterator<char>(file)), {});
+    const std::string pdf = test::read_text(path("column.pdf"));
     EXPECT_TRUE(pdf.starts_with("%PDF-"));
     EXPECT_NE(pdf.find("/MediaBox [ 0 0 144 72 ]"), std::string::npos);
     EXPECT_NE(pdf.find("LiberationSans"), std::string::npos) << "the font is not in the file";
     write_picture(drawing, path("again.pdf"), {0.0508, std::nullopt});
-    std::ifstream other(path("again.pdf"), std::ios::binary);
-    EXPECT_EQ(pdf, std::string((std::istreambuf_iterator<char>(other)), {}));
+    EXPECT_EQ(pdf, test::read_text(path("again.pdf")));
 }
 
-TEST_F(Picture, APngOfAWidthSaysItsResolution) {
+TEST_F(Picture, HasItsResolutionInAPngOfAWidth) {
     const Drawing drawing(100, 50);
     EXPECT_EQ(png_bytes(drawing), png_bytes(drawing));
     const std::vector<unsigned char> without = png_bytes(drawing);
@@ -282,20 +240,19 @@ TEST_F(Picture, APngOfAWidthSaysItsResolution) {
     EXPECT_EQ(cairo_image_surface_get_width(read_png(path("sized.png")).get()), 100);
 }
 
-TEST_F(Picture, AResolutionThatMeansNothingIsRefused) {
-    test::expect_one_line<UsageError>([&] { require_picture("a.svg", {0.08, 300}); }, {"--dpi", "a.svg"});
-    test::expect_one_line<UsageError>([&] { require_picture("a.png", {std::nullopt, 300}); }, {"--dpi", "--width 84mm"});
-    test::expect_one_line<OutputError>([&] { (void)png_bytes(Drawing(100, 100), {2, 2400}); }, {"188976", "--dpi"});
+TEST_F(Picture, NeedsAResolutionANameAndAPlaceThatCanBe) {
+    const Drawing drawing(100, 100);
+    refused_.add<UsageError>("dpi of SVG", [] { require_picture("a.svg", {0.08, 300}); });
+    refused_.add<UsageError>("dpi without a width", [] { require_picture("a.png", {std::nullopt, 300}); });
+    refused_.add<OutputError>("too many pixels", [&] { (void)png_bytes(drawing, {2, 2400}); });
+    refused_.add<UsageError>("another format", [&] { write_picture(drawing, path("picture.jpg")); });
+    for (const char* const name : {"no/such/folder.png", "no/such/folder.svg"}) {
+        refused_.add<OutputError>("no folder", [&] { write_picture(drawing, path(name)); });
+    }
+    test::expect_golden(refused_.text());
 }
 
-TEST_F(Picture, NamesAndPlacesThatCannotBeAreOneError) {
-    const Drawing drawing(10, 10);
-    EXPECT_THROW(write_picture(drawing, path("picture.jpg")), UsageError);
-    EXPECT_THROW(write_picture(drawing, path("no/such/folder.png")), OutputError);
-    EXPECT_THROW(write_picture(drawing, path("no/such/folder.svg")), OutputError);
-}
-
-TEST_F(Picture, ManyGrainsAreNoLargerThanTheirPage) {
+TEST_F(Picture, HasFewMarksOfGrainsTooSmallForItsPage) {
     const Drawing drawing = draw_specimen(test::grid_specimen(300, 300, 0.08, 0.08));  // edges of 3 pixels
     EXPECT_LT(drawing.n_marks(), 4000U);  // 944 rows, 1,200 edges of the rim, legend and title
     write_picture(drawing, path("many.png"));
