@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -27,10 +27,12 @@ double hoek_brown(double sigma_ci, double mi, double confining) {
 }
 
 const std::vector<double> three_pressures{0, 4e6, 8e6};
-std::vector<double> hoek_brown_strengths(double mi) {
-    std::vector<double> strengths;
-    for (const double s : three_pressures) strengths.push_back(hoek_brown(122e6, mi, s));
-    return strengths;
+
+/// The fields of a row, with spaces between.
+std::string fields(const std::string& row, const std::vector<std::string>& columns) {
+    std::string all;
+    for (const std::string& column : columns) all += (all.empty() ? "" : " ") + field(row, column);
+    return all;
 }
 
 TEST(Envelope, RecoversPlantedCohesionAndFriction) {
@@ -45,9 +47,11 @@ TEST(Envelope, RecoversPlantedCohesionAndFriction) {
     EXPECT_NEAR(envelope.tensile_strength(), 2 * 21e6 * std::cos(phi) / (1 + std::sin(phi)), 1);
 }
 
-TEST(Envelope, HoekBrownFindsWhatWasPlanted) {
+TEST(HoekBrown, RecoversWhatWasPlanted) {
     const double planted = 122e6 / 2 * (std::sqrt(14.0 * 14 + 4) - 14);
-    const auto exact = fit_hoek_brown(three_pressures, hoek_brown_strengths(14));
+    std::vector<double> strengths;
+    for (const double s : three_pressures) strengths.push_back(hoek_brown(122e6, 14, s));
+    const auto exact = fit_hoek_brown(three_pressures, strengths);
     ASSERT_TRUE(exact.has_value());
     EXPECT_NEAR(exact->sigma_ci.value, 122e6, 1e3);
     EXPECT_NEAR(exact->mi.value, 14, 1e-3);
@@ -56,7 +60,7 @@ TEST(Envelope, HoekBrownFindsWhatWasPlanted) {
     EXPECT_TRUE(std::isnan(exact->strength(-1.3 * planted)));
 }
 
-TEST(Envelope, SeedsGiveTheirOwnConstants) {
+TEST(Envelope, HasConstantsOfEachSeed) {
     EnvelopeTests tests;
     const std::vector<double> cohesions{20e6, 21e6, 25e6};
     for (std::size_t i = 0; i < cohesions.size(); ++i) {
@@ -75,7 +79,7 @@ TEST(Envelope, SeedsGiveTheirOwnConstants) {
     EXPECT_FALSE(fit_seed_envelopes(tests).has_value());
 }
 
-TEST(Envelope, WhatIsNotDeterminedHasNoInterval) {
+TEST(Envelope, HasNoIntervalOfWhatIsNotDetermined) {
     const auto expect_no_interval = [](const Envelope& envelope) {
         EXPECT_FALSE(envelope.cohesion.low.has_value());
         EXPECT_FALSE(envelope.friction_angle.low.has_value());
@@ -98,139 +102,106 @@ TEST(Envelope, WhatIsNotDeterminedHasNoInterval) {
 
 class EnvelopeTable : public ::testing::Test {
 protected:
-    std::string run(const std::string& name, double confining, const std::string& test = "", double peak = 0, double drop = 0.5,
-                    const std::string& stop = "peak drop", Recipe recipe = {}) {
-        recipe.drop = drop;
-        recipe.stop_reason = stop;
-        recipe.test = !test.empty() ? test : confining > 0 ? "triaxial" : "uniaxial";
-        recipe.confining_pressure = confining;
-        recipe.peak = peak > 0 ? peak : mohr_coulomb(21e6, 53 / degrees, confining);
+    std::string run(const std::string& name, const Recipe& recipe) {
         test::write_run(folder_.file(name), recipe);
         return folder_.file(name);
     }
-    std::vector<std::string> three_runs() { return {run("0", 0), run("4", 4e6), run("8", 8e6)}; }
+    /// Of a compression test of the planted cohesion and friction.
+    static Recipe planted(double confining, double drop = 0.5, const std::string& stop = "peak drop") {
+        return {.test = confining > 0 ? "triaxial" : "uniaxial",
+                .confining_pressure = confining,
+                .peak = mohr_coulomb(21e6, 53 / degrees, confining),
+                .drop = drop,
+                .stop_reason = stop};
+    }
+    std::vector<std::string> three_runs() { return {run("0", planted(0)), run("4", planted(4e6)), run("8", planted(8e6))}; }
     std::string table(const std::vector<std::string>& runs, const EnvelopeOptions& options,
                       TableFormat format = TableFormat::tsv) {
         std::ostringstream out;
         write_envelope_table(out, runs, format, options, notes_);
         return out.str();
     }
+    void refuse(const std::string& what, const std::vector<std::string>& runs, const EnvelopeOptions& options) {
+        refused_.add<InputError>(what, [&] { table(runs, options); });
+    }
     const EnvelopeOptions of_largest_{StrainLimitRuns::refuse, StrengthKind::largest};
+    const EnvelopeOptions accepted_{StrainLimitRuns::accept, StrengthKind::largest};
     std::ostringstream notes_;
+    test::Refusals refused_;
     test::TemporaryFolder folder_;
 };
 
-TEST_F(EnvelopeTable, RunsEndedByTheStrainCapAreRefusedUnlessAccepted) {
-    const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.03, "strain limit"),
-                                        run("8", 8e6, "", 0, 0, "strain limit")};
-    test::expect_one_line<InputError>([&] { table(runs, of_largest_); }, {runs[1], "strain limit (1.5 %)", "--capped accept"});
+TEST_F(EnvelopeTable, HasRunsEndedByTheStrainCapIfTheyAreAccepted) {
+    const std::vector<std::string> runs{run("0", planted(0)), run("4", planted(4e6, 0.03, "strain limit")),
+                                        run("8", planted(8e6, 0, "strain limit"))};
+    refuse("at the strain limit", runs, of_largest_);
     EXPECT_EQ(notes_.str(), "");
-    const std::string accepted = table(runs, {StrainLimitRuns::accept, StrengthKind::largest});
+    const std::string accepted = table(runs, accepted_);
     EXPECT_EQ(field(accepted, "runs_at_strain_limit"), "2");
     EXPECT_NEAR(std::stod(field(accepted, "cohesion_MPa")), 21, 1e-4);
-    const std::string notes = notes_.str();
-    EXPECT_NE(notes.find("2 of 3 runs were stopped at the strain limit"), std::string::npos) << notes;
-    EXPECT_EQ(std::count(notes.begin(), notes.end(), '\n'), 1);
-    // A run that a signal stopped has no strength at all.
-    EXPECT_THROW(table({run("0", 0), run("4", 4e6, "", 0, 0, "signal")}, {StrainLimitRuns::accept, StrengthKind::largest}),
-                 InputError);
+    test::expect_golden(notes_.str(), "notes");
+    refuse("stopped by a signal", {runs[0], run("4", planted(4e6, 0, "signal"))}, accepted_);
+    test::expect_golden(refused_.text());
 }
 
-TEST_F(EnvelopeTable, ForPeopleHasItsIntervalsAndUnits) {
-    const std::string text = table(three_runs(), of_largest_, TableFormat::aligned);
-    EXPECT_NE(text.find("3 of 3 compression runs, plane strain; strength: largest stress\n"), std::string::npos) << text;
-    const std::size_t cohesion = text.find("cohesion C");
-    ASSERT_NE(cohesion, std::string::npos) << text;
-    const std::string line = text.substr(cohesion, text.find('\n', cohesion) - cohesion);
-    EXPECT_NE(line.find(" 21 "), std::string::npos) << line;
-    EXPECT_NE(line.find("21 to 21"), std::string::npos) << line;
-    EXPECT_TRUE(line.ends_with("MPa")) << line;
-    EXPECT_EQ(text.find('\t'), std::string::npos);
-    const std::string few = table({run("0", 0), run("4", 4e6)}, {}, TableFormat::aligned);
-    EXPECT_NE(few.find("not determined by 2 tests"), std::string::npos) << few;
-    const std::string columns = table({run("0", 0), run("4", 4e6)}, {});
+TEST_F(EnvelopeTable, HasIntervalsAndUnitsForPeople) {
+    test::expect_golden(table(three_runs(), of_largest_, TableFormat::aligned));
+    const std::vector<std::string> two{run("0", planted(0)), run("4", planted(4e6))};
+    test::expect_golden(table(two, {}, TableFormat::aligned), "of two tests");
+    const std::string columns = table(two, {});
     EXPECT_EQ(field(columns, "cohesion_MPa") + field(columns, "friction_angle_deg") + field(columns, "hoek_brown_mi"), "");
 }
 
-TEST_F(EnvelopeTable, OfFirstPeaksIsTheUsualOneAndTakesEachRunThatHasOne) {
+TEST_F(EnvelopeTable, IsUsuallyThatOfFirstPeaksOfEachRunThatHasOne) {
     // The last two never fall: one stopped at the strain limit, one by a signal.
-    const std::vector<std::string> runs{run("0", 0), run("4", 4e6, "", 0, 0.1, "strain limit"),
-                                        run("8", 8e6, "", 0, 0.5, "signal"), run("12", 12e6, "", 0, 0, "strain limit"),
-                                        run("13", 13e6, "", 0, 0, "signal")};
+    const std::vector<std::string> runs{run("0", planted(0)), run("4", planted(4e6, 0.1, "strain limit")),
+                                        run("8", planted(8e6, 0.5, "signal")), run("12", planted(12e6, 0, "strain limit")),
+                                        run("13", planted(13e6, 0, "signal"))};
     const std::string usual = table(runs, {});
-    EXPECT_EQ(field(usual, "strength"), "first-peak");
-    EXPECT_EQ(field(usual, "runs"), "3");
-    EXPECT_EQ(field(usual, "compression_runs"), "5");
-    EXPECT_EQ(field(usual, "runs_at_strain_limit"), "0");
+    EXPECT_EQ(fields(usual, {"strength", "runs", "compression_runs", "runs_at_strain_limit"}), "first-peak 3 5 0");
     EXPECT_NEAR(std::stod(field(usual, "cohesion_MPa")), 21, 0.3);  // smoothing takes some of each peak
     EXPECT_LT(std::stod(field(usual, "cohesion_MPa")), 21 - 1e-3);
     EXPECT_NEAR(std::stod(field(usual, "friction_angle_deg")), 53, 0.3);
-    const std::string notes = notes_.str();
-    EXPECT_EQ(std::count(notes.begin(), notes.end(), '\n'), 2) << notes;
-    EXPECT_NE(notes.find(runs[3] + ": did not fail"), std::string::npos) << notes;
+    test::expect_golden(notes_.str());
 }
 
 TEST_F(EnvelopeTable, OfResidualStrengthsNeedsTestsThatGoOnBehindTheirFirstPeak) {
     std::vector<std::string> runs = three_runs();  // end 0.1 % behind their peaks
-    test::expect_one_line<InputError>(
-        [&] { table(runs, {.strength = StrengthKind::residual}); },
-        {runs[0], "before 0.5 % strain beyond its first peak", "0 of 3 compression runs have this strength"});
-    for (const double confining : {4e6, 8e6, 12e6}) {  // a tenth as stiff
-        Recipe recipe;
-        recipe.test = "triaxial";
-        recipe.confining_pressure = confining;
-        recipe.plane_young_modulus = 2.6e9;
-        recipe.peak = mohr_coulomb(21e6, 53 / degrees, confining);
-        runs.push_back(folder_.file("soft" + std::to_string(confining)));
-        test::write_run(runs.back(), recipe);
+    refuse("ended early", runs, {.strength = StrengthKind::residual});
+    test::expect_golden(refused_.text());
+    for (const double confining : {4e6, 8e6, 12e6}) {
+        Recipe soft = planted(confining);
+        soft.plane_young_modulus = 2.6e9;  // a tenth as stiff
+        runs.push_back(run("soft" + std::to_string(confining), soft));
     }
     const std::string residual = table(runs, {.strength = StrengthKind::residual});
-    EXPECT_EQ(field(residual, "strength"), "residual");
-    EXPECT_EQ(field(residual, "runs"), "3");
-    EXPECT_EQ(field(residual, "compression_runs"), "6");
+    EXPECT_EQ(fields(residual, {"strength", "runs", "compression_runs"}), "residual 3 6");
     EXPECT_LT(std::stod(field(residual, "cohesion_MPa")), 20);
 }
 
-TEST_F(EnvelopeTable, TensileTestsStandBesideWhatTheEnvelopesImply) {
-    Recipe disc;
-    disc.test = "brazilian";
-    disc.plane = PlaneCondition::stress;  // stiffnesses follow the plane condition: the same rock
-    disc.peak = 8.8e6;
-    test::write_run(folder_.file("disc"), disc);
+TEST_F(EnvelopeTable, HasTensileTestsBesideWhatTheEnvelopesImply) {
     std::vector<std::string> runs = three_runs();
-    runs.insert(runs.end(), {folder_.file("disc"), run("t", 0, "tension", 6e6)});
+    // Stiffnesses follow the plane condition: the same rock.
+    runs.push_back(run("disc", {.test = "brazilian", .plane = PlaneCondition::stress, .peak = 8.8e6}));
+    runs.push_back(run("t", {.test = "tension", .peak = 6e6}));
     const std::string row = table(runs, of_largest_);
-    EXPECT_EQ(field(row, "runs"), "3");
-    EXPECT_EQ(field(row, "runs_at_strain_limit"), "0");
+    EXPECT_EQ(fields(row, {"runs", "brazilian_tensile_strength_MPa", "direct_tensile_strength_MPa", "whole_seeds"}), "3 8.8 6 0");
     EXPECT_NEAR(std::stod(field(row, "cohesion_MPa")), 21, 1e-4);
     EXPECT_NEAR(std::stod(field(row, "friction_angle_deg")), 53, 1e-4);
     EXPECT_NE(field(row, "hoek_brown_mi"), "");
-    EXPECT_EQ(field(row, "brazilian_tensile_strength_MPa"), "8.8");
-    EXPECT_EQ(field(row, "direct_tensile_strength_MPa"), "6");
-    EXPECT_EQ(field(row, "whole_seeds"), "0");
 }
 
-TEST_F(EnvelopeTable, OtherTestsOnePressureAndAnotherPlaneConditionAreRefused) {
-    EXPECT_THROW(table({run("0", 0), run("b", 0, "brazilian", 8e6)}, of_largest_), InputError);
-    EXPECT_THROW(table({run("0", 0), run("1", 0)}, of_largest_), InputError);
-    Recipe recipe;
-    recipe.test = "triaxial";
-    recipe.confining_pressure = 4e6;
-    recipe.plane = PlaneCondition::stress;
-    test::write_run(folder_.file("stress"), recipe);
-    test::expect_one_line<InputError>(
-        [&] {
-            table({run("0", 0), folder_.file("stress")}, of_largest_);
-        },
-        {"plane (stress, strain)"});
-    recipe.plane = PlaneCondition::strain;
-    recipe.specimen = test::grid_specimen(4, 8, 0.04, 0.08);
-    test::write_run(folder_.file("small"), recipe);
-    test::expect_one_line<InputError>(
-        [&] {
-            table({run("0", 0), folder_.file("small")}, of_largest_);
-        },
-        {"width (40 mm, 80 mm), height (80 mm, 160 mm)"});
+TEST_F(EnvelopeTable, NeedsTwoPressuresInOnePlaneConditionAndSize) {
+    const std::string first = run("0", planted(0));
+    refuse("no compression", {first, run("b", {.test = "brazilian", .peak = 8e6})}, of_largest_);
+    refuse("one pressure", {first, run("1", planted(0))}, of_largest_);
+    Recipe other = planted(4e6);
+    other.plane = PlaneCondition::stress;
+    refuse("plane stress", {first, run("stress", other)}, of_largest_);
+    other = planted(4e6);
+    other.specimen = test::grid_specimen(4, 8, 0.04, 0.08);
+    refuse("a smaller specimen", {first, run("small", other)}, of_largest_);
+    test::expect_golden(refused_.text());
 }
 
 }  // namespace

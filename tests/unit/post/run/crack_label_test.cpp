@@ -6,9 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <set>
+#include <tuple>
 
 #include "post/cracks/crack_counts.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -20,6 +21,9 @@ constexpr CrackLabel broken{CrackEvent::broken};
 constexpr CrackLabel broken_by_sign{CrackEvent::broken, CrackModeRule::sign};
 constexpr CrackMoment never;
 
+constexpr CrackMode tensile = CrackMode::tensile;
+constexpr CrackMode shear = CrackMode::shear;
+
 /// Traction of a point, Pa.
 struct Traction {
     double normal, shear;
@@ -29,53 +33,46 @@ constexpr Traction pressure{-5, 9};
 
 /// A point that failed at 1 s with a traction and an opening, and lost half of its cohesion and broke later, or never.
 Crack crack(const Traction& traction, double opening, const CrackMoment& damaged = never, const CrackMoment& broke = never) {
-    Crack c;
-    c.time = 1;
-    c.opening = opening;
-    c.sliding = 7;
-    c.mode = opening >= 0 ? CrackMode::tensile : CrackMode::shear;
-    c.mode_angle = std::atan2(std::abs(traction.shear), traction.normal);
-    c.damaged_50 = damaged;
-    c.broken = broke;
-    return c;
+    return {.time = 1,
+            .mode = opening >= 0 ? tensile : shear,
+            .mode_angle = std::atan2(std::abs(traction.shear), traction.normal),
+            .opening = opening,
+            .sliding = 7,
+            .damaged_50 = damaged,
+            .broken = broke};
 }
 
-TEST(CrackLabel, ModesByTractionAndBySign) {
-    struct Case {
-        Traction traction;
-        double opening;
-        CrackMode by_traction, by_sign;
-    };
-    constexpr CrackMode tensile = CrackMode::tensile;
-    constexpr CrackMode shear = CrackMode::shear;
-    for (const Case& at : {Case{{1, 0}, 2, tensile, tensile},     // pure opening
-                           Case{{1, 0.99}, 2, tensile, tensile},  // just below 45°
-                           Case{{1, 1.01}, 2, shear, tensile}, Case{{1, -1.01}, 2, shear, tensile},
-                           Case{{0, 1}, 0, shear, tensile},     // pure sliding while open
-                           Case{{1, 0}, -1, shear, shear},      // closed in the step in which it failed
-                           Case{{-3, 1}, -1, shear, shear}}) {  // closed
-        EXPECT_EQ(mode_of(crack(at.traction, at.opening), {}), at.by_traction) << at.traction.shear;
-        EXPECT_EQ(mode_of(crack(at.traction, at.opening), by_sign), at.by_sign) << at.traction.shear;
+TEST(CrackLabel, HasAModeByTractionAndBySign) {
+    for (const auto& [traction, opening, mode, mode_by_sign] : std::vector<std::tuple<Traction, double, CrackMode, CrackMode>>{
+             {{1, 0}, 2, tensile, tensile},     // pure opening
+             {{1, 0.99}, 2, tensile, tensile},  // just below 45°
+             {{1, 1.01}, 2, shear, tensile},
+             {{1, -1.01}, 2, shear, tensile},
+             {{0, 1}, 0, shear, tensile},     // pure sliding while open
+             {{1, 0}, -1, shear, shear},      // closed in the step in which it failed
+             {{-3, 1}, -1, shear, shear}}) {  // closed
+        EXPECT_EQ(mode_of(crack(traction, opening), {}), mode) << traction.shear;
+        EXPECT_EQ(mode_of(crack(traction, opening), by_sign), mode_by_sign) << traction.shear;
     }
 }
 
 // The traction is that of the peak whatever the event; the sign is that of the event.
-TEST(CrackLabel, TheModeOfALaterEvent) {
+TEST(CrackLabel, TakesItsSignFromALaterEvent) {
     const Crack closes = crack(tension, 2, {3, 1, 0}, {4, -1, 0});
-    EXPECT_EQ(mode_of(closes, half_damaged), CrackMode::tensile);
-    EXPECT_EQ(mode_of(closes, broken), CrackMode::tensile);
-    EXPECT_EQ(mode_of(closes, broken_by_sign), CrackMode::shear);
-    EXPECT_EQ(mode_of(closes, by_sign), CrackMode::tensile);
+    EXPECT_EQ(mode_of(closes, half_damaged), tensile);
+    EXPECT_EQ(mode_of(closes, broken), tensile);
+    EXPECT_EQ(mode_of(closes, broken_by_sign), shear);
+    EXPECT_EQ(mode_of(closes, by_sign), tensile);
     const Crack opens = crack(pressure, -1, {3, -1, 0}, {4, 2, 0});
-    EXPECT_EQ(mode_of(opens, broken), CrackMode::shear);
-    EXPECT_EQ(mode_of(opens, broken_by_sign), CrackMode::tensile);
+    EXPECT_EQ(mode_of(opens, broken), shear);
+    EXPECT_EQ(mode_of(opens, broken_by_sign), tensile);
     EXPECT_EQ(mode_of(crack(tension, 2, {3, 1, 0}), broken), std::nullopt);
     EXPECT_EQ(mode_of(crack(tension, 2), half_damaged), std::nullopt);
 }
 
 // A crack in direct tension that zigzags around grains: facets within 40° of its plane, whose contacts are ten times as soft in
 // sliding as in opening. All have slid more than opened as soon as the facet is turned by 6°, yet tension made all of them.
-TEST(CrackLabel, AZigzagCrackInDirectTensionIsTensile) {
+TEST(CrackLabel, IsTensileOnAZigzagCrackInDirectTension) {
     constexpr double shear_over_normal_stiffness = 0.1;
     int slid_more = 0;
     for (const double degrees : {-40.0, -25.0, -10.0, 10.0, 25.0, 40.0}) {
@@ -83,29 +80,26 @@ TEST(CrackLabel, AZigzagCrackInDirectTensionIsTensile) {
         const Traction traction{std::cos(turn) * std::cos(turn), std::sin(turn) * std::cos(turn)};
         Crack facet = crack(traction, traction.normal);
         facet.sliding = traction.shear / shear_over_normal_stiffness;
-        EXPECT_EQ(mode_of(facet, {}), CrackMode::tensile) << degrees;
+        EXPECT_EQ(mode_of(facet, {}), tensile) << degrees;
         slid_more += std::abs(facet.sliding) > facet.opening ? 1 : 0;
     }
     EXPECT_EQ(slid_more, 6);
 }
 
-TEST(CrackLabel, OnlyPointsOfTheEventCountWithItsTimeAndMotion) {
+TEST(CrackLabel, CountsPointsOfItsEventWithTheirTimeAndMotion) {
     const std::vector<Crack> log{crack(pressure, -1), crack(tension, 1, {3, 4, 2}, {5, 6, 7})};
-    const std::vector<Crack> failed = labelled(log, {});
-    ASSERT_EQ(failed.size(), 2U);
-    EXPECT_EQ(failed[1].time, 1);
-    EXPECT_EQ(failed[1].opening, 1);
-    const std::vector<Crack> cracks = labelled(log, half_damaged);
-    ASSERT_EQ(cracks.size(), 1U);
-    EXPECT_EQ(cracks[0].time, 3);
-    EXPECT_EQ(cracks[0].opening, 4);
-    EXPECT_EQ(cracks[0].sliding, 2);
-    EXPECT_EQ(cracks[0].mode, CrackMode::tensile);
-    ASSERT_EQ(labelled(log, broken).size(), 1U);
-    EXPECT_EQ(labelled(log, broken)[0].time, 5);
+    EXPECT_EQ(labelled(log, {}).size(), 2U);
+    const auto expect_last = [&](const CrackLabel& label, double time, double opening, double sliding) {
+        const Crack last = labelled(log, label).back();
+        EXPECT_EQ(std::tie(last.time, last.opening, last.sliding, last.mode), std::tie(time, opening, sliding, tensile));
+    };
+    expect_last({}, 1, 1, 7);
+    for (const CrackLabel& label : {half_damaged, broken}) EXPECT_EQ(labelled(log, label).size(), 1U);
+    expect_last(half_damaged, 3, 4, 2);
+    expect_last(broken, 5, 6, 7);
 }
 
-TEST(CrackLabel, CountsAreContactsUpToATime) {
+TEST(CrackLabel, CountsContactsUpToATime) {
     const std::vector<Crack> log{crack(tension, 1, {2, 3, 1}, {3, 3, 1}), crack({1, 2}, 1, {3, -1, 2}, {4, -1, 2}),
                                  crack(pressure, -1)};
     EXPECT_EQ(count_modes(log, {}, 1).tensile, 0.5);
@@ -117,10 +111,9 @@ TEST(CrackLabel, CountsAreContactsUpToATime) {
     EXPECT_EQ(count_modes(log, broken, 4).shear, 0.5);
     Columns<OtherCounts> columns;
     append_other_counts<OtherCounts>(columns, [](const OtherCounts& counts) -> const OtherCounts& { return counts; });
-    const std::vector<std::string> names = script_names(columns);
-    ASSERT_EQ(names.size(), 6U);
-    EXPECT_EQ(names[0], "tensile_cracks_by_sign");
-    EXPECT_EQ(names[3], "shear_cracks_broken");
+    EXPECT_EQ(script_names(columns),
+              (std::vector<std::string>{"tensile_cracks_by_sign", "shear_cracks_by_sign", "tensile_cracks_broken",
+                                        "shear_cracks_broken", "tensile_cracks_broken_by_sign", "shear_cracks_broken_by_sign"}));
     for (const CrackEvent event : all_crack_events) {
         const std::vector<Cell> cells = cells_of(columns, count_other_labels(log, event, 9));
         EXPECT_EQ(cells[0].text(), event == CrackEvent::failed ? "1" : "0.5");
@@ -128,18 +121,17 @@ TEST(CrackLabel, CountsAreContactsUpToATime) {
     }
 }
 
-TEST(CrackLabel, TheDefinitionsDiffer) {
-    std::set<std::string> definitions;
+TEST(CrackLabel, IsDefinedInWords) {
+    std::string definitions;
     for (const CrackEvent event : all_crack_events) {
         for (const CrackModeRule rule : {CrackModeRule::traction, CrackModeRule::sign}) {
-            definitions.insert(definition_of({event, rule}));
+            definitions += definition_of({event, rule}) + "\n";
         }
     }
-    EXPECT_EQ(definitions.size(), 6U);
-    EXPECT_EQ(definition_of({}), "cracks: points past their peak; tensile: open, |τ| < σn at the peak");
+    test::expect_golden(definitions);
 }
 
-TEST(CrackLabel, WithoutAnEventItIsThatOfTheRun) {
+TEST(CrackLabel, IsThatOfTheRunWithoutAnEvent) {
     RunHeader run;
     EXPECT_EQ(CrackLabelChoice{}.of(run), CrackLabel{});
     run.crack_event = CrackEvent::half_damaged;
@@ -147,7 +139,7 @@ TEST(CrackLabel, WithoutAnEventItIsThatOfTheRun) {
     EXPECT_EQ((CrackLabelChoice{CrackEvent::failed, CrackModeRule::sign}).of(run), by_sign);
 }
 
-TEST(CrackLabel, TheHistoryOfARunCountsTheCracksOfTheLabel) {
+TEST(CrackLabel, CountsTheCracksOfTheHistoryOfARun) {
     const test::TemporaryFolder folder;
     test::Recipe recipe;
     std::vector<Crack> cracks = test::synthetic_cracks(recipe.specimen);

@@ -3,17 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
 namespace {
 
-using test::Recipe;
-
-RunData data_of(const Recipe& recipe) {
+RunData data_of(const test::Recipe& recipe) {
     RunData run;
     run.name = "run.h5";
     run.header = test::synthetic_header(recipe);
@@ -23,7 +22,7 @@ RunData data_of(const Recipe& recipe) {
     return run;
 }
 
-TEST(LoadCurve, CompressionIsPositiveAndPeaksWherePlanted) {
+TEST(LoadCurve, IsPositiveInCompressionAndPeaksWherePlanted) {
     const LoadCurve curve = load_curve(data_of({}));
     EXPECT_EQ(curve.start, 0U);
     EXPECT_EQ(curve.peak, 100U);
@@ -35,75 +34,59 @@ TEST(LoadCurve, CompressionIsPositiveAndPeaksWherePlanted) {
     EXPECT_GT(curve.lateral_strain[curve.peak], 0);  // widens
 }
 
-TEST(LoadCurve, HalfPeakLiesBetweenRows) {
-    Recipe recipe;
-    recipe.rows = 100;  // 99 steps: half the peak falls between rows 49 and 50
-    const LoadCurve curve = load_curve(data_of(recipe));
+TEST(LoadCurve, ReachesHalfThePeakBetweenRows) {
+    const LoadCurve curve = load_curve(data_of({.rows = 100}));  // 99 steps: half the peak falls between rows 49 and 50
     const CurvePoint half = half_peak(curve);
     EXPECT_NE(half.share, 0);
     EXPECT_NEAR(half.of(curve.stress), 62.5e6, 1);
     EXPECT_NEAR(half.of(curve.gauge_axial_strain), 62.5e6 / 26e9, 1e-12);
 }
 
-TEST(LoadCurve, TriaxialStartsAfterTheIsotropicStage) {
-    Recipe recipe;
-    recipe.test = "triaxial";
-    recipe.confining_pressure = 4e6;
-    const LoadCurve curve = load_curve(data_of(recipe));
+TEST(LoadCurve, BeginsBehindTheIsotropicStage) {
+    const LoadCurve curve = load_curve(data_of({.test = "triaxial", .confining_pressure = 4e6}));
     EXPECT_EQ(curve.start, 10U);
     EXPECT_NEAR(curve.start_stress(), 4e6, 1);
     EXPECT_NEAR(half_peak(curve).of(curve.stress), (4e6 + 125e6) / 2, 1);
 }
 
-TEST(LoadCurve, FirstYieldIsWhereTheOffsetIsReached) {
-    Recipe recipe;
-    recipe.yield_share = 0.7;  // beyond it the tangent is E/2: the platen strain departs from the chord by 1.02 (σ − σy)/E
-    const RunData run = data_of(recipe);
-    const auto yield = first_yield(load_curve(run));
+TEST(LoadCurve, YieldsWhereTheOffsetIsReachedUnlessItIsBrittle) {
+    // Beyond a share of 0.7 the tangent is E/2: the platen strain departs from the chord by 1.02 (σ − σy)/E.
+    const auto yield = first_yield(load_curve(data_of({.yield_share = 0.7})));
     ASSERT_TRUE(yield.has_value());
     EXPECT_NEAR(*yield, 0.7 * 125e6 + yield_offset * 26e9 / 1.02, 1e3);
+    EXPECT_FALSE(first_yield(load_curve(data_of({}))).has_value());
 }
 
-TEST(LoadCurve, BrittleCurveHasNoYield) { EXPECT_FALSE(first_yield(load_curve(data_of({}))).has_value()); }
-
-TEST(LoadCurve, NumbersThatAreNoneAreOneLine) {
-    RunData run = data_of({});
-    run.history[HistoryColumn::axial_stress][42] = std::nan("");
-    test::expect_one_line<InputError>([&] { (void)load_curve(run); }, {"run.h5", "row 42 of /history"});
-    run = data_of({});
-    run.history[HistoryColumn::axial_strain][7] = HUGE_VAL;
-    test::expect_one_line<InputError>([&] { (void)load_curve(run); }, {"row 7"});
+TEST(LoadCurve, HasAPeakOfAKind) {
+    for (const auto& [drop, stop_reason, kind] : std::vector<std::tuple<double, std::string, std::string>>{
+             {0.5, "peak drop", "drop"},
+             {0.5, "strain limit", "drop"},  // fell by half: there was a peak
+             {0.051, "strain limit", "drop"},
+             {0.049, "strain limit", "cap"},
+             {0, "strain limit", "cap"},
+             {0, "signal", ""}}) {
+        const RunData run = data_of({.drop = drop, .stop_reason = stop_reason});
+        EXPECT_EQ(peak_kind(run.header, load_curve(run).strength.has_value()), kind) << stop_reason << drop;
+    }
 }
 
-TEST(LoadCurve, PeakKindTellsDropFromCap) {
-    Recipe recipe;
-    const auto kind = [&] {
-        const RunData run = data_of(recipe);
-        return peak_kind(run.header, load_curve(run).strength.has_value());
+TEST(LoadCurve, NeedsAHistoryOfATest) {
+    test::Refusals refused;
+    const auto refuse = [&](const std::string& what, auto change) {
+        RunData run = data_of({});
+        change(run);
+        refused.add<InputError>(what, [&] { (void)load_curve(run); });
     };
-    EXPECT_EQ(kind(), "drop");
-    recipe.stop_reason = "strain limit";  // reached the strain limit, but the stress had fallen by half: there was a peak
-    EXPECT_EQ(kind(), "drop");
-    recipe.drop = 0.051;
-    EXPECT_EQ(kind(), "drop");
-    recipe.drop = 0.049;
-    EXPECT_EQ(kind(), "cap");
-    recipe.drop = 0;
-    EXPECT_EQ(kind(), "cap");
-    recipe.stop_reason = "signal";  // neither a peak nor the cap
-    EXPECT_EQ(kind(), "");
-}
-
-TEST(LoadCurve, UselessHistoriesAreRefused) {
-    RunData run = data_of({});
-    for (auto& column : run.history.columns) column.resize(2);
-    EXPECT_THROW((void)load_curve(run), InputError);
-    run = data_of({});
-    for (double& stress : run.history[HistoryColumn::axial_stress]) stress = -stress;  // pulled in a compression test
-    EXPECT_THROW((void)load_curve(run), InputError);
-    run = data_of({});
-    run.header.isotropic_end_time = 99;  // never left the isotropic stage
-    EXPECT_THROW((void)load_curve(run), InputError);
+    refuse("no number", [](RunData& run) { run.history[HistoryColumn::axial_stress][42] = std::nan(""); });
+    refuse("infinite", [](RunData& run) { run.history[HistoryColumn::axial_strain][7] = HUGE_VAL; });
+    refuse("two rows", [](RunData& run) {
+        for (auto& column : run.history.columns) column.resize(2);
+    });
+    refuse("pulled in compression", [](RunData& run) {
+        for (double& stress : run.history[HistoryColumn::axial_stress]) stress = -stress;
+    });
+    refuse("never left the isotropic stage", [](RunData& run) { run.header.isotropic_end_time = 99; });
+    test::expect_golden(refused.text());
 }
 
 }  // namespace
