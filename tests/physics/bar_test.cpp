@@ -7,16 +7,13 @@
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 using std::numbers::pi;
-using test::augig_law;
-using test::SmallRun;
-using test::verify;
 
 Rock rock_without_poisson_effect() {
-    Rock rock = test::augig_granite().rock;
+    Rock rock = augig_granite().rock;
     rock.poisson_ratio = 0;
     return rock;
 }
@@ -37,20 +34,19 @@ SmallRun bar_with_interfaces(double fraction = 0.5) {
     law.kt = law.stiffest_normal = interface_stiffness;
     law.ks = interface_stiffness / 10;
     law.stiffest_shear = law.ks;
-    return {test::crossed_blocks(segments * cells_of_segment, 1, segments * spacing, cell_height,
-                                 [](int i, int) { return i / cells_of_segment; }),
+    return {crossed_blocks(segments * cells_of_segment, 1, segments * spacing, cell_height,
+                           [](int i, int) { return i / cells_of_segment; }),
             law, PlaneCondition::stress, fraction, rock_without_poisson_effect()};
 }
 
-TEST(Bar, ModulusWithInterfaces) {
+// Strain between nodes ten segments apart under a stress, by linear algebra: 1/E' = 1/E + 1/(k s), to its round-off.
+TEST(Bar, HasTheModulusOfItsInterfaces) {
     const SmallRun run = bar_with_interfaces();
     const double stress = 1e6;
     const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), boundary_load(run, {stress, 0, 0}));
-    // Nodes of two elements that are ten segments apart.
     const auto at = [&](int segment) {
         const std::size_t element = 4 * static_cast<std::size_t>(cells_of_segment) * static_cast<std::size_t>(segment);
-        return test::displacement_of(
-            u, run.assemblage.node_of_specimen[static_cast<std::size_t>(run.specimen.element_nodes[element][0])]);
+        return displacement_of(u, run.assemblage.node_of_specimen[run.specimen.element_nodes[element][0]]);
     };
     const double strain = (at(14).x - at(4).x) / (10 * spacing);
     const double expected = 1 / (1 / bar_modulus + 1 / (interface_stiffness * spacing));
@@ -106,7 +102,9 @@ double bloch_frequency(double q) {
     return low;
 }
 
-TEST(Bar, WavesWithInterfaces) {
+// Frequencies of standing waves: long ones have the speed √(E'/ρ), 0.953463 c0 at k s/E = 10, others those of Bloch's condition
+// (`bloch_frequency`), to 0.5 %: 16 cells resolve the shortest to 0.2 %.
+TEST(Bar, DispersesWavesByItsInterfaces) {
     const double speed = std::sqrt(1 / (1 / bar_modulus + 1 / (interface_stiffness * spacing)) / density);
     EXPECT_NEAR(speed / bar_speed, 0.953463, 5e-7);
     verify("dynamics: bar with interfaces, speed of long waves over c0",
@@ -124,11 +122,11 @@ TEST(Bar, WavesWithInterfaces) {
 // --- two equal bars collide --------------------------------------------------------------------------------------------
 
 // One flies against the other at rest: they touch for 2 L/c0 under ρ c0 v/2, then the first rests and the second flies.
-TEST(Bar, TwoEqualBarsExchangeTheirVelocities) {
+TEST(Bar, ExchangesItsVelocityWithAnEqualBar) {
     constexpr int n = 200;  // cells of a bar
     const double length = 0.1;
-    Specimen specimen = test::crossed_blocks(2 * n, 2, 2 * length, 2 * length / n, [](int i, int) { return i < n ? 0 : 1; });
-    test::break_contacts(specimen, [](double, double) { return true; });
+    Specimen specimen = crossed_blocks(2 * n, 2, 2 * length, 2 * length / n, [](int i, int) { return i < n ? 0 : 1; });
+    break_contacts(specimen, [](double, double) { return true; });
     ASSERT_EQ(specimen.n_contacts(), 2U);
     SmallRun run(specimen, augig_law(), PlaneCondition::stress, 0.5, rock_without_poisson_effect());
     const double v = 0.1;
@@ -144,9 +142,7 @@ TEST(Bar, TwoEqualBarsExchangeTheirVelocities) {
         }
         return sum;
     };
-    double begin = 0;
-    double end = 0;
-    double mean = 0;
+    double begin = 0, end = 0, mean = 0;
     int samples = 0;
     const auto steps = static_cast<int>(1.5 * expected_time / run.parameters.time_step);
     for (int i = 0; i < steps; ++i) {
@@ -161,8 +157,7 @@ TEST(Bar, TwoEqualBarsExchangeTheirVelocities) {
             ++samples;
         }
     }
-    double first = 0;
-    double second = 0;
+    double first = 0, second = 0;
     for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
         (is_first(i) ? first : second) += run.assemblage.mass[i] * run.state.velocity[i].x / (run.mass() / 2);
     }
@@ -175,4 +170,4 @@ TEST(Bar, TwoEqualBarsExchangeTheirVelocities) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

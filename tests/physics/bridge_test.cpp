@@ -11,17 +11,12 @@
 #include "tests/support/gauss.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::ContactWalk;
-using test::expect_close;
-using test::MPa;
-using test::verify;
 
 /// Brittle contacts, 5 J/m² and 7.5 MPa, whose bridges hold `share` of the strength over 80 J/m².
 ContactParameters bridged_contact(double share) {
-    Material material = test::augig_granite();
+    Material material = augig_granite();
     material.contact.tensile_strength = 7.5 * MPa;
     material.contact.cohesion = 50 * MPa;
     material.contact.fracture_energy = 5;
@@ -41,7 +36,9 @@ double bridge(const ContactParameters& c, double opening) {
     return c.bridging_strength * std::max(0.0, 1 - opening / last_bridged_opening(c));
 }
 
-TEST(Bridge, OpeningFollowsTheHigherOfTwoLines) {
+// The traction of opening is the higher of the brittle line and the bridge's, σb (1 − δ/δb), δb = 2 Gb/σb, to round-off; its
+// energy both areas less the common one, to trapezia.
+TEST(Bridge, FollowsTheHigherOfTwoLines) {
     for (const double share : {0.2, 0.45, 0.65}) {
         const ContactParameters c = bridged_contact(share);
         for (const LawVariant variant : bridged_laws) {
@@ -73,8 +70,9 @@ TEST(Bridge, OpeningFollowsTheHigherOfTwoLines) {
     }
 }
 
-// The line ends where its triangle has the energy Gb, in every direction of opening.
-TEST(Bridge, EveryDirectionOfOpeningHasItsEnergy) {
+// The line ends where its triangle has the energy Gb, in every direction of opening: of its length 0.7 is left at 0.3, to
+// trapezia.
+TEST(Bridge, HasItsEnergyInEveryDirection) {
     const ContactParameters c = bridged_contact(0.45);
     const double ratio = std::sqrt(c.normal_stiffness / c.shear_stiffness);
     for (const LawVariant variant : bridged_laws) {
@@ -95,7 +93,9 @@ TEST(Bridge, EveryDirectionOfOpeningHasItsEnergy) {
     }
 }
 
-TEST(Bridge, BearsNothingWhileClosedAndIsFoundAgain) {
+// Closed, a point has the shear of friction alone; opened again the bridge pulls as before, unstrained in shear. The energy
+// balance closes to the steps.
+TEST(Bridge, BearsNothingWhileClosedAndPullsAgain) {
     const ContactParameters c = bridged_contact(0.45);
     for (const LawVariant variant : bridged_laws) {
         SCOPED_TRACE(name_of(variant));
@@ -126,7 +126,7 @@ TEST(Bridge, BearsNothingWhileClosedAndIsFoundAgain) {
 }
 
 // A point that lost its cohesion under pressure has no bridge: it begins only where a boundary is pulled apart.
-TEST(Bridge, APointThatFailedClosedHasNone) {
+TEST(Bridge, IsNoneOfAPointThatFailedClosed) {
     const ContactParameters c = bridged_contact(0.45);
     for (const LawVariant variant : bridged_laws) {
         const ContactLaw law = make_contact_law(c, variant);
@@ -139,7 +139,7 @@ TEST(Bridge, APointThatFailedClosedHasNone) {
 }
 
 // 10 and 50 % are lost where the brittle part has lost them, 90 % where the bridge has.
-TEST(Bridge, MarksAreOfTheBrittlePartAndTheLastOfTheBridge) {
+TEST(Bridge, CountsForTheLastDamageLevelAlone) {
     for (const double share : {0.45, 0.65}) {
         const ContactParameters c = bridged_contact(share);
         for (const LawVariant variant : bridged_laws) {
@@ -163,4 +163,4 @@ TEST(Bridge, MarksAreOfTheBrittlePartAndTheLastOfTheBridge) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -1,125 +1,28 @@
-// When a contact point is damaged and broken: each law against its closed form, and the steps of a run against the law.
+// When the contact points of a run are damaged and broken: the events of its steps against the law.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "solver/detection/pair_list.hpp"
 #include "tests/support/check.hpp"
 #include "tests/support/contact_walk.hpp"
-#include "tests/support/small_run.hpp"
+#include "tests/support/linear_statics.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::all_laws;
-using test::ContactWalk;
-using test::SmallRun;
-using test::weak_contact;
-
-/// D at which z(D) of `combined` is `remaining`, by bisection.
-double damage_of_combined(double remaining) {
-    double low = 0;
-    double high = 1;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (contact_law::munjiza_softening(middle) > remaining ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
-/// Opening without sliding at which `remaining` is left, m: the traction falls on a line from δct to δut.
-double opening_where(const ContactLaw& law, double remaining) {
-    switch (law.variant) {
-        case LawVariant::coulomb_slip: return law.tc / law.kt;
-        case LawVariant::combined: return law.op * (1 + damage_of_combined(remaining) * law.o_range);
-        default: return law.dct + (1 - remaining) * (law.dut - law.dct);
-    }
-}
-/// Sliding of a point that is closed at zero opening at which `remaining` is left, m: in most laws it is lost at once.
-double sliding_where(const ContactLaw& law, double remaining) {
-    switch (law.variant) {
-        case LawVariant::coulomb_slip: return law.cc / law.ks;
-        case LawVariant::combined: return law.sp * (1 + damage_of_combined(remaining) * law.s_range);
-        case LawVariant::cohesive_frictional: return law.dcs * (1 + (1 - remaining) * law.s_range);
-        default: return law.dcs;
-    }
-}
-
-/// What is left at 10, 50 and 90 % of damage.
-constexpr double marks[] = {0.9, 0.5, 0.1};
-
-/// Walks along `direction` in equal steps and expects each mark to be passed in the step that crosses its closed form.
-template <class Place>
-void expect_marks_at(const ContactLaw& law, const ContactMotion& direction, const Place& place) {
-    SCOPED_TRACE(name_of(law.variant));
-    const double step = place(law, 0.1) / 9973.5;
-    ContactWalk walk(law);
-    std::size_t passed = 0;
-    for (int k = 1; k <= 10000; ++k) {
-        walk.to({direction.opening * k * step - (direction.opening == 0 ? 1e-30 : 0), direction.sliding * k * step});
-        const std::size_t now = count_levels_above(remaining_cohesion(law, walk.history()));
-        for (; passed < now; ++passed) {
-            const double expected = place(law, marks[passed]);
-            EXPECT_GT(k * step, expected * (1 - 1e-9));
-            EXPECT_LE((k - 1) * step, expected * (1 + 1e-9));
-            EXPECT_TRUE(walk.history().failed());
-        }
-        EXPECT_EQ(passed, now);  // nothing heals
-    }
-    EXPECT_EQ(passed, damage_levels.size());
-}
-
-TEST(BrokenPoint, PureOpeningPassesTheMarksWhereTheClosedFormSays) {
-    for (const ContactLaw& law : all_laws(weak_contact())) expect_marks_at(law, {1, 0}, opening_where);
-}
-
-TEST(BrokenPoint, PureSlidingPassesTheMarksWhereTheClosedFormSays) {
-    for (const ContactLaw& law : all_laws(weak_contact())) {
-        expect_marks_at(law, {0, 1}, sliding_where);
-        expect_marks_at(law, {0, -1}, sliding_where);
-    }
-}
-
-// In pure opening a point can bear what remains, times its peak.
-TEST(BrokenPoint, TheTractionIsWhatRemainsOfThePeak) {
-    for (const ContactLaw& law : all_laws(weak_contact())) {
-        SCOPED_TRACE(name_of(law.variant));
-        ContactWalk walk(law);
-        EXPECT_EQ(remaining_cohesion(law, walk.history()), 1);
-        walk.go({0.999 * opening_where(law, 1), 0}, 100);
-        EXPECT_EQ(remaining_cohesion(law, walk.history()), 1);
-        for (const double remaining : {0.95, 0.6, 0.2, 0.05}) {
-            walk.go({opening_where(law, remaining) * (1 + 1e-9), 0}, 100);
-            test::expect_close(walk.traction().normal, remaining_cohesion(law, walk.history()) * law.tc, 1e-6, law.tc);
-        }
-    }
-}
-
-// What a broken contact bears by its residual cohesion and friction is no cohesion that it could lose.
-TEST(BrokenPoint, ResidualCohesionIsThatOfABrokenPoint) {
-    ContactParameters c = weak_contact();
-    c.residual_cohesion = 5 * test::MPa;
-    const ContactLaw law = make_contact_law(c, LawVariant::coulomb_slip);
-    ContactWalk walk(law);
-    walk.go({-1e-30, 1.01 * law.cc / law.ks}, 100);
-    test::expect_close(walk.traction().shear, c.residual_cohesion, 1e-9, c.cohesion);
-    EXPECT_EQ(remaining_cohesion(law, walk.history()), 0);
-}
-
-TEST(BrokenPoint, PreExistingCracksAreBroken) {
-    for (const ContactLaw& law : all_laws(weak_contact())) EXPECT_EQ(remaining_cohesion(law, broken_contact()), 0);
-}
 
 /// A grid that platens compress until it has failed, step by step. After each step the law is asked what remains of the
 /// points that have failed or lost cohesion in it.
 void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
     SCOPED_TRACE(name_of(variant));
-    SmallRun run(test::jittered_grid(8, 16, 0.04, 0.08, 0.25), make_contact_law(weak_contact(), variant));
+    SmallRun run(jittered_grid(8, 16, 0.04, 0.08, 0.25), make_contact_law(weak_contact(), variant));
     LoadingRequest loading;
     loading.platen_friction = 0.1;
     loading.max_strain = 0.05;
     run.assemblage.vector_target = target;
     run.parameters.damping = 0.8;
-    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, weak_contact()), 0.7);
+    run.load_by(loading, 0.7, weak_contact());
     run.begin();
     constexpr double speed = 2;                                  // m/s
     std::vector<std::size_t> expected(run.state.failed.size());  // marks passed
@@ -151,11 +54,72 @@ void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
     EXPECT_EQ(passed, static_cast<std::size_t>(std::count(expected.begin(), expected.end(), damage_levels.size())));
 }
 
-// Points take the full law in some steps and the vector path in others.
-TEST(BrokenPoint, EventsAreNotedInTheirStepOnEveryPath) {
+// Each damage level that the law says a point has passed is an event of that step, with its motion, exactly; points take the full
+// law in some steps and the vector path in others.
+TEST(BrokenPoint, IsAnEventOfItsStepOnEveryPath) {
     for (const LawDescription& law : all_contact_laws()) expect_events_in_their_steps(law.variant, widest_vector_target());
     expect_events_in_their_steps(LawVariant::cohesive_frictional, VectorTarget::plain);
 }
 
+// --- a grain that turns around its neighbour on the last bond between them ------------------------------------------------
+
+/// Two grains of one contact, the second of which is turned about the contact's first end.
+struct Hinge {
+    SmallRun run;
+    explicit Hinge(LawVariant variant) : run(one_diagonal_grid(1, 1, 0.01, 0.01), augig_law(variant)) { run.begin(); }
+
+    /// Evaluates contacts and updates the list of pairs, as steps do.
+    void turn_to(double degrees) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const auto& nodes = run.assemblage.contacts[0].nodes;
+        const Vector2 centre = run.assemblage.position[nodes[0]];
+        const auto& grain = run.assemblage.surface.grain_of_node;
+        for (std::size_t i = 0; i < run.state.displacement.size(); ++i) {
+            if (grain[i] != grain[nodes[2]]) continue;
+            const Vector2 r = run.assemblage.position[i] - centre;
+            run.state.displacement[i] = {(std::cos(angle) - 1) * r.x - std::sin(angle) * r.y,
+                                         std::sin(angle) * r.x + (std::cos(angle) - 1) * r.y};
+        }
+        run.begin();
+        update_pair_list(run.assemblage, run.parameters, run.state);
+    }
+    [[nodiscard]] double largest_force() const {
+        double most = 0;
+        for (const Vector2& f : forces_at(run, run.state, run.state.displacement)) most = std::max(most, length(f));
+        return most;
+    }
+};
+
+constexpr LawVariant laws_that_lose_frames[] = {LawVariant::consistent, LawVariant::cohesive_frictional};
+
+// A grain is turned by 210° about one end of its last bond: the far end opens, then the bond breaks, with forces below a
+// thousandth of what the contact bears, and dissipates what was left of the fracture energy, from half of it on, whatever the
+// opening of the lost frame.
+TEST(LostFrame, BreaksTheBondOnWhichAGrainTurnsOver) {
+    for (const LawVariant law : laws_that_lose_frames) {
+        Hinge hinge(law);
+        const ContactPairList& list = hinge.run.state.contact_pairs;
+        // The sense in which the contact opens.
+        hinge.turn_to(1e-4);
+        const double sense = hinge.run.state.opening[1] > 0 ? 1 : -1;
+        for (double degrees = 1; degrees <= 150; ++degrees) hinge.turn_to(sense * degrees);
+        EXPECT_EQ(list.debonded[1], 1) << "the far end has opened";
+        EXPECT_EQ(list.debonded[0], 0) << "the near end has not moved";
+        EXPECT_EQ(list.released[0], 0);
+        for (double degrees = 151; degrees <= 210; ++degrees) {
+            hinge.turn_to(sense * degrees);
+            // A thousandth of what the contact bears; turned over, the far end would overlap by the diagonal of the square.
+            EXPECT_LT(hinge.largest_force(), 1e-3 * 24e6 * hinge.run.assemblage.contacts[0].point_area) << degrees;
+        }
+        EXPECT_EQ(list.debonded[0], 1);
+        EXPECT_EQ(list.released[0], 1);
+        // What was left of the fracture energy is dissipated, whatever the opening that stands for the lost frame.
+        const ContactLaw& constants = hinge.run.parameters.laws[0];
+        const double whole = constants.gf * hinge.run.assemblage.contacts[0].point_area;
+        EXPECT_GT(hinge.run.state.fracture_energy[0], 0.5 * whole);
+        EXPECT_LT(hinge.run.state.fracture_energy[0], 1.1 * whole);
+    }
+}
+
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

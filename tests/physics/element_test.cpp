@@ -11,12 +11,8 @@
 #include "tests/support/check.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::expect_close;
-using test::MPa;
-using test::verify;
 
 constexpr double young_modulus = 25.8e9;
 constexpr double poisson_ratio = 0.23;
@@ -43,7 +39,7 @@ Displacements rotation(double angle) {
 }
 
 // ε = (1e-4, −3e-5), γ = 5e-5, no rotation; seven digits by hand from Hooke's law.
-TEST(Element, PatchNumbers) {
+TEST(Element, HasTheStressOfHookesLaw) {
     // Scaled down: the numbers are of small strains, the element's are of finite ones, which differ by the strain itself.
     const double scale = 1e-8;
     Displacements u;
@@ -74,14 +70,14 @@ TEST(Element, PatchNumbers) {
                   {2.722945, -0.003884, 0.524390, 0.625384});
 }
 
-TEST(Element, RigidRotationGivesNoStress) {
+// Turned through 360°, the stress is none to 1e-9 of that of a strain of 1e-4, at which rock fails.
+TEST(Element, HasNoStressFromRotation) {
     const PlaneElasticity c = make_plane_elasticity(young_modulus, poisson_ratio, PlaneCondition::strain);
     double farthest = 0;
     for (int degrees = 0; degrees <= 360; degrees += 5) {
         const Displacements u = rotation(degrees * std::numbers::pi / 180);
         farthest = std::max(farthest, length(u[1] - u[0]));
         for (const double s : triangle_stress(c, state_of(c, u))) {
-            // 1e-4: the strain at failure
             verify("elements: one CST through 360 deg, stress over E 1e-4", s, 0, 1e-9, "no stress from rotation",
                    young_modulus * 1e-4);
         }
@@ -89,7 +85,8 @@ TEST(Element, RigidRotationGivesNoStress) {
     EXPECT_GT(farthest, 0.01);  // twice the edge: it really turned
 }
 
-TEST(Element, StressTurnsWithTheElement) {
+// A quarter turn exchanges xx and yy and the sign of xy; positions of order 1 lose 1e-16 each, over strains of 1e-4 1e-12.
+TEST(Element, TurnsItsStressWithIt) {
     const PlaneElasticity c = make_plane_elasticity(young_modulus, poisson_ratio, PlaneCondition::stress);
     Displacements u;
     for (std::size_t k = 0; k < 3; ++k) u[k] = {1e-4 * corners[k].x, 0};
@@ -101,13 +98,13 @@ TEST(Element, StressTurnsWithTheElement) {
         turned[k] = Vector2{-now.y, now.x} - corners[k];
     }
     const std::array<double, 4> after = triangle_stress(c, state_of(c, turned));
-    // positions of order 1 lose 1e-16 each; over strains of 1e-4: 1e-12
     expect_close(after[1], before[0], 1e-10, before[0]);
     expect_close(after[0], before[1], 1e-10, before[0]);
     expect_close(after[2], -before[2], 1e-10, before[0]);
 }
 
-TEST(Element, ForcesAreTheGradientOfTheEnergyAtLargeRotation) {
+// Central differences of the energy, off by its round-off over h, 1e-16 · W/(f h) ≈ 1e-10; forces and moments sum up to none.
+TEST(Element, HasTheForcesOfItsEnergyAtLargeRotation) {
     for (const PlaneCondition plane : {PlaneCondition::strain, PlaneCondition::stress}) {
         const PlaneElasticity c = make_plane_elasticity(young_modulus, poisson_ratio, plane);
         for (const double angle : {0.0, 1.0, 2.5, -1.8}) {
@@ -124,7 +121,6 @@ TEST(Element, ForcesAreTheGradientOfTheEnergyAtLargeRotation) {
             EXPECT_GT(scale, 1e4);  // N: no empty comparison
             const double h = 1e-8;
             for (std::size_t k = 0; k < 3; ++k) {
-                // round-off of the energy over h: 1e-16 · W/(f h) ≈ 1e-13 · 1e3
                 for (const auto& [slope, force] : {std::pair{(energy(k, h, 0) - energy(k, -h, 0)) / (2 * h), f[k].x},
                                                    std::pair{(energy(k, 0, h) - energy(k, 0, -h)) / (2 * h), f[k].y}}) {
                     verify("elements: CST force plus the slope of its energy, turned by up to 143 deg, over force", force, -slope,
@@ -144,4 +140,4 @@ TEST(Element, ForcesAreTheGradientOfTheEnergyAtLargeRotation) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

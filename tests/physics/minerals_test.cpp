@@ -1,4 +1,4 @@
-// Grains of several stiffnesses: laminates and a wave across the boundary of two minerals, where the answer is known.
+// Grains and contacts of several phases: laminates, a wave across the boundary of two minerals, the class that breaks and rubs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,24 +6,23 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/detection/node_edge_contact.hpp"
 #include "tests/support/linear_statics.hpp"
+#include "tests/support/phases.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::SmallRun;
-using test::verify;
 
 const std::vector<Phase> minerals{{60e9, 0, 2600}, {83.1e9, 0, 2650}, {29.3e9, 0, 3000}};  // feldspar, quartz, mica
 
 /// Contacts so stiff that they hardly give way, the same of every class.
 ContactLaws stiff_contacts(std::size_t n_phases, double stiffness) {
-    ContactLaw law = test::augig_law(LawVariant::consistent);
+    ContactLaw law = augig_law(LawVariant::consistent);
     law.kt = law.stiffest_normal = stiffness;
     law.ks = stiffness / 10;
     law.stiffest_shear = law.ks;
-    return test::same_of_every_class(law, n_phases);
+    return same_of_every_class(law, n_phases);
 }
 
 constexpr int layers = 50;  // 62, 32 and 6 % of them feldspar, quartz and mica
@@ -31,8 +30,8 @@ std::uint8_t phase_of_layer(int layer) { return static_cast<std::uint8_t>(layer 
 
 /// A laminate of one grain a layer along x (in series under a load along x) or along y (in parallel).
 Specimen laminate(bool in_series) {
-    Specimen s = in_series ? test::crossed_blocks(layers, 1, 0.5, 0.01, [](int i, int) { return i; })
-                           : test::crossed_blocks(4, layers, 0.04, 0.5, [](int, int j) { return j; });
+    Specimen s = in_series ? crossed_blocks(layers, 1, 0.5, 0.01, [](int i, int) { return i; })
+                           : crossed_blocks(4, layers, 0.04, 0.5, [](int, int j) { return j; });
     s.phase_names = {"feldspar", "quartz", "mica"};
     for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = phase_of_layer(static_cast<int>(g));
     return s;
@@ -43,7 +42,8 @@ std::array<double, 3> fractions() {
     return count;
 }
 
-TEST(Minerals, ALaminateInSeriesHasTheModulusOfReuss) {
+// A pulled laminate of 62, 32 and 6 % less what its contacts give way: 1/E = Σ f/E (Reuss 1929), 61.61 GPa, to 0.5 %.
+TEST(Minerals, HaveTheModulusOfReussInSeries) {
     const std::array<double, 3> f = fractions();
     ASSERT_NEAR(f[0], 0.62, 1e-12);
     ASSERT_NEAR(f[1], 0.32, 1e-12);
@@ -66,10 +66,10 @@ LoadOfLayers load_of_layers(const SmallRun& run, double strain) {
     const Assemblage& a = run.assemblage;
     LoadOfLayers pull{Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(a.position.size()))};
     for (const auto& edge : run.specimen.boundary_edges) {
-        const std::int32_t i = a.node_of_specimen[static_cast<std::size_t>(edge[0])];
-        const std::int32_t j = a.node_of_specimen[static_cast<std::size_t>(edge[1])];
-        const double outwards = a.position[static_cast<std::size_t>(j)].y - a.position[static_cast<std::size_t>(i)].y;
-        const double traction = strain * minerals[a.phase_of_node[static_cast<std::size_t>(i)]].young_modulus;
+        const std::int32_t i = a.node_of_specimen[edge[0]];
+        const std::int32_t j = a.node_of_specimen[edge[1]];
+        const double outwards = a.position[j].y - a.position[i].y;
+        const double traction = strain * minerals[a.phase_of_node[i]].young_modulus;
         pull.load(2 * i) += 0.5 * traction * outwards;
         pull.load(2 * j) += 0.5 * traction * outwards;
         pull.force += outwards > 0 ? traction * outwards : 0;
@@ -77,7 +77,8 @@ LoadOfLayers load_of_layers(const SmallRun& run, double strain) {
     return pull;
 }
 
-TEST(Minerals, ALaminateInParallelHasTheModulusOfVoigt) {
+// Each layer pulled by its share of the load: E = Σ f E (Voigt 1889), 65.55 GPa, to 0.5 %.
+TEST(Minerals, HaveTheModulusOfVoigtInParallel) {
     const SmallRun run(laminate(false), minerals, stiff_contacts(3, 1e4 * 60e9 / 0.01), PlaneCondition::stress);
     const auto [load, force] = load_of_layers(run, 1e-5);
     const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), load);
@@ -87,7 +88,7 @@ TEST(Minerals, ALaminateInParallelHasTheModulusOfVoigt) {
 
 // Free laminates expand by means of their expansions: by fractions in series; by fractions times moduli in parallel, which the
 // work of the load tells that strains all layers alike.
-TEST(Minerals, LaminatesExpandByMeansOfTheirMinerals) {
+TEST(Minerals, ExpandByTheirMeansInLaminates) {
     const std::array<double, 3> f = fractions();
     const std::array<double, 3> alpha{6e-6, 13e-6, 9e-6};
     std::vector<Phase> warm = minerals;
@@ -108,11 +109,12 @@ TEST(Minerals, LaminatesExpandByMeansOfTheirMinerals) {
            "mean by fractions and moduli");
 }
 
-// A pulse of stress from quartz into biotite: 2 Z2/(Z1 + Z2) goes on and (Z2 − Z1)/(Z1 + Z2) comes back, Z = √(E ρ).
-TEST(Minerals, APulseIsSharedAtTheBoundaryOfTwoMinerals) {
+// A pulse of stress from quartz into biotite: 2 Z2/(Z1 + Z2) goes on and (Z2 − Z1)/(Z1 + Z2) comes back, Z = √(E ρ);
+// to 2 %.
+TEST(Minerals, ShareAPulseAtTheirBoundary) {
     constexpr int cells = 400;
     constexpr double length = 0.4;
-    Specimen s = test::crossed_blocks(cells, 1, length, length / cells, [](int i, int) { return 2 * i / cells; });
+    Specimen s = crossed_blocks(cells, 1, length, length / cells, [](int i, int) { return 2 * i / cells; });
     s.phase_names = {"quartz", "biotite"};
     s.grain_phase = {0, 1};
     const std::vector<Phase> bar{{83.1e9, 0, 2650}, {29.3e9, 0, 3000}};
@@ -132,8 +134,7 @@ TEST(Minerals, APulseIsSharedAtTheBoundaryOfTwoMinerals) {
     }
     run.begin();
     run.steps(static_cast<std::int64_t>(0.17 / speed / run.parameters.time_step));  // 70 mm behind the boundary
-    double transmitted = 0;
-    double reflected = 0;
+    double transmitted = 0, reflected = 0;
     for (std::size_t e = 0; e < run.assemblage.element_nodes.size(); ++e) {
         const double stress = element_stress(run.assemblage, e, run.state)[0];
         const bool is_quartz = run.specimen.element_grain[e] == 0;
@@ -148,53 +149,91 @@ TEST(Minerals, APulseIsSharedAtTheBoundaryOfTwoMinerals) {
 // A column of grains of two phases, pulled: all its boundaries are stressed alike, and those of the weak class give way first.
 // The grains do not contract (ν = 0), so that the stress is uniform but for the waves of the loading: the platens start within a
 // transit of the column and approach at 2 v, so that their force and the stress of a boundary differ by 2 √(E ρ) v at most.
-TEST(Minerals, AColumnBreaksWhereItsWeakClassIs) {
+TEST(Minerals, BreakWhereTheirWeakClassIs) {
     constexpr int n_grains = 9;  // a a b b a a b b a: boundaries of every class
     constexpr double width = 0.005;
-    Specimen s = test::crossed_blocks(2, n_grains, width, 0.0025 * n_grains, [](int, int j) { return j; });
+    Specimen s = crossed_blocks(2, n_grains, width, 0.0025 * n_grains, [](int, int j) { return j; });
     s.phase_names = {"quartz", "mica"};
     for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = g / 2 % 2;
     const std::vector<Phase> phases{minerals[1], minerals[2]};
     constexpr double speed = 5e-3;  // m/s, of each platen
     for (const LawDescription& law : all_contact_laws()) {
         for (const std::int32_t weak : {0, 1, 2}) {
-            std::vector<ContactParameters> contacts(n_contact_classes(2), test::augig_contact(PlaneCondition::stress));
-            contacts[static_cast<std::size_t>(weak)] = test::scaled_contact(contacts.front(), 0.4);
+            std::vector<ContactParameters> contacts(n_contact_classes(2), augig_contact(PlaneCondition::stress));
+            contacts[weak] = scaled_contact(contacts.front(), 0.4);
             SmallRun run(s, phases, make_contact_laws(contacts, law.variant), PlaneCondition::stress);
             LoadingRequest request;
             request.test = TestKind::tension;
-            run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, request, contacts.front()), 0.5);
+            run.load_by(request, 0.5, contacts.front());
             run.parameters.damping = 0.8;
             run.begin();
             IntervalLoading pull;
             pull.velocity_end = {-speed, speed};
             run.steps(500, pull);
             pull.velocity_begin = pull.velocity_end;
-            double largest = 0;
-            double force = 0;
+            double largest = 0, force = 0;
             do {
                 run.steps(20, pull);
                 force = run.measured().force_top;
                 largest = std::max(largest, force);
             } while (force > 0.5 * largest);
-            const double strength = contacts[static_cast<std::size_t>(weak)].tensile_strength;
+            const double strength = contacts[weak].tensile_strength;
             verify("phases: load at which a column of two phases breaks over that of its weak class", largest / width / strength,
                    1, 2 * std::sqrt(phases[0].young_modulus * phases[0].density) * speed / strength,
                    "its tensile strength, waves");
             std::array<int, 3> failed{};
             for_each_contact(run.assemblage, [&](std::int32_t c, std::int32_t contact_class) {
-                for (const std::size_t point : points_of(c)) {
-                    failed[static_cast<std::size_t>(contact_class)] += run.state.failed[point];
-                }
+                for (const std::size_t point : points_of(c)) failed[contact_class] += run.state.failed[point];
             });
             for (const std::int32_t k : {0, 1, 2}) {
-                EXPECT_EQ(failed[static_cast<std::size_t>(k)] >= 4, k == weak)
-                    << law.name << ", weak " << weak << ", class " << k;
-                EXPECT_TRUE(k == weak || failed[static_cast<std::size_t>(k)] == 0) << law.name << ", weak " << weak;
+                EXPECT_EQ(failed[k] >= 4, k == weak) << law.name << ", weak " << weak << ", class " << k;
+                EXPECT_TRUE(k == weak || failed[k] == 0) << law.name << ", weak " << weak;
             }
         }
     }
 }
 
+// Two grains that touch by a node–edge contact slide at the friction angle of their class, whatever those of other classes are.
+TEST(Phases, GiveANodeEdgeContactTheLawOfItsTwoGrains) {
+    const double angles[] = {50, 20, 40};
+    for (const std::array<std::uint8_t, 2> phases : {std::array<std::uint8_t, 2>{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+        Specimen s = one_diagonal_grid(1, 1, 4e-3, 4e-3);
+        s.phase_names = {"quartz", "mica"};
+        s.grain_phase = {phases[0], phases[1]};
+        ContactLaws laws(augig_law());
+        laws.of_class.clear();
+        for (const double angle : angles) {
+            ContactParameters contact = augig_contact();
+            contact.friction_angle = angle * degree;
+            laws.of_class.push_back(make_contact_law(contact, LawVariant::consistent));
+        }
+        const Assemblage a = make_assemblage(s, augig_granite().rock, PlaneCondition::strain);
+        const auto& surface = a.surface;
+        // Any node of the one grain and any edge of the other.
+        const auto edge =
+            std::find_if(surface.edges.begin(), surface.edges.end(), [](const SurfaceEdge& e) { return e.grain == 1; });
+        const auto node = std::find(surface.grain_of_node.begin(), surface.grain_of_node.end(), 0);
+        const CandidatePair pair{static_cast<std::int32_t>(node - surface.grain_of_node.begin()),
+                                 static_cast<std::int32_t>(edge - surface.edges.begin())};
+        const double expected = angles[contact_class(phases[0], phases[1])] * degree;
+        EXPECT_NEAR(std::atan(friction_law(a, laws, pair).tan_friction), expected, 1e-12);
+    }
+}
+
+// Grains of three phases thrown at each other without damping: what they had is stored, dissipated or still motion.
+TEST(Phases, BalanceTheirEnergyWithScatteredStrengths) {
+    SmallRun run = varied_phases(jittered_grid(6, 10, 0.02, 0.03, 0.25)).run(LawVariant::consistent, 0.3);
+    constexpr double speed = 6;  // m/s, at the ends
+    run.set_velocity([&](const Vector2& x) { return Vector2{0, -speed * x.y / 0.015}; });
+    run.begin();
+    const double initial = run.measured().energies.kinetic;
+    run.steps(1500);
+    EXPECT_GT(run.failed_points(), 50U);
+    const Energies last = run.measured().energies;
+    EXPECT_GT(last.fracture_tension + last.fracture_shear, 0.02 * initial);
+    verify("phases: energy balance with scattered strengths, over the initial energy", (last.balance_error() + initial) / initial,
+           0, 2e-3, "conservation of energy", 1);
+}
+
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

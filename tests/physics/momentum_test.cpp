@@ -8,13 +8,8 @@
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::Momenta;
-using test::momenta_of;
-using test::SmallRun;
-using test::verify;
 
 /// Turn of the specimen's first grain, from an edge of its first element.
 double turn(const SmallRun& run) {
@@ -24,17 +19,16 @@ double turn(const SmallRun& run) {
     return std::abs(std::atan2(before.x * after.y - before.y * after.x, dot(before, after)));
 }
 
-TEST(Momentum, KeptWhileContactsFailAndEverythingTurns) {
-    for (const ContactLaw& law :
-         test::every_law(test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
-        SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), law);
+// Internal forces come in pairs and couples, so that both momenta are conserved to round-off, for every law.
+TEST(Momentum, IsKeptWhileContactsFailAndEverythingTurns) {
+    for (const ContactLaw& law : every_law(augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i))) {
+        SmallRun run(jittered_grid(4, 6, 0.02, 0.03, 0.2), law);
         SCOPED_TRACE(name_of(law.variant));
         // Drift, spin, a pull along y and a shear: cracks of both modes.
         run.set_velocity([](const Vector2& p) { return Vector2{3 - 2000 * p.y + 400 * p.y, -1 + 2000 * p.x + 300 * p.y}; });
         run.begin();
         const Momenta before = momenta_of(run);
-        double largest_turn = 0;
-        double forces = 0;
+        double largest_turn = 0, forces = 0;
         for (int i = 0; i < 100; ++i) {
             run.steps(100);
             const Momenta now = momenta_of(run);
@@ -53,4 +47,4 @@ TEST(Momentum, KeptWhileContactsFailAndEverythingTurns) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

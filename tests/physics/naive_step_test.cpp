@@ -10,18 +10,12 @@
 #include "tests/support/small_run.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::NaiveRun;
-using test::PhasedSpecimen;
-using test::SmallRun;
-using test::verify;
 
 /// Largest difference of two fields over the largest value of the second.
 double difference(const std::vector<Vector2>& fast, const std::vector<NaiveRun::Vector>& naive) {
-    double worst = 0;
-    double largest = 0;
+    double worst = 0, largest = 0;
     for (std::size_t i = 0; i < fast.size(); ++i) {
         worst = std::max({worst, std::abs(fast[i].x - naive[i].x()), std::abs(fast[i].y - naive[i].y())});
         largest = std::max(largest, naive[i].cwiseAbs().maxCoeff());
@@ -37,24 +31,22 @@ PhasedSpecimen make(Grains grains) {
     request.region = mesher::rectangle(0.02, 0.04);
     request.fabric.grains = 80;
     const Specimen s = mesher::mesh(request);
-    return grains == Grains::of_three_phases
-               ? test::varied_phases(s)
-               : PhasedSpecimen{s, uniform_fabric(test::augig_granite().rock, test::augig_contact(), 1)};
+    return grains == Grains::of_three_phases ? varied_phases(s)
+                                             : PhasedSpecimen{s, uniform_fabric(augig_granite().rock, augig_contact(), 1)};
 }
 
 /// The law of each contact by place, made of its own values.
 std::vector<ContactLaw> laws_of_contacts(const PhasedSpecimen& made, const Assemblage& a, LawVariant variant) {
     std::vector<ContactLaw> laws(a.contacts.size());
     for_each_contact(a, [&](std::int32_t place, std::int32_t /*contact_class*/) {
-        const auto c = static_cast<std::size_t>(a.specimen_contact[static_cast<std::size_t>(place)]);
+        const auto c = static_cast<std::size_t>(a.specimen_contact[place]);
         const auto phase_at = [&](std::size_t k) {
             const auto node = static_cast<std::size_t>(made.specimen.contact_nodes[c][k]);
-            return made.specimen.grain_phase[static_cast<std::size_t>(grain_of_nodes(made.specimen)[node])];
+            return made.specimen.grain_phase[grain_of_nodes(made.specimen)[node]];
         };
         const ContactParameters& of_class = made.fabric.contacts[contact_class(phase_at(0), phase_at(2))];
         const auto& strength = made.specimen.contact_strength_factor;
-        laws[static_cast<std::size_t>(place)] =
-            make_contact_law(test::scaled_contact(of_class, strength.empty() ? 1 : strength[c]), variant);
+        laws[place] = make_contact_law(scaled_contact(of_class, strength.empty() ? 1 : strength[c]), variant);
     });
     return laws;
 }
@@ -66,7 +58,7 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
     SmallRun run = made.run(description.variant);
     LoadingRequest loading;
     loading.platen_friction = 0.1;
-    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.5);
+    run.load_by(loading, 0.5);
     run.parameters.damping = 0.3;
     run.parameters.damping_form = form;
     run.assemblage.vector_target = target;
@@ -94,9 +86,10 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
            0, 1e-9, "the equations, one by one", 1);
 }
 
-TEST(NaiveStep, IntactFieldsAgreeToRoundOffForEveryLawOnEveryVectorUnit) {
+// The same equations one by one, in another order: round-off alone, 1e-9 of the largest value.
+TEST(NaiveStep, AgreesOnIntactFieldsForEveryLawOnEveryVectorUnit) {
     for (const LawDescription& description : all_contact_laws()) {
-        for (const VectorTarget target : test::available_vector_targets()) {
+        for (const VectorTarget target : available_vector_targets()) {
             SCOPED_TRACE(description.name);
             SCOPED_TRACE(name_of(target));
             // What opens and closes in `literal` meets another shear stiffness on either side of δn = 0 and chatters: round-off
@@ -109,7 +102,8 @@ TEST(NaiveStep, IntactFieldsAgreeToRoundOffForEveryLawOnEveryVectorUnit) {
     }
 }
 
-TEST(NaiveStep, DamagedFieldsAgreeForLawsWithAnEnergy) {
+// The same past failure, as long as round-off has not grown.
+TEST(NaiveStep, AgreesOnDamagedFieldsForLawsWithAnEnergy) {
     for (const LawVariant law : {LawVariant::consistent, LawVariant::combined, LawVariant::cohesive_frictional}) {
         expect_equal_fields(description_of(law), law == LawVariant::combined ? 800 : 400, true, widest_vector_target(),
                             DampingForm::local);
@@ -121,7 +115,7 @@ TEST(NaiveStep, DamagedFieldsAgreeForLawsWithAnEnergy) {
 }
 
 // Six classes of contacts, each with its own values, and a strength factor on every contact.
-TEST(NaiveStep, FieldsOfThreePhasesAgreeForEveryLaw) {
+TEST(NaiveStep, AgreesOnFieldsOfThreePhasesForEveryLaw) {
     for (const LawDescription& description : all_contact_laws()) {
         SCOPED_TRACE(description.name);
         expect_equal_fields(description, 200, false, widest_vector_target(), DampingForm::local, Grains::of_three_phases);
@@ -133,4 +127,4 @@ TEST(NaiveStep, FieldsOfThreePhasesAgreeForEveryLaw) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -12,26 +12,24 @@
 #include "tests/support/program_run.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 using std::numbers::pi;
-using test::expect_close;
-using test::ProgramRun;
 
 constexpr double outline_radius = 0.04;
 constexpr int sectors = 48;
 
 /// A disc of one grain: rings of cells of two triangles about a fan, alike under a quarter turn.
 Specimen polar_disc(int rings) {
-    std::vector<test::Point> points{{0, 0}};
+    std::vector<Point> points{{0, 0}};
     for (int i = 1; i <= rings; ++i) {
         for (int k = 0; k < sectors; ++k) {
             const double r = outline_radius * i / rings;
             points.push_back({r * std::cos(2 * pi * k / sectors), r * std::sin(2 * pi * k / sectors)});
         }
     }
-    std::vector<test::Triangle> triangles;
+    std::vector<Triangle> triangles;
     const auto at = [](int ring, int k) { return 1 + (ring - 1) * sectors + k % sectors; };
     for (int k = 0; k < sectors; ++k) {
         triangles.push_back({0, at(1, k), at(1, k + 1)});
@@ -40,13 +38,13 @@ Specimen polar_disc(int rings) {
             triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
         }
     }
-    return test::specimen_of_grains(points, triangles, std::vector<int>(triangles.size(), 0));
+    return specimen_of_grains(points, triangles, std::vector<int>(triangles.size(), 0));
 }
 
 ProgramRun run_of(const std::string& conditions, const std::string& until, double damping, int rings = 4) {
     ProgramRun run(polar_disc(rings),
                    "name = \"loads\"\nstages = [\"load\"]\n" + conditions + "\n[stage.load]\nuntil = { " + until + " }\n",
-                   test::augig_law(), PlaneCondition::strain, damping);
+                   augig_law(), PlaneCondition::strain, damping);
     run.go(20);
     return run;
 }
@@ -76,7 +74,7 @@ double twice_area(const ProgramRun& run) {
 
 /// Where the corner of the outline at an angle (degrees) is now.
 Vector2 outline_at(const ProgramRun& run, double angle) {
-    const Vector2 corner{outline_radius * std::cos(angle * test::degree), outline_radius * std::sin(angle * test::degree)};
+    const Vector2 corner{outline_radius * std::cos(angle * degree), outline_radius * std::sin(angle * degree)};
     std::int32_t nearest = 0;
     for (std::int32_t i = 0; i < run.run.assemblage.n_nodes(); ++i) {
         if (length(run.run.assemblage.position[i] - corner) < length(run.run.assemblage.position[nearest] - corner)) nearest = i;
@@ -85,7 +83,7 @@ Vector2 outline_at(const ProgramRun& run, double angle) {
 }
 
 // On a polygon both follow from the ends of the part: p times the chord turned inwards, and the shear along the chord.
-TEST(OutlineLoads, ResultantAndMomentAreThoseOfTheChord) {
+TEST(OutlineLoads, HaveTheResultantAndTheMomentOfTheirChord) {
     const ProgramRun run = run_of(R"(
         boundary.pad = { angles = ["-30 deg", "30 deg"], pressure = "3 MPa" }
         boundary.brush = { angles = ["60 deg", "150 deg"], shear = "2 MPa" }
@@ -108,7 +106,7 @@ TEST(OutlineLoads, ResultantAndMomentAreThoseOfTheChord) {
 }
 
 // A constant pressure all round has the potential p A, whose steps are booked exactly but for the last half.
-TEST(OutlineLoads, WorkIsPressureTimesTheAreaThatItTakes) {
+TEST(OutlineLoads, DoTheWorkOfPressureTimesArea) {
     for (const double damping : {0.0, 0.8}) {
         const ProgramRun run =
             run_of(R"(boundary.all = { angles = ["-180 deg", "180 deg"], pressure = "3 MPa" })", "time = \"15 us\"", damping);
@@ -123,7 +121,7 @@ TEST(OutlineLoads, WorkIsPressureTimesTheAreaThatItTakes) {
 
 // Two pads opposite, and the same turned by a quarter: what is told is turned. The body stays where it is, to rounding without
 // damping, whose sign of noise at rest is noise.
-TEST(OutlineLoads, OppositePartsDoNotMoveTheBodyAndTurnWithIt) {
+TEST(OutlineLoads, OnOppositePartsDoNotMoveTheBodyAndTurnWithIt) {
     const auto squeezed = [](int turn, double damping) {
         const auto pad = [&](const char* name, int from) {
             return fmt::format(R"(boundary.{} = {{ angles = ["{} deg", "{} deg"], pressure = {{ to = "5 MPa", over = "20 us" }} }}
@@ -156,7 +154,7 @@ TEST(OutlineLoads, OppositePartsDoNotMoveTheBodyAndTurnWithIt) {
 }
 
 // Held at two nodes as a beam is: they bear what the loads leave, one force and its moment. Balanced loads leave nothing.
-TEST(OutlineLoads, SupportsBearWhatIsNotBalanced) {
+TEST(OutlineLoads, LeaveTheirSupportsWhatIsNotBalanced) {
     const std::string supports = R"(
         boundary.foot = { at = [0, "-41 mm"], velocity_x = 0, velocity_y = 0 }
         boundary.side = { at = ["-40 mm", 0], velocity_x = 0 }
@@ -178,7 +176,7 @@ TEST(OutlineLoads, SupportsBearWhatIsNotBalanced) {
 
 // p0 + p2 cos 2θ + p4 cos 4θ normal to a disc: εv = −2 (1 + ν)(1 − 2 ν)/E Σ (r/R)^n pn cos nθ (harmonic extension of p). The
 // mean stress of the elements in a circle is that in its middle, since σxx + σyy is harmonic.
-TEST(OutlineLoads, ADiscUnderAPressureThatVariesRoundIt) {
+TEST(OutlineLoads, StrainADiscAsAPressureThatVariesRoundIt) {
     constexpr double p0 = 5e6, p2 = 3e6, p4 = 1e6;
     std::string conditions;
     for (int k = 0; k < sectors; ++k) {
@@ -190,7 +188,7 @@ TEST(OutlineLoads, ADiscUnderAPressureThatVariesRoundIt) {
     }
     conditions += "probe.q = { ring = [0, 0, \"24 mm\"], points = 16, reach = \"5 mm\" }\n";  // .6 R
     const ProgramRun run = run_of(conditions, "time = \"2 ms\", rest = 1e-6", 0.8, 16);
-    const Rock rock = test::augig_granite().rock;
+    const Rock rock = augig_granite().rock;
     const double plane = (1 + rock.poisson_ratio) * (1 - 2 * rock.poisson_ratio) / rock.young_modulus;
     const double shear = rock.young_modulus / (1 + rock.poisson_ratio);
     for (int k = 0; k < 16; ++k) {
@@ -198,8 +196,8 @@ TEST(OutlineLoads, ADiscUnderAPressureThatVariesRoundIt) {
         const auto of = [&](const char* column) { return run.column(fmt::format("q.{:03}", k), column).back(); };
         const double expected =
             -2 * plane * (p0 + p2 * std::pow(0.6, 2) * std::cos(2 * angle) + p4 * std::pow(0.6, 4) * std::cos(4 * angle));
-        test::verify("elements: disc under p0 + p2 cos 2t + p4 cos 4t, volumetric strain at .6 R (1e-4)",
-                     1e4 * of("volumetric_strain"), 1e4 * expected, 0.01, "harmonic extension of p", 1e4 * 2 * plane * p0);
+        verify("elements: disc under p0 + p2 cos 2t + p4 cos 4t, volumetric strain at .6 R (1e-4)", 1e4 * of("volumetric_strain"),
+               1e4 * expected, 0.01, "harmonic extension of p", 1e4 * 2 * plane * p0);
         expect_close(of("angle"), angle, 1e-15, pi);
         // Strain and stress are of the same elements; they differ by the rotation, of the size of the strain.
         expect_close(plane * (of("stress_xx") + of("stress_yy")), of("volumetric_strain"), 1e-6, 2 * plane * p0);
@@ -209,4 +207,4 @@ TEST(OutlineLoads, ADiscUnderAPressureThatVariesRoundIt) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

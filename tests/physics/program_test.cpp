@@ -12,35 +12,32 @@
 #include "tests/support/program_run.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 using std::numbers::pi;
-using test::augig_law;
-using test::expect_close;
-using test::ProgramRun;
-using test::verify;
 
 constexpr double gravity_on_earth = 9.81;
-const Rock rock_of_programs = test::augig_granite().rock;
+const Rock rock_of_programs = augig_granite().rock;
 
 /// Two blocks on each other, cut by a crack.
 Specimen two_blocks(int nx, int ny, double width, double height) {
-    Specimen s = test::crossed_blocks(nx, 2 * ny, width, height, [ny](int, int j) { return j < ny ? 0 : 1; });
-    test::break_contacts(s, [](double, double) { return true; });
+    Specimen s = crossed_blocks(nx, 2 * ny, width, height, [ny](int, int j) { return j < ny ? 0 : 1; });
+    break_contacts(s, [](double, double) { return true; });
     return s;
 }
 
 ContactLaw law_with_friction(double degrees) {
-    ContactParameters contact = test::augig_contact();
-    contact.friction_angle = degrees * test::degree;
+    ContactParameters contact = augig_contact();
+    contact.friction_angle = degrees * degree;
     return make_contact_law(contact, LawVariant::consistent);
 }
 
 // --- gravity ---------------------------------------------------------------------------------------------------------
 
-TEST(Program, FallsAndFliesFreely) {
-    ProgramRun fall(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), R"(
+// v = g t and v0 + t: the scheme is exact in v(n − ½) = v0 + n g Δt but for round-off.
+TEST(Program, LetsASpecimenFallAndFlyFreely) {
+    ProgramRun fall(jittered_grid(3, 4, 0.02, 0.03, 0.2), R"(
         name = "fall"
         gravity = ["1 m/s2", "-9.81 m/s2"]
         stages = ["fall"]
@@ -51,7 +48,6 @@ TEST(Program, FallsAndFliesFreely) {
     fall.go(20);
     const double t = fall.run.state.time;
     EXPECT_GE(t, 20e-6);
-    // v(n − ½) = v0 + n g Δt: exact in the scheme's arithmetic but for round-off.
     const Vector2 v = fall.run.mean(fall.run.state.velocity);
     verify("dynamics: free fall, speed over g t", v.y / (-gravity_on_earth * t), 1, 1e-12, "v = g t");
     expect_close(v.x, 0.5 + t, 1e-12, 0.5);
@@ -59,8 +55,9 @@ TEST(Program, FallsAndFliesFreely) {
     EXPECT_GT(fall.energies.back().kinetic, 0.0);
 }
 
-TEST(Program, DrivenNodesTakeTheirKineticEnergyFromOutside) {
-    ProgramRun pushed(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), R"(
+// The work is ½ m v², to round-off; the distance v over the time after the ramp and half of it before, to the midpoint rule.
+TEST(Program, GivesDrivenNodesTheirKineticEnergy) {
+    ProgramRun pushed(jittered_grid(3, 4, 0.02, 0.03, 0.2), R"(
         name = "push"
         stages = ["push"]
         boundary.all = { box = ["-1 m", "1 m", "-1 m", "1 m"], velocity_x = { to = "2 m/s", over = "10 us" }, velocity_y = 0.0 }
@@ -72,14 +69,15 @@ TEST(Program, DrivenNodesTakeTheirKineticEnergyFromOutside) {
     verify("dynamics: work on a mass that is driven over its kinetic energy", pushed.energies.back().external / energy, 1, 1e-12,
            "m v^2/2");
     expect_close(pushed.energies.back().kinetic, energy, 1e-12, energy);
-    // Way: v over the time after the ramp and half of it before, by the midpoint rule.
     expect_close(pushed.run.mean(pushed.run.state.displacement).x, 2 * (pushed.run.state.time - 5e-6), 1e-3, 2e-5);
     EXPECT_EQ(pushed.energies.back().damping, 0);
 }
 
-TEST(Program, AColumnCarriesItsWeight) {
+// σ = ρ g (h/2 − y): linear, and the mean of triangles over a circle that lies evenly about y is exact; to 0.1 % of the stress at
+// the foot and 1e-6 of the weight.
+TEST(Program, LetsAColumnCarryItsWeight) {
     const double height = 0.1;
-    ProgramRun column(test::crossed_blocks(4, 16, 0.025, height, [](int, int) { return 0; }), R"(
+    ProgramRun column(crossed_blocks(4, 16, 0.025, height, [](int, int) { return 0; }), R"(
         name = "column"
         gravity = ["0 m/s2", "-9.81 m/s2"]
         stages = ["settle"]
@@ -94,7 +92,6 @@ TEST(Program, AColumnCarriesItsWeight) {
     EXPECT_EQ(column.stage_controller.records().at(0).ended_by, "rest");
     const double foot = rock_of_programs.density * gravity_on_earth * height;
     for (const auto& [probe, y] : {std::pair{"low", -0.03125}, {"middle", 0.0}, {"high", 0.03125}}) {
-        // The stress is linear and CSTs are constant: the mean over a circle that lies evenly about y is exact.
         verify(std::string("dynamics: column under its weight, axial stress at y = ") + std::to_string(1000 * y).substr(0, 6) +
                    " mm over that of the foot",
                column.column(probe, "stress_yy").back() / foot, -(0.5 - y / height), 1e-3, "rho g (h/2 - y)", 1);
@@ -106,9 +103,11 @@ TEST(Program, AColumnCarriesItsWeight) {
 
 // --- tractions -------------------------------------------------------------------------------------------------------
 
-TEST(Program, CirclesSeeAUniformStress) {
-    // σ = (2, −3, 0.5) MPa as tractions on four sides. Dead ones turn the strained body a little for ever: 4e-6 of the forces.
-    ProgramRun patch(test::jittered_grid(6, 6, 0.03, 0.03, 0.25), R"(
+// σ = (2, −3, 0.5) MPa as tractions on four sides, from which the mean stress follows; contacts take no part in it, but their
+// opening moves the points of the tractions by the strain, 1e-4. Dead ones turn the strained body a little for ever: 4e-6 of the
+// forces.
+TEST(Program, MeasuresAUniformStressInCircles) {
+    ProgramRun patch(jittered_grid(6, 6, 0.03, 0.03, 0.25), R"(
         name = "patch"
         stages = ["load"]
         boundary.right = { on = "right", traction_x = "2 MPa", traction_y = "0.5 MPa" }
@@ -126,8 +125,6 @@ TEST(Program, CirclesSeeAUniformStress) {
     patch.go(100);
     EXPECT_EQ(patch.stage_controller.records().at(0).ended_by, "rest");
     EXPECT_GE(patch.stage_controller.records().at(0).end, 5e-3);  // at rest on the way too, as slowly as the pressure grows
-    // The mean stress over the whole follows from the tractions alone; contacts of no thickness take no part in it, but their
-    // opening moves the tractions' points: of the size of the strain, 1e-4.
     const auto all = [&](const char* name) { return patch.column("all", name).back() * 1e-6; };
     verify("elements: mean stress of a specimen under tractions, xx (MPa)", all("stress_xx"), 2, 1e-3, "mean stress theorem");
     verify("elements: mean stress of a specimen under tractions, yy (MPa)", all("stress_yy"), -3, 1e-3, "mean stress theorem");
@@ -157,7 +154,7 @@ double acceleration_down(double slope, double friction) {
         soft.ks *= softness;
         return soft;
     };
-    const double a = slope * test::degree;
+    const double a = slope * degree;
     ProgramRun block(two_blocks(8, 1, 0.04, 0.01),
                      fmt::format(R"(
         name = "slope"
@@ -178,7 +175,7 @@ double acceleration_down(double slope, double friction) {
     const auto speed_after = [&](double duration) {
         const double end = block.run.state.time + duration;
         while (block.run.state.time < end) block.run.steps(10, loading);
-        return test::mean_of_grain(block.run, block.run.state.velocity, 1).x;
+        return mean_of_grain(block.run, block.run.state.velocity, 1).x;
     };
     const double before = speed_after(0.3e-3);
     const double begin = block.run.state.time;
@@ -186,7 +183,8 @@ double acceleration_down(double slope, double friction) {
     return (after - before) / (block.run.state.time - begin);
 }
 
-TEST(Program, ABlockSlidesDownASlope) {
+// a = g (sin α − cos α tan φ), or none where it sticks, to 0.5 % of a or g.
+TEST(Program, LetsABlockSlideDownASlope) {
     const std::string source = "g (sin a - cos a tan phi)";
     verify("dynamics: block on a slope of 30 deg, friction 20 deg (m/s2)", acceleration_down(30, 20), 1.812815, 5e-3, source);
     verify("dynamics: block on a slope of 35 deg, friction 30 deg (m/s2)", acceleration_down(35, 30), 0.987266, 5e-3, source);
@@ -196,7 +194,8 @@ TEST(Program, ABlockSlidesDownASlope) {
 
 // --- a joint in shear ------------------------------------------------------------------------------------------------
 
-TEST(Program, AJointShearsAtItsFriction) {
+// Whatever its distribution, the friction of points that all slide is tan φ times the whole normal force, to 0.5 %.
+TEST(Program, ShearsAJointAtItsFriction) {
     const double width = 0.04;
     const double phi = 30;
     const ContactLaw law = law_with_friction(phi);
@@ -224,15 +223,12 @@ TEST(Program, AJointShearsAtItsFriction) {
     EXPECT_EQ(joint.stage_controller.records()[2].ended_by, "push.displacement_x");
     const std::vector<double>& force = joint.column("push", "force_x");
     const std::vector<double>& time = joint.history[HistoryColumn::time];
-    const double limit = 10e6 * width * std::tan(phi * test::degree);
-    const auto at = [&](double t) {
-        return force[static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin())];
-    };
-    // Whatever its distribution, the friction of points that all slide is tan phi times the whole normal force.
+    const double limit = 10e6 * width * std::tan(phi * degree);
+    const auto at = [&](double t) { return force[std::lower_bound(time.begin(), time.end(), t) - time.begin()]; };
     verify("specimens: joint in shear, force forth over normal force",
-           at(joint.stage_controller.records()[1].end) / (10e6 * width), std::tan(phi * test::degree), 5e-3, "tan phi");
-    verify("specimens: joint in shear, force back over normal force", force.back() / (10e6 * width),
-           -std::tan(phi * test::degree), 5e-3, "tan phi");
+           at(joint.stage_controller.records()[1].end) / (10e6 * width), std::tan(phi * degree), 5e-3, "tan phi");
+    verify("specimens: joint in shear, force back over normal force", force.back() / (10e6 * width), -std::tan(phi * degree),
+           5e-3, "tan phi");
     EXPECT_GT(joint.energies.back().friction, 0.5 * limit * 30e-6);
     EXPECT_LT(joint.residual(), 5e-3);
 }
@@ -261,15 +257,14 @@ Wave wave(const std::string& sides, PlaneCondition plane, const Rock& of, const 
         stage.run.until.time = "150 us"
     )",
                                          sides, pulse, end);
-    ProgramRun bar(test::crossed_blocks(200, 1, bar_length, bar_length / 200, [](int, int) { return 0; }), text, augig_law(),
-                   plane, 0, 0.8, of);
+    ProgramRun bar(crossed_blocks(200, 1, bar_length, bar_length / 200, [](int, int) { return 0; }), text, augig_law(), plane, 0,
+                   0.8, of);
     bar.go(4);
     const std::vector<double>& t = bar.history[HistoryColumn::time];
     const auto of_probe = [&](const std::string& name) { return bar.column(name, "velocity_" + component); };
     // The first passage ends before the reflection arrives: 160 mm and back at most at 3360 m/s.
     const auto centre = [&](const std::vector<double>& v, double from, double to) {
-        double sum = 0;
-        double moment = 0;
+        double sum = 0, moment = 0;
         for (std::size_t i = 0; i < t.size(); ++i) {
             if (t[i] > from && t[i] < to) {
                 sum += v[i] * v[i];
@@ -300,12 +295,13 @@ Wave wave(const std::string& sides, PlaneCondition plane, const Rock& of, const 
     return w;
 }
 
-TEST(Program, AWaveRunsAndIsReflected) {
+// Speeds √((λ + 2μ)/ρ), √(E/(ρ (1 − ν²))), √(E/ρ), √(G/ρ) and σ/(ρ c), reflections at free and held ends; cells of 1 mm disperse
+// a pulse of 27 mm by (π/27)²/24 = 6e-4.
+TEST(Program, SendsWavesThatAreReflected) {
     const std::string rollers = "boundary.sides = { box = [\"-1 m\", \"1 m\", \"-1 m\", \"1 m\"], velocity_y = 0.0 }";
     const std::string push = "pressure = { pulse = \"1 MPa\", over = \"8 us\" }";
     const double cp = 3359.56;
     const Wave strain = wave(rollers, PlaneCondition::strain, rock_of_programs, push, "x", "");
-    // 200 cells of 1 mm against a pulse of 27 mm: dispersion is of the order (π/27)²/24 = 6e-4.
     verify("dynamics: P wave, plane strain (m/s)", strain.speed, cp, 5e-3, "sqrt((lambda + 2 mu)/rho)");
     verify("dynamics: P wave, velocity over stress (m/s)", strain.peak_velocity, 1e6 / (rock_of_programs.density * cp), 1e-2,
            "sigma/(rho c)");
@@ -358,13 +354,14 @@ const char* const everything = R"(
     until.time = "100 us"
 )";
 ProgramRun everything_at_once(double damping) {
-    ProgramRun run(test::jittered_grid(6, 8, 0.02, 0.03, 0.25), everything, augig_law(LawVariant::consistent),
-                   PlaneCondition::strain, damping);
+    ProgramRun run(jittered_grid(6, 8, 0.02, 0.03, 0.25), everything, augig_law(LawVariant::consistent), PlaneCondition::strain,
+                   damping);
     run.go(20);
     return run;
 }
 
-TEST(Program, TheEnergyBalanceStaysClosed) {
+// Each term by its own definition, to the steps in which contacts fail.
+TEST(Program, ClosesTheEnergyBalanceOfEveryForce) {
     for (const double damping : {0.0, 0.8}) {
         const ProgramRun all = everything_at_once(damping);
         ASSERT_EQ(all.stage_controller.records().size(), 3U);
@@ -377,4 +374,4 @@ TEST(Program, TheEnergyBalanceStaysClosed) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

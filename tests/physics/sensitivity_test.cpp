@@ -19,10 +19,8 @@
 #include "tests/support/check.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::expect_close;
 
 Specimen refined_disc(int grains, int elements_per_edge) {
     mesher::Request request;
@@ -37,15 +35,16 @@ SimulationRequest brazilian() {
     request.loading.test = TestKind::brazilian;
     request.loading.rate = RateKind::automatic;
     request.loading.rate_tolerance = 0.05;  // fast: what is tested is the table
-    request.loading.platen_friction = 5 * test::degree;
+    request.loading.platen_friction = 5 * degree;
     request.plane = PlaneCondition::stress;
-    request.material = test::augig_granite();
-    request.contact = test::augig_contact(request.plane);
+    request.material = augig_granite();
+    request.contact = augig_contact(request.plane);
     request.frames = 0;
     return request;
 }
 
-TEST(Sensitivity, ChangesOneThingEach) {
+// Half the rate, half the time step, half the damping, a quarter of the mass scaling, twice the elements along an edge.
+TEST(Sensitivity, ChangesOneSettingEach) {
     SimulationRequest request = brazilian();
     request.mass_scaling = true;
     const Specimen specimen = refined_disc(30, 1);
@@ -69,7 +68,8 @@ TEST(Sensitivity, ChangesOneThingEach) {
     EXPECT_EQ(std::get<TimeFunction>(axial(fewer[0])).value, 0.005);
 }
 
-TEST(Sensitivity, AProgramAtHalfTheRateTakesTwiceAsLong) {
+// Ramps and tables are twice as long, speeds half as large; values and ends are the same.
+TEST(Sensitivity, DoublesTheTimesOfAProgramAtHalfTheRate) {
     const Program program = parse_program(R"(
 name = "cycle"
 stages = ["confine", "press"]
@@ -99,7 +99,8 @@ until = { peak_drop = 0.2, time = "8 ms" }
     EXPECT_EQ(slow.stages[1].peak_drop, 0.2);
 }
 
-TEST(Sensitivity, ARowTellsThePeakAndWhatFollows) {
+// The slope from the peak to the last row, (1 − 3)/(1 − 0.5), where the stress fell by the drop.
+TEST(Sensitivity, HasThePeakAndTheSlopeBehindIt) {
     RunHeader header;
     header.test = "uniaxial";
     header.peak_axial_stress = 3;
@@ -109,20 +110,21 @@ TEST(Sensitivity, ARowTellsThePeakAndWhatFollows) {
     history[HistoryColumn::axial_strain] = {0, -0.25, -0.5, -1};
     history[HistoryColumn::tensile_cracks] = {0, 1, 4, 9};
     history[HistoryColumn::shear_cracks] = {0, 0, 2, 3};
-    SensitivityRow row = sensitivity_row("as it is", header, history);
+    SensitivityRow row = sensitivity_row("unchanged", header, history);
     EXPECT_EQ(row.peak_axial_stress, 3);
     EXPECT_EQ(row.strain_at_peak, 0.5);
-    EXPECT_EQ(row.post_peak_slope, -4);  // (1 − 3)/(1 − 0.5)
+    EXPECT_EQ(row.post_peak_slope, -4);
     EXPECT_EQ(row.tensile_cracks, 4);
     EXPECT_EQ(row.shear_cracks, 2);
     header.stop_reason = "strain limit";
-    EXPECT_TRUE(std::isnan(sensitivity_row("as it is", header, history).post_peak_slope));
+    EXPECT_TRUE(std::isnan(sensitivity_row("unchanged", header, history).post_peak_slope));
 }
 
-TEST(Sensitivity, TheRunKeepsTheTable) {
+// The rows in the file are those that were computed; a run without --sensitivity has none.
+TEST(Sensitivity, IsATableOfTheRun) {
     SimulationRequest request = brazilian();
     request.sensitivity = true;
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const SimulationSummary summary = simulate(refined_disc(30, 1), request, folder.file("run.h5"), Verbosity::quiet, {});
     ASSERT_EQ(summary.sensitivity.size(), 5U);
     EXPECT_EQ(summary.sensitivity[0].peak_axial_stress, summary.header.peak_axial_stress);
@@ -141,6 +143,7 @@ TEST(Sensitivity, TheRunKeepsTheTable) {
     EXPECT_TRUE(read_sensitivity(RunReader(folder.file("plain.h5")).file()).empty());
 }
 
+// The nodes are those of the mesher, to the round-off of middles.
 TEST(Refinement, GivesTheMeshOfTwiceTheElementsAlongAnEdge) {
     const Specimen fine = refined(refined_disc(50, 1));
     const Specimen made = refined_disc(50, 2);
@@ -166,7 +169,8 @@ TEST(Refinement, GivesTheMeshOfTwiceTheElementsAlongAnEdge) {
     EXPECT_EQ(sum(fine), sum(made));
 }
 
-TEST(Refinement, HalvesOfAContactAreWhatItWas) {
+// Contact c becomes 2c and 2c + 1.
+TEST(Refinement, LeavesFlawAndStrengthToBothHalvesOfAContact) {
     Specimen coarse = refined_disc(30, 1);
     coarse.flaw_names = {"joint"};
     for (std::size_t c = 0; c < coarse.n_contacts(); ++c) {
@@ -183,10 +187,10 @@ TEST(Refinement, HalvesOfAContactAreWhatItWas) {
 }
 
 // Stopped in the test, it resumes from the checkpoint; stopped in the repetitions, the test itself is there.
-TEST(Sensitivity, WhatIsStoppedLeavesAllThatThereIs) {
+TEST(Sensitivity, LeavesWhatThereIsWhenStopped) {
     SimulationRequest request = brazilian();
     request.sensitivity = true;
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string file = folder.file("run.h5");
     const auto run = [&] { return simulate(refined_disc(30, 1), request, file, Verbosity::quiet, {}); };
     request.stops_after = [](std::size_t rows) { return rows > 20; };
@@ -206,4 +210,4 @@ TEST(Sensitivity, WhatIsStoppedLeavesAllThatThereIs) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -18,44 +18,37 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/thread_ranks.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 /// Crushed until grains come into contact that were not neighbours.
 const Specimen& grains_for_ranks() {
-    static const Specimen s = test::jittered_grid(9, 18, 0.04, 0.08, 0.25);
+    static const Specimen s = jittered_grid(9, 18, 0.04, 0.08, 0.25);
     return s;
 }
 /// Three phases with classes of contacts for each pair of them.
 const Specimen& phases_for_ranks() {
-    static const Specimen s = test::varied_phases(grains_for_ranks()).specimen;
+    static const Specimen s = varied_phases(grains_for_ranks()).specimen;
     return s;
 }
 const Specimen& crystals_for_ranks() {
-    static const Specimen s = test::crystals_with_flaw();
+    static const Specimen s = crystals_with_flaw();
     return s;
 }
 
 SimulationRequest request_for_ranks(TestKind test, LawVariant law, bool is_scaled) {
-    SimulationRequest r;
-    r.material = test::augig_granite();
-    r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
+    SimulationRequest r = augig_request(test, is_scaled ? 3 : 10, test == TestKind::tension ? 0.008 : 0.02);
     r.law = law;
     r.mass_scaling = is_scaled;
-    r.loading.test = test;
-    r.loading.platen_speed = is_scaled ? 3 : 10;
-    r.loading.platen_friction = 5 * test::degree;
-    r.loading.max_strain = test == TestKind::tension ? 0.008 : 0.02;
     r.peak_drop = 0;
     r.frames = 3;
     r.save_state = true;
-    r.elements_per_thread = 1;
     return r;
 }
 
 /// Writes a run of some ranks.
 void run_on_ranks(int n, const Specimen& specimen, SimulationRequest request, const std::string& file) {
-    test::on_thread_ranks(n, [&](const Ranks& ranks) {
+    on_thread_ranks(n, [&](const Ranks& ranks) {
         SimulationRequest own = request;
         own.ranks = &ranks;
         simulate(specimen, own, file, Verbosity::quiet, {});
@@ -70,7 +63,7 @@ void expect_run_as(const std::string& expected, const std::string& file) {
     ADD_FAILURE() << "another digest than that of a rank alone";
     const H5Input differs(file);
     const H5Input right(expected);
-    for (const char* group : {"/history", "/cracks", "/state"}) test::expect_same_arrays(differs, right, group);
+    for (const char* group : {"/history", "/cracks", "/state"}) expect_same_arrays(differs, right, group);
 }
 
 /// So that what is compared has happened.
@@ -98,14 +91,14 @@ std::vector<RunOnRanks> runs_on_ranks() {
     add("fragments", grains_for_ranks, request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true), {2, 3, 4}, 100, 50);
 
     SimulationRequest confined = request_for_ranks(TestKind::triaxial, LawVariant::cohesive_frictional, true);
-    confined.material = test::granite_of_phases();
+    confined.material = granite_of_phases();
     confined.loading.confining_pressure = 4e6;
     confined.contact.residual_friction_angle = 0.5 * confined.contact.friction_angle;
     confined.contact.wear_slip = 5e-6;
     add("confined phases", phases_for_ranks, confined, {2, 4}, 100, 20);
 
     SimulationRequest flawed = request_for_ranks(TestKind::uniaxial, LawVariant::coulomb_slip, false);
-    flawed.material = test::granite_with_flaw();
+    flawed.material = granite_with_flaw();
     add("crystals with a flaw", crystals_for_ranks, flawed, {3}, 100, 20);
 
     SimulationRequest torn = request_for_ranks(TestKind::tension, LawVariant::consistent, false);
@@ -118,24 +111,30 @@ std::vector<RunOnRanks> runs_on_ranks() {
     add(
         "two chunks",
         []() -> const Specimen& {
-            static const Specimen few = test::jittered_grid(4, 8, 0.04, 0.08, 0.25);
+            static const Specimen few = jittered_grid(4, 8, 0.04, 0.08, 0.25);
             return few;
         },
         request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true), {4}, 10, 1);
     return runs;
 }
 
+/// Runs on one rank into one.h5, which must have cracked and rubbed, and expects the same of other numbers of ranks.
+void expect_the_run_of_one(const TemporaryFolder& folder, const Specimen& specimen, const SimulationRequest& request,
+                           const std::vector<int>& ranks, std::size_t least_cracks, std::size_t least_contacts) {
+    run_on_ranks(1, specimen, request, folder.file("one.h5"));
+    expect_fragments(folder.file("one.h5"), least_cracks, least_contacts);
+    for (const int n : ranks) {
+        SCOPED_TRACE(n);
+        run_on_ranks(n, specimen, request, folder.file("ranks.h5"));
+        expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
+    }
+}
+
+// The digest of the file is that of one rank, past the peak and with fragments.
 TEST(ThreadRanks, WriteTheRunOfOne) {
     for (const RunOnRanks& row : runs_on_ranks()) {
         SCOPED_TRACE(row.name);
-        const test::TemporaryFolder folder;
-        run_on_ranks(1, row.specimen(), row.request, folder.file("one.h5"));
-        expect_fragments(folder.file("one.h5"), row.least_cracks, row.least_contacts);
-        for (const int n : row.ranks) {
-            SCOPED_TRACE(n);
-            run_on_ranks(n, row.specimen(), row.request, folder.file("ranks.h5"));
-            expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
-        }
+        expect_the_run_of_one({}, row.specimen(), row.request, row.ranks, row.least_cracks, row.least_contacts);
     }
 }
 
@@ -174,60 +173,23 @@ until.time = "0.25 ms"
 SimulationRequest program_for_ranks(const std::string& stages, const std::string& tables) {
     SimulationRequest r = request_for_ranks(TestKind::program, LawVariant::consistent, true);
     r.program = parse_program("stages = [" + stages + "]\n" + head_of_programs + tables, "cycle.toml");
-    r.material = test::granite_of_phases();
+    r.material = granite_of_phases();
     r.material.fabric.phases["quartz"].expansion_along = 7.7e-6;
     r.material.fabric.phases["quartz"].expansion_across = 13.3e-6;
     return r;
 }
 
 // Gravity, tractions, prescribed velocities and an initial one: every condition has nodes and edges on the cuts.
-TEST(ThreadRanks, AProgramOfWavesIsThatOfOne) {
-    const test::TemporaryFolder folder;
+TEST(ThreadRanks, RunAProgramOfWavesAsOne) {
     SimulationRequest r = request_for_ranks(TestKind::program, LawVariant::consistent, false);
     r.damping = 0;
-    r.program = parse_program(R"(
-name = "waves"
-damping = 0
-gravity = [0, "-9.81 m/s2"]
-stages = ["shake"]
-[initial.all]
-velocity = ["0.5 m/s", "0 m/s"]
-[boundary.base]
-on = "bottom"
-velocity_x = { to = "3 m/s", over = "0.01 ms" }
-velocity_y = 0
-[boundary.side]
-on = "left"
-traction_x = { to = "20 MPa", over = "0.02 ms" }
-traction_y = { to = "-8 MPa", over = "0.02 ms" }
-[boundary.other]
-on = "right"
-angles = ["-60 deg", "45 deg"]
-pressure = { to = "30 MPa", over = "0.01 ms" }
-shear = { to = "5 MPa", over = "0.01 ms" }
-[boundary.held]
-at = [0, "20 mm"]
-velocity_x = 0
-[probe]
-middle.point = ["1 mm", "2 mm"]
-core.circle = ["0 mm", "0 mm", "12 mm"]
-gauges = { ring = [0, 0, "12 mm"], points = 6 }
-across.gauge = ["-14 mm", 0, "14 mm", "3 mm"]
-[stage.shake]
-until.time = "0.05 ms"
-)",
-                              "waves.toml");
-    run_on_ranks(1, grains_for_ranks(), r, folder.file("one.h5"));
-    EXPECT_GE(H5Input(folder.file("one.h5")).read<std::int32_t>("/cracks/contact").size(), 10U);
-    for (const int n : {3, 5}) {
-        SCOPED_TRACE(n);
-        run_on_ranks(n, grains_for_ranks(), r, folder.file("ranks.h5"));
-        expect_run_as(folder.file("one.h5"), folder.file("ranks.h5"));
-    }
+    r.program = read_program(GRAINCRACK_SOURCE "/tests/physics/waves.toml");
+    expect_the_run_of_one({}, grains_for_ranks(), r, {3, 5}, 10, 0);
 }
 
-TEST(ThreadRanks, AProgramStartsFromTheStateThatOthersSaved) {
-    const test::TemporaryFolder folder;
+// From the state of any number of ranks, on any number: the same digest.
+TEST(ThreadRanks, StartAProgramFromTheStateThatOthersSaved) {
+    const TemporaryFolder folder;
     const SimulationRequest first = program_for_ranks(R"("confine", "press")", stages_before_peak);
     run_on_ranks(1, phases_for_ranks(), first, folder.file("first.h5"));
     run_on_ranks(3, phases_for_ranks(), first, folder.file("first-3.h5"));
@@ -244,8 +206,9 @@ TEST(ThreadRanks, AProgramStartsFromTheStateThatOthersSaved) {
     }
 }
 
-TEST(ThreadRanks, ARunResumesOnOtherRanksThanItStoppedOn) {
-    const test::TemporaryFolder folder;
+// Stopped four times on 3, 1, 2 and 4 ranks: the digest of the run that was never stopped.
+TEST(ThreadRanks, ResumeARunOfOtherRanks) {
+    const TemporaryFolder folder;
     const std::string run = folder.file("run.h5");
     SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
     run_on_ranks(1, grains_for_ranks(), r, folder.file("whole.h5"));
@@ -264,10 +227,10 @@ TEST(ThreadRanks, ARunResumesOnOtherRanksThanItStoppedOn) {
 }
 
 // The first cannot write: no rank goes on without it.
-TEST(ThreadRanks, AllEndWhereTheFirstCannotWrite) {
+TEST(ThreadRanks, EndWhereTheFirstCannotWrite) {
     const SimulationRequest r = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
     EXPECT_THROW(run_on_ranks(3, grains_for_ranks(), r, "/nowhere/run.h5"), OutputError);
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

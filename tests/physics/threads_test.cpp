@@ -15,33 +15,17 @@
 #include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::SmallRun;
-
-SimulationRequest request(TestKind test, int threads) {
-    SimulationRequest r;
-    r.material = test::augig_granite();
-    r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
-    r.loading.test = test;
-    r.loading.platen_speed = test == TestKind::tension ? 0.3 : 1.0;
-    r.loading.platen_friction = 5 * test::degree;
-    r.loading.max_strain = 0.006;
-    r.frames = 2;
-    r.threads = threads;
-    r.elements_per_thread = 1;
-    return r;
-}
 
 // Small, so that the barriers show: a dozen chunks of grains and contacts for three threads.
 const Specimen& specimen() {
-    static const Specimen s = test::jittered_grid(8, 16, 0.04, 0.08, 0.25);
+    static const Specimen s = jittered_grid(8, 16, 0.04, 0.08, 0.25);
     return s;
 }
 
 std::string digest_of(const SimulationRequest& r, SimulationSummary& summary, const Specimen& s = specimen()) {
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     summary = simulate(s, r, folder.file("run.h5"), Verbosity::quiet, {});
     return H5Input(folder.file("run.h5"), "run").digest();
 }
@@ -49,7 +33,7 @@ std::string digest_of(const SimulationRequest& r, SimulationSummary& summary, co
 // Tension past the peak; compression, which fails in both modes and rubs, of real masses and scaled ones; crystals that break
 // within and between, and slide on a flaw with values of its own; three phases with contacts of a pair and strengths that
 // scatter.
-TEST(Threads, OneTwoAndThreeGiveTheSameDigest) {
+TEST(Threads, GiveTheSameDigestByAnyNumber) {
     struct Row {
         const char* name;
         TestKind test;
@@ -57,15 +41,16 @@ TEST(Threads, OneTwoAndThreeGiveTheSameDigest) {
         Material material;
         Specimen specimen;
     };
-    const std::vector<Row> rows{
-        {"tension", TestKind::tension, false, test::augig_granite(), specimen()},
-        {"real masses", TestKind::uniaxial, false, test::augig_granite(), specimen()},
-        {"scaled masses", TestKind::uniaxial, true, test::augig_granite(), specimen()},
-        {"crystals", TestKind::uniaxial, false, test::granite_with_flaw(), test::crystals_with_flaw()},
-        {"phases", TestKind::uniaxial, false, test::granite_of_phases(), test::varied_phases(specimen()).specimen}};
+    const std::vector<Row> rows{{"tension", TestKind::tension, false, augig_granite(), specimen()},
+                                {"real masses", TestKind::uniaxial, false, augig_granite(), specimen()},
+                                {"scaled masses", TestKind::uniaxial, true, augig_granite(), specimen()},
+                                {"crystals", TestKind::uniaxial, false, granite_with_flaw(), crystals_with_flaw()},
+                                {"phases", TestKind::uniaxial, false, granite_of_phases(), varied_phases(specimen()).specimen}};
     for (const Row& row : rows) {
         SCOPED_TRACE(row.name);
-        SimulationRequest r = request(row.test, 1);
+        SimulationRequest r = augig_request(row.test, row.test == TestKind::tension ? 0.3 : 1, 0.006);
+        r.frames = 2;
+        r.threads = 1;
         r.mass_scaling = row.mass_scaling;
         r.material = row.material;
         SimulationSummary summary;
@@ -85,14 +70,14 @@ TEST(Threads, OneTwoAndThreeGiveTheSameDigest) {
 
 /// A specimen crushed until grains come into contact that were not neighbours.
 SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target, int threads, bool has_phases = false) {
-    SmallRun run = has_phases ? test::varied_phases(specimen()).run(law) : SmallRun(specimen(), test::augig_law(law));
+    SmallRun run = has_phases ? varied_phases(specimen()).run(law) : SmallRun(specimen(), augig_law(law));
     LoadingRequest loading;
     loading.platen_friction = 0.1;
     loading.max_strain = 0.05;
     run.assemblage.vector_target = target;
     run.parameters.damping = 0.8;
     run.parameters.mass_scaling = make_mass_scaling(run.assemblage, mass_scaling_factor);
-    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.7);
+    run.load_by(loading, 0.7);
     run.begin();
     constexpr double speed = 2;  // m/s
     run.steps(mass_scaling_factor > 0 ? 1200 : 12000, {{speed, -speed}, {speed, -speed}, nullptr}, threads);
@@ -119,7 +104,7 @@ bool same(const SmallRun& l, const SmallRun& r) {
 
 // Stronger than what the design asks for (1e-9): no target contracts or reorders anything. With six classes of contacts, from
 // which node–edge contacts take their values too.
-TEST(Threads, TheirNumberAndTheVectorUnitLeaveTheBytesOfEveryLawAsTheyAre) {
+TEST(Threads, LeaveTheBytesOfEveryLawOnEveryVectorUnit) {
     for (const LawDescription& law : all_contact_laws()) {
         for (const bool has_phases : {false, true}) {
             SCOPED_TRACE(law.name);
@@ -128,7 +113,7 @@ TEST(Threads, TheirNumberAndTheVectorUnitLeaveTheBytesOfEveryLawAsTheyAre) {
             const auto& contacts = plain.state.contact_pairs.contacts;
             EXPECT_GT(std::count_if(contacts.begin(), contacts.end(), [](const NodeEdgeContact& c) { return c.active; }), 5);
             int threads = 0;
-            for (const VectorTarget target : test::available_vector_targets()) {
+            for (const VectorTarget target : available_vector_targets()) {
                 threads = threads % 3 + 1;
                 EXPECT_TRUE(same(plain, crushed(law.variant, 60, target, threads, has_phases))) << name_of(target) << threads;
             }
@@ -137,4 +122,4 @@ TEST(Threads, TheirNumberAndTheVectorUnitLeaveTheBytesOfEveryLawAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -10,15 +10,8 @@
 #include "tests/support/linear_statics.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::augig_contact;
-using test::augig_law;
-using test::expect_close;
-using test::SmallRun;
-using test::verify;
-using test::verify_between;
 
 constexpr double touching = 1e-9;  // m: platens that touch, far short of what moves a contact off its initial stiffness
 constexpr double moved = 1e-14;    // m: small against that
@@ -27,15 +20,15 @@ constexpr double moved = 1e-14;    // m: small against that
 SmallRun between_platens(const Specimen& specimen, const ContactLaw& law, const ContactParameters& contact = augig_contact()) {
     SmallRun run(specimen, law);
     LoadingRequest loading;
-    loading.platen_friction = 5 * test::degree;
-    run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, contact), 1);
+    loading.platen_friction = 5 * degree;
+    run.load_by(loading, 1, contact);
     run.state.loading.platen_displacement = {touching, -touching};
     return run;
 }
 
 // Against an eigenvalue of the forces that the solver really exerts. Above it nothing is stable; below, time is lost.
-TEST(TimeStep, BelowTheExactOneWithPlatens) {
-    for (const Specimen& s : {test::union_jack_grid(4, 6, 0.02, 0.03), test::jittered_grid(5, 6, 0.02, 0.03, 0.25)}) {
+TEST(TimeStep, IsBelowTheExactOneWithPlatens) {
+    for (const Specimen& s : {union_jack_grid(4, 6, 0.02, 0.03), jittered_grid(5, 6, 0.02, 0.03, 0.25)}) {
         for (const LawDescription& described : all_contact_laws()) {
             const LawVariant variant = described.variant;
             const SmallRun run = between_platens(s, augig_law(variant));
@@ -47,7 +40,7 @@ TEST(TimeStep, BelowTheExactOneWithPlatens) {
 }
 
 // The specimens of the paper: the smallest triangle decides, so that meshes of a kind differ by some 15 %.
-TEST(TimeStep, OfTheAugigRectangle) {
+TEST(TimeStep, IsThatOfSpecimensOfThePaper) {
     for (const auto& [grains, low, high] : {std::tuple{1152, 6e-8, 8e-8}, std::tuple{1840, 5.0e-8, 6.6e-8}}) {
         mesher::Request request;
         request.region = mesher::rectangle(0.08, 0.16);
@@ -60,13 +53,14 @@ TEST(TimeStep, OfTheAugigRectangle) {
     }
 }
 
-TEST(TimeStep, PlatensAndTheLiteralShearStiffnessShortenIt) {
-    const Specimen s = test::union_jack_grid(4, 6, 0.02, 0.03);
-    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
+// Stiff platens halve it and more, still below the exact one; the shear stiffness of open contacts of `literal` takes a per cent.
+TEST(TimeStep, IsShorterByPlatensAndTheLiteralShearStiffness) {
+    const Specimen s = union_jack_grid(4, 6, 0.02, 0.03);
+    const Assemblage a = make_assemblage(s, augig_granite().rock, PlaneCondition::strain);
     ContactParameters stiff = augig_contact();
     stiff.normal_stiffness *= 100;
     const SmallRun run = between_platens(s, augig_law(), stiff);
-    EXPECT_LT(run.parameters.time_step, 0.5 * stable_time_step(a, test::no_boundary(a, s), augig_law()));
+    EXPECT_LT(run.parameters.time_step, 0.5 * stable_time_step(a, no_boundary(a, s), augig_law()));
     verify_between("dynamics: stable step over that of the solver's own forces, with platens",
                    run.parameters.time_step / exact_stable_step(run, moved), 0.5, 1, "dense eigenvalue");
     EXPECT_LT(stable_time_step(a, run.boundary, augig_law(LawVariant::literal)), (1 + 1e-9) * run.parameters.time_step);
@@ -83,7 +77,7 @@ Vector2 noise(const Vector2& p, double speed) {
 double growth(double fraction_of_exact, double damping, int steps, DampingForm form = DampingForm::combined) {
     ContactLaw law = augig_law(LawVariant::coulomb_slip);
     law.tc = law.cc = 1e200;
-    SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), law);
+    SmallRun run(jittered_grid(4, 6, 0.02, 0.03, 0.2), law);
     run.parameters.time_step = fraction_of_exact * exact_stable_step(run);
     run.parameters.damping = damping;
     run.parameters.damping_form = form;
@@ -101,8 +95,8 @@ double growth(double fraction_of_exact, double damping, int steps, DampingForm f
     return fastest() / before;
 }
 
-TEST(TimeStep, BoundedAtNineTenthsAndDivergingAbove) {
-    // a mode at 0.9 rises by 1/√(1 − 0.9²) = 2.3, and several add up
+// At 0.9 of the exact step a mode rises by 1/√(1 − 0.9²) = 2.3 at most, and several add up; above it motion grows without bound.
+TEST(TimeStep, BoundsMotionAtNineTenthsAndDivergesAbove) {
     verify_between("dynamics: growth in 2000 steps at 0.9 of the stable step", growth(0.9, 0, 2000), 0.1, 10,
                    "1/sqrt(1 - 0.9^2) a mode");
     verify_between("dynamics: growth in 200 steps at 1.05 of the stable step", growth(1.05, 0, 200), 1e6, HUGE_VAL, "diverges");
@@ -110,7 +104,7 @@ TEST(TimeStep, BoundedAtNineTenthsAndDivergingAbove) {
 
 // A mode at the stable step turns at every step, so that damping of either form is always against it together with the force: it
 // acts as if stiffness were (1 + α) times as large, and takes the step down by the root of that.
-TEST(TimeStep, DampingLowersItByTheRootOfOnePlusAlpha) {
+TEST(TimeStep, FallsByTheRootOfOnePlusDamping) {
     for (const DampingForm form : {DampingForm::local, DampingForm::combined}) {
         for (const double alpha : {0.4, 0.8}) {
             const double limit = 1 / std::sqrt(1 + alpha);
@@ -123,9 +117,10 @@ TEST(TimeStep, DampingLowersItByTheRootOfOnePlusAlpha) {
     }
 }
 
-TEST(TimeStep, SecondOrder) {
+// Displacements of three steps, each half of the one before: the error of central differences falls as Δt², to higher orders.
+TEST(TimeStep, GivesSecondOrder) {
     const auto at_end = [](int refinement) {
-        SmallRun run(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), augig_law());
+        SmallRun run(jittered_grid(3, 4, 0.02, 0.03, 0.2), augig_law());
         run.parameters.time_step *= 0.4 / refinement;
         // Unstressed at the start, so that velocities half a step before are those at the start to second order.
         run.set_velocity([](const Vector2& p) {
@@ -138,9 +133,7 @@ TEST(TimeStep, SecondOrder) {
     const auto coarse = at_end(1);
     const auto middle = at_end(2);
     const auto fine = at_end(4);
-    double first = 0;
-    double second = 0;
-    double size = 0;
+    double first = 0, second = 0, size = 0;
     for (std::size_t i = 0; i < fine.size(); ++i) {
         first += dot(coarse[i] - middle[i], coarse[i] - middle[i]);
         second += dot(middle[i] - fine[i], middle[i] - fine[i]);
@@ -150,16 +143,16 @@ TEST(TimeStep, SecondOrder) {
     verify_between("dynamics: order in the time step", std::log2(std::sqrt(first / second)), 1.9, 2.3, "2, central differences");
 }
 
-TEST(TimeStep, EnergyOfAnUndampedRunStays) {
+// At half the stable step the energy swings by 1e-3 of it and does not drift; nothing is dissipated.
+TEST(TimeStep, KeepsTheEnergyOfAnUndampedRun) {
     for (const LawVariant variant : {LawVariant::coulomb_slip, LawVariant::combined}) {
-        SmallRun run(test::jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law(variant));
+        SmallRun run(jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law(variant));
         run.set_velocity([](const Vector2& p) {
             return Vector2{0.5 * std::sin(150 * p.y), 0.5 * std::sin(100 * p.x + 200 * p.y)};
         });
         run.begin();
         const double initial = run.measured().energies.kinetic;
-        double worst = 0;
-        double stored = 0;
+        double worst = 0, stored = 0;
         for (int i = 0; i < 200; ++i) {
             run.steps(25);
             const Energies energies = run.measured().energies;
@@ -173,8 +166,9 @@ TEST(TimeStep, EnergyOfAnUndampedRunStays) {
     }
 }
 
-TEST(TimeStep, FreeFlightIsExact) {
-    SmallRun run(test::one_diagonal_grid(2, 2, 0.02, 0.02), augig_law());
+// n Δt v, summed as the scheme does: to the bit.
+TEST(TimeStep, MakesFreeFlightExact) {
+    SmallRun run(one_diagonal_grid(2, 2, 0.02, 0.02), augig_law());
     const Vector2 velocity{0.3, -0.7};
     run.set_velocity([&](const Vector2&) { return velocity; });
     run.begin();
@@ -192,4 +186,4 @@ TEST(TimeStep, FreeFlightIsExact) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

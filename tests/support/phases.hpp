@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "share/file/fabric.hpp"
+#include "solver/setup/request.hpp"
 #include "tests/support/augig_granite.hpp"
 #include "tests/support/small_run.hpp"
 
@@ -42,6 +43,19 @@ inline PhasedSpecimen varied_phases(Specimen specimen) {
         contact.friction_angle -= 2 * degree * static_cast<double>(k);
     }
     return varied;
+}
+
+/// A test of Augig granite between platens that rub, which threads share however small it is.
+inline SimulationRequest augig_request(TestKind test, double platen_speed, double max_strain) {
+    SimulationRequest r;
+    r.material = augig_granite();
+    r.contact = augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
+    r.loading.test = test;
+    r.loading.platen_speed = platen_speed;
+    r.loading.platen_friction = 5 * degree;
+    r.loading.max_strain = max_strain;
+    r.elements_per_thread = 1;
+    return r;
 }
 
 /// A material of those three phases, with contacts of a pair and factors on others.

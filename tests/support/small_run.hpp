@@ -133,6 +133,10 @@ struct SmallRun {
         parameters.time_step = fraction * stable_time_step(assemblage, boundary, parameters.laws, parameters.mass_scaling.factor);
         state = make_state(assemblage, boundary, specimen);
     }
+    /// Sets the platens and the membrane of a standard test, and the state at rest.
+    void load_by(const LoadingRequest& request, double fraction, const ContactParameters& contact = augig_contact()) {
+        set_boundary(boundary_of_test(assemblage, specimen, request, contact), fraction);
+    }
     /// Makes this run the part of a rank. It is called before `begin`.
     void share(const Ranks& ranks) { assemblage.part = make_part(assemblage, boundary.prescribed, ranks); }
     /// Sets velocities as a function of the reference position.
@@ -178,6 +182,13 @@ struct SmallRun {
         return (1 / mass()) * sum;
     }
 };
+
+/// Links no grains any more: all contacts are broken and released.
+inline void loosen(SmallRun& run) {
+    ContactPairList& list = run.state.contact_pairs;
+    std::fill(list.debonded.begin(), list.debonded.end(), std::uint8_t{1});
+    std::fill(list.released.begin(), list.released.end(), std::uint8_t{1});
+}
 
 /// Sums over the nodes of m v and x × m v, and of their magnitudes.
 struct Momenta {

@@ -44,7 +44,9 @@ public:
         if (rows_.empty()) return;
         for (const Row& row : rows_) fmt::print("  verified\t{}\n", row.text());
         if (const char* folder = std::getenv("GRAINCRACK_VERIFICATION"); folder != nullptr && *folder != '\0') {
-            std::ofstream file(fmt::format("{}/{}.{}.tsv", folder, info.test_suite_name(), info.name()));
+            std::string name = fmt::format("{}.{}", info.test_suite_name(), info.name());
+            std::replace(name.begin(), name.end(), '/', '-');  // of a test with a parameter
+            std::ofstream file(fmt::format("{}/{}.tsv", folder, name));
             for (const Row& row : rows_) file << row.text() << '\n';
         }
         rows_.clear();

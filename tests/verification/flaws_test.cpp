@@ -17,18 +17,15 @@
 #include "tests/support/stress_intensity.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
-using mesher::Region;
 using std::numbers::pi;
-using test::SmallRun;
-using test::verify;
 
-constexpr PlaneCondition plane = PlaneCondition::stress;
-const Rock rock = test::augig_granite().rock;
+constexpr PlaneCondition plane_of_flaws = PlaneCondition::stress;
+const Rock rock_of_flaws = augig_granite().rock;
 
-Specimen flawed_specimen(const Region& region, double edge, int elements_per_edge, std::uint64_t seed = 1) {
+Specimen flawed_specimen(const mesher::Region& region, double edge, int elements_per_edge, std::uint64_t seed = 1) {
     mesher::Request request;
     request.region = region;
     request.fabric.edge = edge;
@@ -38,7 +35,7 @@ Specimen flawed_specimen(const Region& region, double edge, int elements_per_edg
 }
 
 /// The same of crystals, which have classes of contacts within them and on flaws.
-Specimen crystals_of_classes(const Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
+Specimen crystals_of_classes(const mesher::Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
     mesher::Request request;
     request.region = region;
     request.fabric.edge = edge;
@@ -49,7 +46,7 @@ Specimen crystals_of_classes(const Region& region, double edge, double element_s
 }
 
 /// The same with contacts of one class, within crystals too.
-Specimen flawed_crystals(const Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
+Specimen flawed_crystals(const mesher::Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
     Specimen specimen = crystals_of_classes(region, edge, element_size, tessellation);
     specimen.contact_flaw.clear();
     specimen.flaw_names.clear();
@@ -63,8 +60,8 @@ SmallRun stiff(Specimen specimen) {
     std::vector<std::array<double, 4>> cracks;
     for (std::size_t c = 0; c < specimen.n_contacts(); ++c) {
         if (specimen.contact_kind[c] == 0) continue;
-        const auto& p = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][0])];
-        const auto& q = specimen.node_position[static_cast<std::size_t>(specimen.contact_nodes[c][1])];
+        const auto& p = specimen.node_position[specimen.contact_nodes[c][0]];
+        const auto& q = specimen.node_position[specimen.contact_nodes[c][1]];
         cracks.push_back({p[0], p[1], q[0], q[1]});
     }
     const auto is_on_crack = [&](double x, double y) {
@@ -72,21 +69,21 @@ SmallRun stiff(Specimen specimen) {
             return std::hypot(x - c[0], y - c[1]) < 1e-9 || std::hypot(x - c[2], y - c[3]) < 1e-9;
         });
     };
-    test::cut_contacts(specimen, is_on_crack);
-    ContactParameters contact = test::augig_contact(plane);
+    cut_contacts(specimen, is_on_crack);
+    ContactParameters contact = augig_contact(plane_of_flaws);
     contact.normal_stiffness *= 100;
     contact.shear_stiffness *= 100;
-    return {std::move(specimen), make_contact_law(contact, LawVariant::consistent), plane};
+    return {std::move(specimen), make_contact_law(contact, LawVariant::consistent), plane_of_flaws};
 }
 
 /// A force at a point of the outline, shared by the two nodes beside it.
 void add_force(const SmallRun& run, const Vector2& at, const Vector2& force, Eigen::VectorXd& load) {
     const Assemblage& a = run.assemblage;
     for (const auto& edge : run.specimen.boundary_edges) {
-        const std::int32_t i = a.node_of_specimen[static_cast<std::size_t>(edge[0])];
-        const std::int32_t j = a.node_of_specimen[static_cast<std::size_t>(edge[1])];
-        const Vector2 p = a.position[static_cast<std::size_t>(i)];
-        const Vector2 q = a.position[static_cast<std::size_t>(j)];
+        const std::int32_t i = a.node_of_specimen[edge[0]];
+        const std::int32_t j = a.node_of_specimen[edge[1]];
+        const Vector2 p = a.position[i];
+        const Vector2 q = a.position[j];
         const double share = dot(at - p, q - p) / dot(q - p, q - p);
         if (share < 0 || share >= 1 || length(p + share * (q - p) - at) > 1e-7) continue;
         for (const auto& [node, part] : {std::pair{i, 1 - share}, std::pair{j, share}}) {
@@ -107,8 +104,9 @@ double mode_i_of_bending(const SmallRun& run, double slit, double span) {
     Eigen::VectorXd load = no_load(run);
     add_force(run, {0, top}, {0, -1}, load);
     for (const double side : {-1.0, 1.0}) add_force(run, {side * span / 2, -top}, {0, 0.5}, load);
-    const Eigen::VectorXd u = test::equilibrium(run, test::tangent_stiffness(run), load);
-    const test::StressIntensity k = test::stress_intensity(run, u, plane, rock, {0, -top + slit}, {0, 1}, 0.2 * slit, 0.6 * slit);
+    const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), load);
+    const StressIntensity k =
+        stress_intensity(run, u, plane_of_flaws, rock_of_flaws, {0, -top + slit}, {0, 1}, 0.2 * slit, 0.6 * slit);
     EXPECT_LT(std::abs(k.mode_ii), 0.03 * k.mode_i);  // symmetric but for its grains
     return k.mode_i;
 }
@@ -119,8 +117,8 @@ double extrapolated(double coarse, double fine) { return 2 * fine - coarse; }
 constexpr double half_disc_radius = 0.05;
 constexpr double half_disc_slit = 0.5 * half_disc_radius;
 
-Region half_disc_with_slit() {
-    Region region = mesher::half_disc(2 * half_disc_radius);
+mesher::Region half_disc_with_slit() {
+    mesher::Region region = mesher::half_disc(2 * half_disc_radius);
     region.edges = {mesher::slit_from_below(region, half_disc_slit, "slit")};
     mesher::centre_region(region);
     return region;
@@ -134,20 +132,19 @@ void verify_half_disc(const std::string& name, const SmallRun& coarse, const Sma
            "ISRM (Kuruppu et al. 2014)");
 }
 
-TEST(Slits, HalfDiscHasTheToughnessOfISRM) {
+// K_I of a half-disc under three points by the interaction integral, over P √(πa)/(2R): Y' of ISRM (Kuruppu et al. 2014), to 3 %,
+// for grains of triangles and for crystals.
+TEST(Slits, HaveTheToughnessOfISRMInAHalfDisc) {
     const SmallRun coarse = stiff(flawed_specimen(half_disc_with_slit(), 2e-3, 2));
     const SmallRun fine = stiff(flawed_specimen(half_disc_with_slit(), 2e-3, 4));
     for (const auto& [span, expected] : {std::pair{0.5, 3.680}, std::pair{0.6, 4.668}, std::pair{0.8, 6.646}}) {
         verify_half_disc("half-disc", coarse, fine, span, expected);
     }
-}
-
-TEST(Slits, HalfDiscOfCrystalsHasTheToughnessOfISRM) {
-    for (const auto tessellation : {mesher::Tessellation::voronoi, mesher::Tessellation::trigon}) {
-        const SmallRun coarse = stiff(flawed_crystals(half_disc_with_slit(), 3e-3, 1e-3, tessellation));
-        const SmallRun fine = stiff(flawed_crystals(half_disc_with_slit(), 3e-3, 0.5e-3, tessellation));
-        const char* name = tessellation == mesher::Tessellation::voronoi ? "voronoi" : "trigon";
-        verify_half_disc(fmt::format("half-disc of crystals ({})", name), coarse, fine, 0.6, 4.668);
+    for (const auto& [tessellation, name] :
+         {std::pair{mesher::Tessellation::voronoi, "voronoi"}, {mesher::Tessellation::trigon, "trigon"}}) {
+        verify_half_disc(fmt::format("half-disc of crystals ({})", name),
+                         stiff(flawed_crystals(half_disc_with_slit(), 3e-3, 1e-3, tessellation)),
+                         stiff(flawed_crystals(half_disc_with_slit(), 3e-3, 0.5e-3, tessellation)), 0.6, 4.668);
     }
 }
 
@@ -156,54 +153,45 @@ double f_of_e399(double ratio) {
            (2 * (1 + 2 * ratio) * std::pow(1 - ratio, 1.5));
 }
 
-TEST(Slits, BeamOfCrystalsHasTheToughnessOfE399) {
+// K_I of a notched beam under three points over P S/W^1.5: f(a/W) of ASTM E399 at S = 4W, to 3 %.
+TEST(Slits, HaveTheToughnessOfE399InABeam) {
     constexpr double height = 0.04;
     for (const double ratio : {0.3, 0.5}) {
-        Region region = mesher::rectangle(4.5 * height, height);
+        mesher::Region region = mesher::rectangle(4.5 * height, height);
         region.edges = {mesher::slit_from_below(region, ratio * height, "slit")};
-        const auto k_of = [&](double element_size) {
-            const Specimen specimen = flawed_crystals(region, 3e-3, element_size, mesher::Tessellation::trigon);
-            return mode_i_of_bending(stiff(specimen), ratio * height, 4 * height);
+        const auto verify_beam = [&](const std::string& name, const Specimen& coarse, const Specimen& fine) {
+            const auto k_of = [&](const Specimen& s) { return mode_i_of_bending(stiff(s), ratio * height, 4 * height); };
+            verify(fmt::format("specimens: notched beam{}, f at a/W {}", name, ratio),
+                   extrapolated(k_of(coarse), k_of(fine)) * std::sqrt(height) / 4, f_of_e399(ratio), 0.03, "ASTM E399, S = 4W");
         };
-        verify(fmt::format("specimens: notched beam of crystals (trigon), f at a/W {}", ratio),
-               extrapolated(k_of(1e-3), k_of(0.5e-3)) * std::sqrt(height) / 4, f_of_e399(ratio), 0.03, "ASTM E399, S = 4W");
+        verify_beam("", flawed_specimen(region, 2e-3, 2), flawed_specimen(region, 2e-3, 4));
+        verify_beam(" of crystals (trigon)", flawed_crystals(region, 3e-3, 1e-3, mesher::Tessellation::trigon),
+                    flawed_crystals(region, 3e-3, 0.5e-3, mesher::Tessellation::trigon));
     }
 }
 
-TEST(Slits, BeamHasTheToughnessOfE399) {
-    constexpr double height = 0.04;
-    for (const double ratio : {0.3, 0.5}) {
-        Region region = mesher::rectangle(4.5 * height, height);
-        region.edges = {mesher::slit_from_below(region, ratio * height, "slit")};
-        const double k = extrapolated(mode_i_of_bending(stiff(flawed_specimen(region, 2e-3, 2)), ratio * height, 4 * height),
-                                      mode_i_of_bending(stiff(flawed_specimen(region, 2e-3, 4)), ratio * height, 4 * height));
-        verify(fmt::format("specimens: notched beam, f at a/W {}", ratio), k * std::sqrt(height) / 4, f_of_e399(ratio), 0.03,
-               "ASTM E399, S = 4W");
-    }
-}
-
-void verify_cracked_disc(const std::string& name, const std::function<Specimen(const Region&)>& specimen_of) {
+void verify_cracked_disc(const std::string& name, const std::function<Specimen(const mesher::Region&)>& specimen_of) {
     constexpr double diameter = 0.08;
     constexpr double half = 0.012;
     std::array<double, 4> mode_i{};
     std::array<double, 4> angles{21, 25, 29, 33};  // from the load, degrees
     for (std::size_t i = 0; i < angles.size(); ++i) {
-        Region region = mesher::disc(diameter, mesher::Pole::vertex);
-        const double direction = (90 - angles[i]) * test::degree;
+        mesher::Region region = mesher::disc(diameter, mesher::Pole::vertex);
+        const double direction = (90 - angles[i]) * degree;
         region.edges = {mesher::central_slit(region, 2 * half, direction, "slit")};
         const SmallRun run = stiff(specimen_of(region));
         Eigen::VectorXd load = no_load(run);
         add_force(run, {0, diameter / 2}, {0, -1}, load);
         add_force(run, {0, -diameter / 2}, {0, 1}, load);
-        const Eigen::VectorXd u = test::equilibrium(run, test::tangent_stiffness(run), load);
+        const Eigen::VectorXd u = equilibrium(run, tangent_stiffness(run), load);
         for (const double side : {-1.0, 1.0}) {
             const Vector2 ahead{side * std::cos(direction), side * std::sin(direction)};
-            mode_i[i] += 0.5 * test::stress_intensity(run, u, plane, rock, half * ahead, ahead, 0.2 * half, 0.6 * half).mode_i;
+            mode_i[i] +=
+                0.5 * stress_intensity(run, u, plane_of_flaws, rock_of_flaws, half * ahead, ahead, 0.2 * half, 0.6 * half).mode_i;
         }
     }
     // The straight line through the four, by least squares about their middle.
-    double slope = 0;
-    double mean = 0;
+    double slope = 0, mean = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         slope += mode_i[i] * (angles[i] - 27) / 80;
         mean += mode_i[i] / 4;
@@ -213,10 +201,13 @@ void verify_cracked_disc(const std::string& name, const std::function<Specimen(c
            "Atkinson et al. (1982), to 1.5 degrees", 1);
 }
 
-TEST(Slits, CrackedDiscIsInPureModeIIAtItsAngle) {
-    verify_cracked_disc("cracked disc", [](const Region& region) { return flawed_specimen(region, 2e-3, 2); });
-    verify_cracked_disc("cracked disc of crystals (trigon)",
-                        [](const Region& region) { return flawed_crystals(region, 3e-3, 1e-3, mesher::Tessellation::trigon); });
+// K_I of a central slit is zero at 27.22° from the load at a/R 0.3 (Atkinson et al. 1982), on the line through four angles,
+// to 1.5°.
+TEST(Slits, AreInPureModeIIAtTheirAngleInADisc) {
+    verify_cracked_disc("cracked disc", [](const mesher::Region& region) { return flawed_specimen(region, 2e-3, 2); });
+    verify_cracked_disc("cracked disc of crystals (trigon)", [](const mesher::Region& region) {
+        return flawed_crystals(region, 3e-3, 1e-3, mesher::Tessellation::trigon);
+    });
 }
 
 // --- holes ---------------------------------------------------------------------------------------------------------------------
@@ -224,7 +215,7 @@ TEST(Slits, CrackedDiscIsInPureModeIIAtItsAngle) {
 /// Plane stress state about a round hole at the origin under σx and σy far away, tension positive (Kirsch 1898).
 struct Kirsch {
     double radius, far_x, far_y;
-    [[nodiscard]] test::Tensor at(const Vector2& p) const {
+    [[nodiscard]] Tensor at(const Vector2& p) const {
         const double q = radius * radius / dot(p, p);
         const double theta = std::atan2(p.y, p.x);
         const double mean = 0.5 * (far_x + far_y);
@@ -246,13 +237,13 @@ Eigen::VectorXd load_of(const SmallRun& run, const Kirsch& field) {
     for (std::size_t b = 0; b < run.specimen.n_boundary_edges(); ++b) {
         if (run.specimen.boundary_part[b] > static_cast<std::uint8_t>(BoundaryPart::rim)) continue;
         const auto& edge = run.specimen.boundary_edges[b];
-        const std::int32_t i = a.node_of_specimen[static_cast<std::size_t>(edge[0])];
-        const std::int32_t j = a.node_of_specimen[static_cast<std::size_t>(edge[1])];
-        const Vector2 p = a.position[static_cast<std::size_t>(i)];
-        const Vector2 along = a.position[static_cast<std::size_t>(j)] - p;
+        const std::int32_t i = a.node_of_specimen[edge[0]];
+        const std::int32_t j = a.node_of_specimen[edge[1]];
+        const Vector2 p = a.position[i];
+        const Vector2 along = a.position[j] - p;
         const Vector2 normal{along.y, -along.x};
         for (const double share : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {  // Gauss's two points
-            const test::Tensor s = field.at(p + share * along);
+            const Tensor s = field.at(p + share * along);
             const Vector2 force = 0.5 * Vector2{s.xx * normal.x + s.xy * normal.y, s.xy * normal.x + s.yy * normal.y};
             for (const auto& [node, part] : {std::pair{i, 1 - share}, std::pair{j, share}}) {
                 load(2 * node) += part * force.x;
@@ -265,7 +256,7 @@ Eigen::VectorXd load_of(const SmallRun& run, const Kirsch& field) {
 
 Vector2 centroid(const Assemblage& a, std::size_t element) {
     Vector2 sum;
-    for (const std::int32_t node : a.element_nodes[element]) sum += (1.0 / 3) * a.position[static_cast<std::size_t>(node)];
+    for (const std::int32_t node : a.element_nodes[element]) sum += (1.0 / 3) * a.position[node];
     return sum;
 }
 
@@ -273,26 +264,25 @@ Vector2 centroid(const Assemblage& a, std::size_t element) {
 Eigen::VectorXd displacements(const SmallRun& run, Eigen::VectorXd load) {
     const auto n = static_cast<Eigen::Index>(run.assemblage.position.size());
     Vector2 force;
-    double moment = 0;
-    double inertia = 0;
+    double moment = 0, inertia = 0;
     for (Eigen::Index i = 0; i < n; ++i) {
-        const Vector2 p = run.assemblage.position[static_cast<std::size_t>(i)];
+        const Vector2 p = run.assemblage.position[i];
         force += Vector2{load(2 * i), load(2 * i + 1)};
         moment += p.x * load(2 * i + 1) - p.y * load(2 * i);
         inertia += dot(p, p);
     }
     for (Eigen::Index i = 0; i < n; ++i) {
-        const Vector2 p = run.assemblage.position[static_cast<std::size_t>(i)];
+        const Vector2 p = run.assemblage.position[i];
         load(2 * i) -= force.x / static_cast<double>(n) - moment / inertia * p.y;
         load(2 * i + 1) -= force.y / static_cast<double>(n) + moment / inertia * p.x;
     }
-    return test::equilibrium(run, test::tangent_stiffness(run), load);
+    return equilibrium(run, tangent_stiffness(run), load);
 }
 
 constexpr double hole_radius = 0.01;
 
-Region plate_with_hole() {
-    Region region = mesher::rectangle(0.1, 0.1);
+mesher::Region plate_with_hole() {
+    mesher::Region region = mesher::rectangle(0.1, 0.1);
     mesher::add_hole(region, {}, hole_radius, "hole");
     return region;
 }
@@ -300,7 +290,7 @@ Region plate_with_hole() {
 void verify_stress_concentration(const std::string& name, const SmallRun& run) {
     constexpr double radius = hole_radius;
     const Kirsch field{radius, 0, -1e6};
-    const std::vector<test::Tensor> stress = test::element_stresses(run, displacements(run, load_of(run, field)));
+    const std::vector<Tensor> stress = element_stresses(run, displacements(run, load_of(run, field)));
     // Beside the hole, over rings: the mean of the stress along the load over that of the formula, and where it goes to at the
     // wall.
     std::array<double, 4> measured{};
@@ -309,7 +299,7 @@ void verify_stress_concentration(const std::string& name, const SmallRun& run) {
         const Vector2 p = centroid(run.assemblage, e);
         const double depth = length(p) / radius - 1;
         const auto ring = static_cast<std::size_t>(depth / 0.15);
-        if (ring >= measured.size() || std::abs(p.y) > std::abs(p.x) * std::tan(15 * test::degree)) continue;
+        if (ring >= measured.size() || std::abs(p.y) > std::abs(p.x) * std::tan(15 * degree)) continue;
         measured[ring] += run.assemblage.element_geometry[e].area * stress[e].yy;
         expected[ring] += run.assemblage.element_geometry[e].area * field.at(p).yy;
     }
@@ -318,7 +308,9 @@ void verify_stress_concentration(const std::string& name, const SmallRun& run) {
     verify("specimens: " + name + ", greatest stress at its wall over that far away", 3 * at_wall, 3, 0.05, "Kirsch (1898)");
 }
 
-TEST(Holes, StressConcentrationIsKirschs) {
+// Three times the stress far away at the wall (Kirsch 1898), where the stress over that of the formula in four rings leads to, to
+// 5 %.
+TEST(Holes, HaveTheStressConcentrationOfKirsch) {
     verify_stress_concentration("hole", stiff(flawed_specimen(plate_with_hole(), 2e-3, 2)));
     const Specimen crystals = flawed_crystals(plate_with_hole(), 3e-3, 1e-3, mesher::Tessellation::trigon);
     verify_stress_concentration("hole in crystals (trigon)", stiff(crystals));
@@ -329,7 +321,7 @@ struct OnJoint {
     double distance, shear, pressure, length;
 };
 std::vector<OnJoint> tractions_on_joint(double radius, std::uint64_t seed) {
-    Region region = mesher::rectangle(12 * radius, 12 * radius);
+    mesher::Region region = mesher::rectangle(12 * radius, 12 * radius);
     mesher::add_hole(region, {}, radius, "hole");
     region.edges = {{{-10 * radius, -10 * radius}, {10 * radius, 10 * radius}, {ContactKind::grain_boundary, "joint"}}};
     Specimen specimen = flawed_specimen(region, 0.2 * radius, 2, seed);
@@ -341,14 +333,14 @@ std::vector<OnJoint> tractions_on_joint(double radius, std::uint64_t seed) {
     std::vector<OnJoint> tractions;
     for (std::size_t c = 0; c < is_joint.size(); ++c) {
         if (is_joint[c] == 0) continue;
-        const ContactGeometry& contact = run.assemblage.contacts[static_cast<std::size_t>(run.assemblage.contact_of_specimen[c])];
+        const ContactGeometry& contact = run.assemblage.contacts[run.assemblage.contact_of_specimen[c]];
         const Vector2 t = (1 / length(contact.edge)) * contact.edge;
         const Vector2 n{t.y, -t.x};
         Vector2 jump;
         for (std::size_t k = 0; k < 2; ++k) {
-            jump += 0.5 * (test::displacement_of(u, contact.nodes[2 + k]) - test::displacement_of(u, contact.nodes[k]));
+            jump += 0.5 * (displacement_of(u, contact.nodes[2 + k]) - displacement_of(u, contact.nodes[k]));
         }
-        const Vector2 middle = run.assemblage.position[static_cast<std::size_t>(contact.nodes[0])] + 0.5 * contact.edge;
+        const Vector2 middle = run.assemblage.position[contact.nodes[0]] + 0.5 * contact.edge;
         tractions.push_back({length(middle) / radius, std::abs(run.parameters.laws[0].ks * dot(jump, t)),
                              -run.parameters.laws[0].kt * dot(jump, n), length(contact.edge)});
     }
@@ -356,16 +348,16 @@ std::vector<OnJoint> tractions_on_joint(double radius, std::uint64_t seed) {
 }
 
 // Tractions of single contacts scatter by 2 % in meshes of grains; shear over pressure is that of sums over a quarter of the
-// radius to either side, in sixteen meshes.
-TEST(Holes, AJointAt45DegreesIsLoadedAsTheRockAroundTheHole) {
+// radius to either side, in sixteen meshes: the greatest, and where 19.3° is
+// passed, are those of Kirsch to 1 and 5 %.
+TEST(Holes, LoadAJointAt45DegreesAsTheRockAroundThem) {
     std::vector<OnJoint> tractions;
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
         const std::vector<OnJoint> more = tractions_on_joint(0.01, seed);
         tractions.insert(tractions.end(), more.begin(), more.end());
     }
     const auto ratio = [&](double distance) {
-        double shear = 0;
-        double pressure = 0;
+        double shear = 0, pressure = 0;
         for (const OnJoint& each : tractions) {
             if (std::abs(each.distance - distance) > 0.25) continue;
             shear += each.length * each.shear;
@@ -373,10 +365,8 @@ TEST(Holes, AJointAt45DegreesIsLoadedAsTheRockAroundTheHole) {
         }
         return shear / pressure;
     };
-    const double tan_friction = std::tan(19.3 * test::degree);
-    double greatest = 0;
-    double first = 0;
-    double last = 0;
+    const double tan_friction = std::tan(19.3 * degree);
+    double greatest = 0, first = 0, last = 0;
     for (double distance = 1.3; distance < 5; distance += 0.01) {
         const double here = ratio(distance);
         greatest = std::max(greatest, here);
@@ -390,11 +380,10 @@ TEST(Holes, AJointAt45DegreesIsLoadedAsTheRockAroundTheHole) {
            "Kirsch: where shear over pressure passes tan 19.3 deg");
     verify(name + "would slip at 19.3 deg up to (radii)", last, 3.840, 0.05,
            "Kirsch: where shear over pressure passes tan 19.3 deg");
-    EXPECT_LT(greatest, std::tan(20 * test::degree)) << "nothing slips at 20 degrees";
+    EXPECT_LT(greatest, std::tan(20 * degree)) << "nothing slips at 20 degrees";
 }
 
-// --- joints that slide and deform
-// ------------------------------------------------------------------------------------------------
+// --- joints that slide and deform ------------------------------------------------------------------------------------------
 
 /// A straight joint through a rectangle.
 mesher::PrescribedEdge joint_through(double angle, double offset, ContactKind start) {
@@ -404,57 +393,54 @@ mesher::PrescribedEdge joint_through(double angle, double offset, ContactKind st
 }
 
 /// \param name of the grains
-void verify_jaeger(const std::string& name, double angle, const std::function<Specimen(const Region&)>& specimen_of) {
-    const test::JointedTest joint{angle * test::degree, 5 * test::MPa};
-    Region region = mesher::rectangle(0.06, 0.2);
+void verify_jaeger(const std::string& name, double angle, const std::function<Specimen(const mesher::Region&)>& specimen_of) {
+    const JointedTest joint{angle * degree, 5 * MPa};
+    mesher::Region region = mesher::rectangle(0.06, 0.2);
     region.edges = {joint_through(joint.angle, 0, ContactKind::pre_existing_crack)};
     SimulationRequest request = joint.request();
     request.mass_scaling = true;
     request.material.fabric.flaws["joint"].friction_angle = joint.friction_angle;
-    request.material.contact.friction_angle = 50 * test::degree;
+    request.material.contact.friction_angle = 50 * degree;
     request.contact = contact_parameters(request.material, request.plane, {});
     const TestOutcome outcome = run_test(specimen_of(region), request, "joint", Verbosity::quiet);
     verify(fmt::format("specimens: strength of a flaw{} at {} deg under 5 MPa (MPa)", name, angle),
-           outcome.header.peak_axial_stress / test::MPa, joint.strength() / test::MPa, 0.02, "Jaeger (1960), to 2 %");
+           outcome.header.peak_axial_stress / MPa, joint.strength() / MPa, 0.02, "Jaeger (1960), to 2 %");
 }
 
-TEST(Flaws, APlaneOfWeaknessSlidesAtJaegersStrength) {
+// A plane of weakness has Jaeger's strength (tests/support/jointed_test.hpp) to 2 %, in grains of triangles and in crystals.
+TEST(Flaws, SlideAtJaegersStrength) {
+    using enum mesher::Tessellation;
     for (const double angle : {50.0, 62.0}) {
-        verify_jaeger("", angle, [](const Region& region) { return flawed_specimen(region, 5e-3, 1); });
+        verify_jaeger("", angle, [](const mesher::Region& region) { return flawed_specimen(region, 5e-3, 1); });
+        verify_jaeger(" of crystals (trigon)", angle,
+                      [](const mesher::Region& region) { return crystals_of_classes(region, 8e-3, 4e-3, trigon); });
+        verify_jaeger(" of crystals (voronoi)", angle,
+                      [](const mesher::Region& region) { return crystals_of_classes(region, 8e-3, 4e-3, voronoi); });
     }
 }
 
-TEST(Flaws, APlaneOfWeaknessOfCrystalsSlidesAtJaegersStrength) {
-    for (const auto tessellation : {mesher::Tessellation::voronoi, mesher::Tessellation::trigon}) {
-        const bool is_trigon = tessellation == mesher::Tessellation::trigon;
-        for (const double angle : {50.0, 62.0}) {
-            verify_jaeger(is_trigon ? " of crystals (trigon)" : " of crystals (voronoi)", angle,
-                          [&](const Region& region) { return crystals_of_classes(region, 8e-3, 4e-3, tessellation); });
-        }
-    }
-}
-
-TEST(Flaws, JointedRockHasItsModulus) {
+// 1/E' = 1/E + cos⁴β/(kn s) + sin²β cos²β/(ks s) for joints at β every s: 17.02 GPa at 0°, 14.54 GPa at 30°, to 2 %.
+TEST(Flaws, GiveJointedRockItsModulus) {
     constexpr double width = 0.06;
     constexpr double height = 0.12;
     for (const auto& [angle, expected] : {std::pair{0.0, 17.02}, std::pair{30.0, 14.54}}) {
-        const double spacing = height * std::cos(angle * test::degree) / 6;  // so the length of the joints is area over spacing
-        Region region = mesher::rectangle(width, height);
+        const double spacing = height * std::cos(angle * degree) / 6;  // so the length of the joints is area over spacing
+        mesher::Region region = mesher::rectangle(width, height);
         for (int k = -5; k < 5; ++k) {
-            region.edges.push_back(joint_through(angle * test::degree, (k + 0.5) * spacing, ContactKind::grain_boundary));
+            region.edges.push_back(joint_through(angle * degree, (k + 0.5) * spacing, ContactKind::grain_boundary));
         }
         std::erase_if(region.edges, [&](const mesher::PrescribedEdge& edge) { return mesher::clip(region, edge).empty(); });
-        SimulationRequest request = test::JointedTest{}.request();
+        SimulationRequest request = JointedTest{}.request();
         request.loading.test = TestKind::uniaxial;
         request.loading.confining_pressure = 0;
         request.loading.max_strain = 2e-4;
         request.loading.platen_friction = 0;
-        request.plane = plane;
+        request.plane = plane_of_flaws;
         request.mass_scaling = true;
-        ContactParameters stiffness = contact_parameters(request.material, plane, {});
+        ContactParameters stiffness = contact_parameters(request.material, plane_of_flaws, {});
         request.material.contact.normal_stiffness = 20 * stiffness.normal_stiffness;
         request.material.contact.shear_stiffness = 20 * stiffness.shear_stiffness;
-        request.contact = contact_parameters(request.material, plane, {});
+        request.contact = contact_parameters(request.material, plane_of_flaws, {});
         request.material.fabric.flaws["joint"].normal_stiffness = 50e9 / spacing;
         request.material.fabric.flaws["joint"].shear_stiffness = 10e9 / spacing;
         const TestOutcome outcome = run_test(flawed_specimen(region, 4e-3, 1), request, "joints", Verbosity::quiet);
@@ -468,4 +454,4 @@ TEST(Flaws, JointedRockHasItsModulus) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

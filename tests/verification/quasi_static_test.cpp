@@ -11,11 +11,8 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/verify.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::MPa;
-using test::verify;
 
 constexpr double confining_pressure = 8 * MPa;
 
@@ -36,15 +33,15 @@ Outcome run(TestKind test, double rate) {
     SimulationRequest request;
     request.loading.test = test;
     request.loading.platen_speed = rate;
-    request.loading.platen_friction = 5 * test::degree;
+    request.loading.platen_friction = 5 * degree;
     request.loading.confining_pressure = test == TestKind::triaxial ? confining_pressure : 0;
-    request.material = test::augig_granite();
+    request.material = augig_granite();
     request.plane = test == TestKind::brazilian ? PlaneCondition::stress : PlaneCondition::strain;
-    request.contact = test::augig_contact(request.plane, FractureEnergyChoice::Kind::mode_i);
+    request.contact = augig_contact(request.plane, FractureEnergyChoice::Kind::mode_i);
     request.loading.max_strain = 0.01;  // confined specimens still harden at this strain
     request.peak_drop = 0.1;
     request.frames = 0;
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string file = folder.file("run.h5");
     const SimulationSummary summary = simulate(specimen_of(test), request, file, Verbosity::quiet, {});
     Outcome outcome{summary.header, 0, summary.cracks.tensile + summary.cracks.shear};
@@ -88,10 +85,12 @@ void expect_quasi_static(TestKind test, double rate) {
     }
 }
 
-// At 8 mm/s a platen crosses 1e-5 of a specimen's height while a wave crosses the specimen.
-TEST(QuasiStatic, Uniaxial) { expect_quasi_static(TestKind::uniaxial, 16e-3); }
-TEST(QuasiStatic, Triaxial) { expect_quasi_static(TestKind::triaxial, 8e-3); }
-TEST(QuasiStatic, Brazilian) { expect_quasi_static(TestKind::brazilian, 8e-3); }
+// At 8 mm/s a platen crosses 1e-5 of a specimen's height while a wave crosses the specimen: the platen forces agree to 2 %
+// (confined 5 %), kinetic over strain energy is below 1e-3, the energy balance closes to 0.5 %, and half the rate gives the same
+// peak to 2 %.
+TEST(QuasiStatic, HoldsInCompression) { expect_quasi_static(TestKind::uniaxial, 16e-3); }
+TEST(QuasiStatic, HoldsUnderConfinement) { expect_quasi_static(TestKind::triaxial, 8e-3); }
+TEST(QuasiStatic, HoldsInADisc) { expect_quasi_static(TestKind::brazilian, 8e-3); }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -3,7 +3,7 @@ r"""
 title = "Bar with interfaces: modulus and dispersion"
 section = "dynamics"
 program = "physics_tests"
-tests = ["Bar.ModulusWithInterfaces", "Bar.WavesWithInterfaces"]
+tests = ["Bar.HasTheModulusOfItsInterfaces", "Bar.DispersesWavesByItsInterfaces"]
 statement = "A bar with a spring every s: how stiff is it, how fast are long waves, and which frequency has a wave of which length?"
 theory = '$$\frac{1}{E_{eff}} = \frac{1}{E} + \frac{1}{k s}, \qquad \cos q s = \cos \frac{\omega s}{c} - \frac{\omega Z}{2 k} \sin \frac{\omega s}{c}, \quad Z = \rho c.$$'
 source = "Bloch's theorem for a periodic bar."

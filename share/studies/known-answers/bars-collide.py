@@ -3,7 +3,7 @@ r"""
 title = "Two equal bars collide"
 section = "dynamics"
 program = "physics_tests"
-tests = ["Bar.TwoEqualBarsExchangeTheirVelocities"]
+tests = ["Bar.ExchangesItsVelocityWithAnEqualBar"]
 statement = "A bar hits an equal one at rest: contact time, stress, and both velocities afterwards."
 theory = '$$t = 2 L/c_0, \qquad \sigma = \rho c_0 v/2,$$ and the velocities are exchanged.'
 source = "St. Venant's theory of impact."

@@ -3,7 +3,7 @@ r"""
 title = "A block slides down a slope"
 section = "dynamics"
 program = "physics_tests"
-tests = ["Program.ABlockSlidesDownASlope"]
+tests = ["Program.LetsABlockSlideDownASlope"]
 statement = "A block that has settled on a slope is left to a friction below the slope: with which acceleration does it slide?"
 theory = '$$\ddot s = g (\sin \alpha - \cos \alpha \tan \varphi),$$ and none where the slope is less than φ.'
 source = "Coulomb's friction."

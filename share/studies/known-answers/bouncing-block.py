@@ -3,7 +3,7 @@ r"""
 title = "A block bounces on a penalty floor"
 section = "dynamics"
 program = "physics_tests"
-tests = ["Platen.ABlockBounces"]
+tests = ["Platen.LetsABlockBounceAsASpring"]
 statement = "A block hits a floor of springs: how long does it stay, and with which speed does it leave?"
 theory = '$$t = \pi \sqrt{m/k},$$ and the speed of before.'
 source = "Harmonic oscillator."

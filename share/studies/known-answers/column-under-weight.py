@@ -3,7 +3,7 @@ r"""
 title = "Column under its weight"
 section = "dynamics"
 program = "physics_tests"
-tests = ["Program.AColumnCarriesItsWeight"]
+tests = ["Program.LetsAColumnCarryItsWeight"]
 statement = "A column settles under gravity: stress along its height and force at its foot."
 theory = '$$\sigma_{yy} = -\rho g (h/2 - y).$$'
 source = "Equilibrium."

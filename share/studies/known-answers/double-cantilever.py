@@ -3,7 +3,7 @@ r"""
 title = "Double cantilever"
 section = "specimens"
 program = "verification_tests"
-tests = ["Fracture.DoubleCantileverUnderEndMoments", "Fracture.DoubleCantileverUnderForces"]
+tests = ["Fracture.OpensADoubleCantileverUnderEndMoments", "Fracture.OpensADoubleCantileverUnderForces"]
 statement = "Two arms on an interface are bent apart: at which moment does the crack run, at which force?"
 theory = '$$M_c = \sqrt{G_f E h^3/12}, \qquad F_c = \frac{M_c}{a + 0.64 h}.$$'
 source = "Beam theory, with the rotation of the root for forces."

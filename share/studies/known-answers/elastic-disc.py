@@ -3,7 +3,7 @@ r"""
 title = "Elastic disc between two points"
 section = "specimens"
 program = "verification_tests"
-tests = ["ElasticDisc.StressOfTwoPointLoads"]
+tests = ["ElasticDisc.HasTheStressOfTwoPointLoads"]
 statement = "The Brazilian test before it cracks: stress in the centre and along the horizontal diameter."
 theory = '$$\sigma_x = \frac{2 P}{\pi D t} \left[\frac{D^2 - 4 x^2}{D^2 + 4 x^2}\right]^2, \qquad \sigma_y(0) = -\frac{6 P}{\pi D t}.$$'
 source = "Hertz; Timoshenko & Goodier, Theory of Elasticity."

@@ -3,7 +3,7 @@ r"""
 title = "Energy balance through failure"
 section = "dynamics"
 program = "physics_tests"
-tests = ["EnergyBalance.ClosesThroughFailure", "EnergyBalance.ClosesThroughFailureInTension"]
+tests = ["EnergyBalance.ClosesThroughFailure"]
 statement = "Every term of the energy is computed from its own definition. Does their sum equal the external work while a specimen breaks?"
 theory = '$$W_{external} = E_{strain} + E_{contact} + E_{kinetic} + D_{fracture} + D_{friction} + D_{damping} + D_{platen}.$$'
 source = "Conservation of energy; no term is a remainder."

@@ -3,7 +3,7 @@ r"""
 title = "Fracture energy of an interface that is pulled apart"
 section = "specimens"
 program = "verification_tests"
-tests = ["Fracture.StraightInterfaceTakesItsFractureEnergy"]
+tests = ["Fracture.TakesItsEnergyOnAStraightInterface"]
 statement = "A straight interface is pulled apart: which energy does it take?"
 theory = '$$W_{external} - W_{elastic} - W_{kinetic} - W_{damping} = G_f A.$$'
 source = "Definition of the fracture energy."

@@ -3,7 +3,7 @@ r"""
 title = "Jaeger's plane of weakness"
 section = "specimens"
 program = "physics_tests"
-tests = ["Joint.TwoBlocksSlideAtJaegersStrengthWithDefaultOptions"]
+tests = ["Joint.SlidesAtJaegersStrengthWithDefaultOptions"]
 statement = "A specimen with a joint at the angle β, under a pressure: at which axial stress does the joint slide?"
 theory = '$$\sigma_1 = \sigma_3 + \frac{2 (c + \sigma_3 \tan \varphi)}{(1 - \tan \varphi/\tan \beta) \sin 2 \beta}.$$'
 source = "Jaeger (1960), Geological Magazine 97; Jaeger, Cook & Zimmerman, Fundamentals of Rock Mechanics, § 4.8."

@@ -3,7 +3,7 @@ r"""
 title = "A joint in direct shear, forth and back"
 section = "specimens"
 program = "physics_tests"
-tests = ["Program.AJointShearsAtItsFriction"]
+tests = ["Program.ShearsAJointAtItsFriction"]
 statement = "A joint under a constant pressure is sheared forth and back: which force does it bear?"
 theory = '$$T = \pm N \tan \varphi.$$'
 source = "Coulomb's friction, as signed increments."

@@ -3,7 +3,7 @@ r"""
 title = "Moduli of an equilateral lattice"
 section = "elements"
 program = "physics_tests"
-tests = ["Moduli.OfAnEquilateralLattice", "Moduli.OfRandomMeshes"]
+tests = ["Moduli.AreThoseOfAnEndlessEquilateralLattice", "Moduli.AreThoseOfTheIsotropicFormulaInRandomMeshes"]
 statement = "Grains with elastic contacts: E and ν of the whole."
 theory = '$$\frac{1}{E_{eff}} = \frac{1}{E} + S_v \left(\frac{3}{8 k_n} + \frac{1}{8 k_s}\right), \qquad \nu_{eff} = \left[\frac{\nu}{E} - \frac{S_v}{8} \left(\frac{1}{k_n} - \frac{1}{k_s}\right)\right] E_{eff}, \quad S_v = \frac{2 \sqrt 3}{a}.$$'
 source = "Compliances of the contacts by direction; for random meshes S_v is their length per area."

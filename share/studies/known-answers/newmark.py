@@ -3,7 +3,7 @@ r"""
 title = "Newmark's sliding block"
 section = "dynamics"
 program = "verification_tests"
-tests = ["Newmark.SlidesOnALevelBase", "Newmark.SlidesOnASlope"]
+tests = ["NewmarkBlock.SlidesAsNewmarkHasIt"]
 statement = "A base with a block on it is accelerated by $a$ over $t$ and then keeps its speed. How far does the block slide?"
 caption = "Left: base and block. Right: slip, computed and exact: 1 g for 0.1 s on a level base, and for 0.08 s up a slope of 10°; φ 20°."
 theory = '''

@@ -3,7 +3,7 @@ r"""
 title = "Rayleigh wave on a free surface"
 section = "dynamics"
 program = "verification_tests"
-tests = ["Rayleigh.PlaneStrain", "Rayleigh.PlaneStress"]
+tests = ["RayleighWave.HasItsSpeedAndItsMode"]
 statement = "How fast is a wave along a free surface, and how far do its points move along and across it?"
 caption = "Left: half a wavelength between smooth walls. Right: velocities of two points of the surface over six periods, plane strain."
 theory = '''

@@ -3,7 +3,7 @@ r"""
 title = "Rocking block"
 section = "dynamics"
 program = "verification_tests"
-tests = ["RockingBlock.FallsFromHalfOfItsSlenderness", "RockingBlock.FallsFromFourFifthsOfItsSlenderness"]
+tests = ["RockingBlock.FallsAsHousnerHasIt"]
 statement = "A slender block leans on one of its edges and is let go. When does it stand upright, and how far does it lean to the other side?"
 caption = "Left: the block. Right: its turn over its slenderness α = atan(b/h); dashed: how far it would lean after an impact without rebound."
 theory = '''

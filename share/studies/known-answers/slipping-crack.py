@@ -3,7 +3,7 @@ r"""
 title = "A slipping crack under a cycle of load"
 section = "specimens"
 program = "verification_tests"
-tests = ["SlippingCrack.LoopOfRigidHalves", "SlippingCrack.AsBradyHasIt"]
+tests = ["SlippingCrack.HasTheLoopOfRigidHalves", "SlippingCrack.IsThatOfBrady"]
 statement = "A block with an inclined joint is compressed and released. The middle part of the joint has friction only, the rest is elastic. The middle slips while the load rises, sticks when it begins to fall, and slips back; friction takes the area of the loop."
 caption = "Left: block, joint and its slipping part. Right: loops of both joints and their closed forms, less the line of loading."
 theory = '''

@@ -3,7 +3,7 @@ r"""
 title = "Spinning disc"
 section = "elements"
 program = "physics_tests"
-tests = ["SpinningDisc.WholeTurnUnderItsCentrifugalStress"]
+tests = ["SpinningDisc.BearsItsCentrifugalStressThroughAWholeTurn"]
 statement = "A disc that turns by itself: stress in its centre, and whether it stays through a whole turn."
 theory = '$$\sigma(0) = \frac{3 + \nu}{8} \rho \omega^2 R^2.$$'
 source = "Timoshenko & Goodier, Theory of Elasticity."

@@ -3,7 +3,7 @@ r"""
 title = "Minerals that expand unlike"
 section = "phases"
 program = "physics_tests"
-tests = ["Temperature.OneMineralThatIsClampedIsPressed", "Temperature.ARoundGrainOfQuartzIsPressedByFeldspar", "Temperature.AStripOfTwoLayersBends", "Temperature.ARingThatIsWarmerInsideIsPressedThere", "Minerals.LaminatesExpandByMeansOfTheirMinerals", "Temperature.AClampedPairOfMineralsOpens"]
+tests = ["Temperature.PressesAClampedMineral", "Temperature.PressesARoundGrainOfQuartzInFeldspar", "Temperature.BendsAStripOfTwoLayers", "Temperature.PressesTheWarmInsideOfARing", "Minerals.ExpandByTheirMeansInLaminates", "Temperature.OpensAClampedPairOfMinerals"]
 rows = ["clamped", "quartz", "strip", "ring, plane strain", "laminate"]
 statement = "What stress do minerals make that expand by different amounts, 100 K warmer?"
 caption = '''

@@ -3,7 +3,7 @@ r"""
 title = "Toppling and sliding of a block on a slope"
 section = "dynamics"
 program = "verification_tests"
-tests = ["TiltedBlock.TopplesOrSlidesAtTheLowerOfBothSlopes", "TiltedBlock.WhatSlidesTopplesOnlyBelowTheTangentOfItsFriction"]
+tests = ["TiltedBlock.TopplesOrSlidesAtTheLowerOfBothSlopes", "TiltedBlock.TopplesWhileItSlidesBelowTheTangentOfItsFriction"]
 statement = "A block of the width b and the height h stands on a base that is tilted. At which slope does it topple, at which does it slide?"
 caption = "Left: the block. Right: slope at which it moves, for friction of 20° and 30°."
 theory = '''

@@ -3,7 +3,7 @@ r"""
 title = "A pulse at the boundary of two minerals, and a laminate"
 section = "phases"
 program = "physics_tests"
-tests = ["Minerals.APulseIsSharedAtTheBoundaryOfTwoMinerals", "Minerals.ALaminateInSeriesHasTheModulusOfReuss", "Minerals.ALaminateInParallelHasTheModulusOfVoigt"]
+tests = ["Minerals.ShareAPulseAtTheirBoundary", "Minerals.HaveTheModulusOfReussInSeries", "Minerals.HaveTheModulusOfVoigtInParallel"]
 statement = "A pulse meets the boundary of quartz and biotite: what passes, what comes back? How stiff is a laminate?"
 theory = '$$T = \frac{2 Z_2}{Z_1 + Z_2}, \quad R = \frac{Z_2 - Z_1}{Z_1 + Z_2}, \qquad \frac{1}{E_R} = \sum \frac{f_i}{E_i}, \quad E_V = \sum f_i E_i.$$'
 source = "Continuity of stress and velocity; Voigt (1889), Reuss (1929)."

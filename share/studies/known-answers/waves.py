@@ -3,7 +3,7 @@ r"""
 title = "Waves in a bar and their reflections"
 section = "dynamics"
 program = "physics_tests"
-tests = ["Program.AWaveRunsAndIsReflected"]
+tests = ["Program.SendsWavesThatAreReflected"]
 statement = "A pulse of stress at one end of a bar: speed, velocity of the points, and what comes back from a free and from a held end."
 theory = '$$c_P^2 = \frac{\lambda + 2 \mu}{\rho}, \quad c_S^2 = \frac{\mu}{\rho}, \quad c_0^2 = \frac{E}{\rho}, \qquad v = \frac{\sigma}{\rho c};$$ a free end gives back the same velocity, a held end the opposite one.'
 source = "Achenbach (1973), Wave Propagation in Elastic Solids."

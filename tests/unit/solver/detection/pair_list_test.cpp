@@ -12,12 +12,10 @@
 #include "solver/detection/pair_search.hpp"
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
-using test::SmallRun;
-
-SmallRun grid() { return {test::jittered_grid(8, 8, 0.04, 0.04, 0.25), test::augig_law()}; }
+SmallRun grid() { return {jittered_grid(8, 8, 0.04, 0.04, 0.25), augig_law()}; }
 
 /// A number for each grain, the same in each call.
 std::vector<Vector2> vectors_of_grains(const SmallRun& run, double size) {
@@ -29,7 +27,7 @@ std::vector<Vector2> vectors_of_grains(const SmallRun& run, double size) {
 }
 
 double distance(const SmallRun& run, const CandidatePair& pair) {
-    const auto [first, second] = run.assemblage.surface.edges[static_cast<std::size_t>(pair.edge)].nodes;
+    const auto [first, second] = run.assemblage.surface.edges[pair.edge].nodes;
     const Vector2 p = position_of(run.assemblage, run.state, pair.node);
     const Vector2 q = position_of(run.assemblage, run.state, first);
     const Vector2 along = position_of(run.assemblage, run.state, second) - q;
@@ -44,8 +42,7 @@ std::vector<CandidatePair> all_pairs(const SmallRun& run, const Holds& holds) {
     std::vector<CandidatePair> pairs;
     for (std::int32_t node = 0; node < run.assemblage.n_nodes(); ++node) {
         for (std::int32_t edge = 0; edge < static_cast<std::int32_t>(surface.edges.size()); ++edge) {
-            const bool is_own =
-                surface.edges[static_cast<std::size_t>(edge)].grain == surface.grain_of_node[static_cast<std::size_t>(node)];
+            const bool is_own = surface.edges[edge].grain == surface.grain_of_node[node];
             if (!is_own && holds(CandidatePair{node, edge})) pairs.push_back({node, edge});
         }
     }
@@ -55,13 +52,11 @@ std::vector<CandidatePair> all_pairs(const SmallRun& run, const Holds& holds) {
 // Grains that nothing links, scattered by up to a tenth of their size: pairs are near or not, whatever cells they lie in.
 TEST(PairSearch, FindsThePairsNearerThanTheMarginAmongAll) {
     SmallRun run = grid();
-    ContactPairList& list = run.state.contact_pairs;
-    std::fill(list.debonded.begin(), list.debonded.end(), std::uint8_t{1});
-    std::fill(list.released.begin(), list.released.end(), std::uint8_t{1});
+    loosen(run);
     const double edge = run.assemblage.surface.mean_length;
     const std::vector<Vector2> shifts = vectors_of_grains(run, 0.1 * edge);
     for (std::size_t i = 0; i < run.state.displacement.size(); ++i) {
-        run.state.displacement[i] = shifts[static_cast<std::size_t>(run.assemblage.surface.grain_of_node[i])];
+        run.state.displacement[i] = shifts[run.assemblage.surface.grain_of_node[i]];
     }
     for (const double margin : {0.01 * edge, 0.04 * edge, 0.3 * edge}) {
         const auto expected = all_pairs(run, [&](const CandidatePair& pair) { return distance(run, pair) <= margin; });
@@ -71,7 +66,7 @@ TEST(PairSearch, FindsThePairsNearerThanTheMarginAmongAll) {
 }
 
 // Where all is bonded, nothing is exposed but the outline, whose nodes are linked with all that is near.
-TEST(PairSearch, ABondedSpecimenHasNone) {
+TEST(PairSearch, FindsNoneInABondedSpecimen) {
     SmallRun run = grid();
     EXPECT_TRUE(find_pairs(run.assemblage, 0.04 * run.assemblage.surface.mean_length, run.state).empty());
 }
@@ -80,11 +75,10 @@ TEST(PairSearch, ABondedSpecimenHasNone) {
 TEST(PairList, HasWhatTouchesBeforeItsNextUpdate) {
     SmallRun run = grid();
     ContactPairList& list = run.state.contact_pairs;
-    std::fill(list.debonded.begin(), list.debonded.end(), std::uint8_t{1});
-    std::fill(list.released.begin(), list.released.end(), std::uint8_t{1});
+    loosen(run);
     const std::vector<Vector2> velocities = vectors_of_grains(run, 10);
     for (std::size_t i = 0; i < run.state.velocity.size(); ++i) {
-        run.state.velocity[i] = velocities[static_cast<std::size_t>(run.assemblage.surface.grain_of_node[i])];
+        run.state.velocity[i] = velocities[run.assemblage.surface.grain_of_node[i]];
     }
     run.begin();
     const double edge = run.assemblage.surface.mean_length;
@@ -106,4 +100,4 @@ TEST(PairList, HasWhatTouchesBeforeItsNextUpdate) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

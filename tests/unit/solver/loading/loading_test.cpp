@@ -12,23 +12,21 @@
 #include "solver/program/program_file.hpp"
 #include "solver/program/standard_tests.hpp"
 #include "tests/support/augig_granite.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
-using test::expect_close;
-
-Specimen specimen() { return test::one_diagonal_grid(4, 8, 0.04, 0.08); }
+Specimen specimen() { return one_diagonal_grid(4, 8, 0.04, 0.08); }
 const double transit = 0.08 / std::sqrt(25.8e9 / 2650);  // of a bar wave
 
 /// A program that is told what its specimen answers.
 class LedPlatens {
 public:
     explicit LedPlatens(const LoadingRequest& request, double peak_drop = 0.3)
-        : LedPlatens(standard_test(request, peak_drop, specimen(), test::augig_granite().rock)) {}
-    explicit LedPlatens(Program of) : program(std::move(of)), stages(program, specimen(), test::augig_granite().rock) {}
+        : LedPlatens(standard_test(request, peak_drop, specimen(), augig_granite().rock)) {}
+    explicit LedPlatens(Program of) : program(std::move(of)), stages(program, specimen(), augig_granite().rock) {}
     void row(double at, double stress = 0, double unbalanced = 1, Feedback feedback = {}, double cracks = 0,
              std::optional<double> strain = std::nullopt) {
         for (auto& column : history.columns) column.push_back(0);
@@ -56,14 +54,23 @@ public:
     std::function<void()> places;  ///< what happens to the platens before a stage starts
 };
 
-TEST(StandardTest, WithoutDampingAFallOutlastsAWave) {
+LoadingRequest triaxial_request() {
+    LoadingRequest request;
+    request.test = TestKind::triaxial;
+    request.confining_pressure = 4e6;
+    return request;
+}
+/// A program of stages.
+LedPlatens led_by(const std::string& text) { return LedPlatens(parse_program("name = \"led\"\n" + text, "led.toml")); }
+
+// Without damping a fall counts that outlasts a wave: two transits.
+TEST(StandardTest, EndsAtAFallThatOutlastsAWaveWithoutDamping) {
     const auto ends_after = [](double damping, double transits) {
         LedPlatens led(LoadingRequest{});
         led.damping = damping;
         led.row(0);
         led.row(transit, -100e6, 1, {}, 5);
-        const double begin = 1.25 * transit;
-        for (double time = begin; time <= begin + transits * transit; time += 0.25 * transit) {
+        for (double time = 1.25 * transit; time <= (1.25 + transits) * transit; time += 0.25 * transit) {
             if (!led.stages.finished()) led.row(time, -50e6, 1, {}, 5);
         }
         return led.stages.finished();
@@ -97,14 +104,10 @@ TEST(StandardTest, StartsSmoothlyAndKeepsItsSpeed) {
     }
 }
 
-TEST(StandardTest, PressureFirstThenPlatens) {
-    LoadingRequest request;
-    request.test = TestKind::triaxial;
-    request.confining_pressure = 4e6;
-    LedPlatens led(request);
+TEST(StandardTest, AppliesThePressureBeforeThePlatens) {
+    LedPlatens led(triaxial_request());
     const double dt = transit;
-    double time = 0;
-    double pressure = 0;
+    double time = 0, pressure = 0;
     led.row(0);
     for (int i = 0; i < 10000 && led.is_isotropic(); ++i) {
         static_cast<void>(led.stages.next(dt));
@@ -124,15 +127,12 @@ TEST(StandardTest, PressureFirstThenPlatens) {
         led.row(time, -5e6, 1);
         EXPECT_EQ(led.pressure(time), 4e6);
     }
-    EXPECT_EQ(led.stages.platens().speed(), request.platen_speed);
+    EXPECT_EQ(led.stages.platens().speed(), LoadingRequest{}.platen_speed);
 }
 
 // At rest is a specimen that bears what it should: a low unbalanced ratio alone is none where the servo has not arrived.
-TEST(StandardTest, TheIsotropicStageWaitsForTheServo) {
-    LoadingRequest request;
-    request.test = TestKind::triaxial;
-    request.confining_pressure = 4e6;
-    LedPlatens led(request);
+TEST(StandardTest, WaitsForTheServoInItsIsotropicStage) {
+    LedPlatens led(triaxial_request());
     led.row(0);
     const auto go = [&](double from, double to, double stress) {
         for (double time = from; time < to; time += transit) {
@@ -146,7 +146,7 @@ TEST(StandardTest, TheIsotropicStageWaitsForTheServo) {
     EXPECT_FALSE(led.is_isotropic());
 }
 
-TEST(StandardTest, AutomaticFollowsTheMeasuresInTheSenseOfTheTest) {
+TEST(StandardTest, MovesItsPlatensInItsSenseAtTheAutomaticRate) {
     for (const TestKind test : {TestKind::uniaxial, TestKind::tension}) {
         LoadingRequest request;
         request.test = test;
@@ -154,8 +154,7 @@ TEST(StandardTest, AutomaticFollowsTheMeasuresInTheSenseOfTheTest) {
         LedPlatens led(request);
         const double sense = test == TestKind::tension ? -1 : 1;
         const double time_step = 1e-7;
-        double time = 0;
-        double travel = 0;
+        double time = 0, travel = 0;
         for (int i = 0; i < 50; ++i) {
             led.row(time, 0, 0, {.stored_energy = 100});
             const std::int64_t steps = led.stages.interval_steps(time_step);
@@ -172,7 +171,7 @@ TEST(StandardTest, AutomaticFollowsTheMeasuresInTheSenseOfTheTest) {
     }
 }
 
-TEST(StandardTest, BlocksRestBetweenThem) {
+TEST(StandardTest, RestsBetweenBlocks) {
     LoadingRequest request;
     request.rate = RateKind::blocks;
     request.block_steps = 100;
@@ -196,24 +195,13 @@ TEST(StandardTest, BlocksRestBetweenThem) {
     }
 }
 
-TEST(StandardTest, BlocksEndWithASpecimenThatDoesNotComeToRest) {
-    LoadingRequest request;
-    request.rate = RateKind::blocks;
-    LedPlatens led(request);
-    led.row(0);
-    test::expect_one_line<NumericalError>(
-        [&] {
-            for (int i = 0; i < 1000; ++i) static_cast<void>(led.stages.next(transit));
-        },
-        {"no equilibrium", "--rate-tolerance"});
-}
-
-TEST(StandardTest, TheLongestWayIsSpeedingUpAndAllOfItAtTheSlowestSpeed) {
+// Speeding up over ten transits, and the whole travel at the slowest speed.
+TEST(StandardTest, TakesLongestAtItsSlowestSpeed) {
     const auto longest = [](const LoadingRequest& request) { return LedPlatens(request).stages.longest().time; };
     LoadingRequest request;
     request.max_strain = 0.01;
     const double travel = 0.5 * 0.01 * 0.08;
-    expect_close(longest(request), 10 * transit + travel / 5e-3, 1e-12, 1);  // the platens speed up over ten transits
+    expect_close(longest(request), 10 * transit + travel / 5e-3, 1e-12, 1);
     request.rate = RateKind::blocks;
     expect_close(longest(request), travel / (0.8 * 5e-3), 1e-12, 1);
     request.rate = RateKind::automatic;
@@ -223,51 +211,48 @@ TEST(StandardTest, TheLongestWayIsSpeedingUpAndAllOfItAtTheSlowestSpeed) {
     expect_close(slow, 2 * longest(request), 1e-3, slow);
 }
 
-TEST(StandardTest, GivesUpOnASpecimenThatDoesNotSettle) {
-    LoadingRequest request;
-    request.test = TestKind::triaxial;
-    request.confining_pressure = 4e6;
-    LedPlatens led(request);
-    led.row(0);
-    test::expect_one_line<NumericalError>(
-        [&] {
-            for (int i = 1; i < 100000; ++i) {
-                static_cast<void>(led.stages.next(transit));
-                led.row(i * transit, -1e6, 1);
-            }
-        },
-        {"triaxial", "stage isotropic", "ended by time, not by rest", "--damping"});
+TEST(StandardTest, GivesUpOnASpecimenThatDoesNotComeToRest) {
+    Refusals refused;
+    refused.add<NumericalError>("in blocks", [] {
+        LoadingRequest request;
+        request.rate = RateKind::blocks;
+        LedPlatens led(request);
+        led.row(0);
+        for (int i = 0; i < 1000; ++i) static_cast<void>(led.stages.next(transit));
+    });
+    refused.add<NumericalError>("under pressure", [] {
+        LedPlatens led(triaxial_request());
+        led.row(0);
+        for (int i = 1; i < 100000; ++i) {
+            static_cast<void>(led.stages.next(transit));
+            led.row(i * transit, -1e6, 1);
+        }
+    });
+    expect_golden(refused.text());
 }
 
-TEST(StandardTest, EndsBehindThePeakOfACrackedSpecimen) {
-    LedPlatens led(LoadingRequest{});
-    led.row(0);
-    led.row(1e-5, -10e6);
-    led.row(2e-5, -1e6);  // nothing has failed: what swings is no peak
-    EXPECT_FALSE(led.stages.finished());
-    led.row(3e-5, -100e6, 1, {}, 1);
-    led.row(4e-5, -71e6, 1, {}, 1);
-    EXPECT_FALSE(led.stages.finished());
-    led.row(5e-5, -69e6, 1, {}, 1);
-    EXPECT_TRUE(led.stages.finished());
-    EXPECT_EQ(led.stages.records().back().ended_by, "peak_drop");
+TEST(StandardTest, EndsBehindThePeakOfACrackedSpecimenUnlessItHasNoDrop) {
+    for (const double peak_drop : {0.3, 0.0}) {
+        LedPlatens led(LoadingRequest{}, peak_drop);
+        led.row(0);
+        led.row(1e-5, -10e6);
+        led.row(2e-5, -1e6);  // nothing has failed: what swings is no peak
+        led.row(3e-5, -100e6, 1, {}, 1);
+        led.row(4e-5, -71e6, 1, {}, 1);
+        EXPECT_FALSE(led.stages.finished());
+        led.row(5e-5, -69e6, 1, {}, 1);
+        EXPECT_EQ(led.stages.finished(), peak_drop > 0);
+        EXPECT_TRUE(peak_drop == 0 || led.stages.records().back().ended_by == "peak_drop");
+    }
 }
 
-TEST(StandardTest, WithoutADropItGoesOn) {
-    LedPlatens led(LoadingRequest{}, 0);
-    led.row(0);
-    led.row(1e-5, -100e6, 1, {}, 1);
-    led.row(2e-5, 0, 1, {}, 1);
-    EXPECT_FALSE(led.stages.finished());
-}
-
-TEST(StandardTest, SupportsOfTheTests) {
+TEST(StandardTest, HasThePlatensAndTheMembraneOfItsKind) {
     const Specimen s = specimen();
-    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
-    const ContactParameters contact = test::augig_contact();
+    const Assemblage a = make_assemblage(s, augig_granite().rock, PlaneCondition::strain);
+    const ContactParameters contact = augig_contact();
     LoadingRequest request;
-    request.platen_friction = 5 * test::degree;
-    const Boundary uniaxial = test::boundary_of_test(a, s, request, contact);
+    request.platen_friction = 5 * degree;
+    const Boundary uniaxial = boundary_of_test(a, s, request, contact);
     EXPECT_TRUE(uniaxial.prescribed.empty());
     EXPECT_EQ(uniaxial.platens[top_platen].position, 0.04);
     EXPECT_EQ(uniaxial.platens[bottom_platen].side, -1);
@@ -275,7 +260,7 @@ TEST(StandardTest, SupportsOfTheTests) {
     expect_close(uniaxial.platens[top_platen].tan_friction, 0.0874887, 1e-6, 1);  // tan 5°
     EXPECT_FALSE(uniaxial.platens[top_platen].bonded);
     request.confining_pressure = 4e6;
-    const Boundary triaxial = test::boundary_of_test(a, s, request, contact);
+    const Boundary triaxial = boundary_of_test(a, s, request, contact);
     ASSERT_EQ(triaxial.prescribed.edges.size(), 16U);
     for (const LoadedEdge& edge : triaxial.prescribed.edges) {
         expect_close(std::abs(a.position[edge.nodes[0]].x), 0.02, 1e-12, 0.02);
@@ -285,28 +270,20 @@ TEST(StandardTest, SupportsOfTheTests) {
     }
     request = {};
     request.test = TestKind::tension;
-    const Boundary tension = test::boundary_of_test(a, s, request, contact);
+    const Boundary tension = boundary_of_test(a, s, request, contact);
     EXPECT_TRUE(tension.platens[top_platen].bonded);
     EXPECT_EQ(tension.platens[top_platen].shear_stiffness, 0);
     EXPECT_EQ(name_of(TestKind::brazilian), "brazilian");
 }
 
 TEST(StageController, EndsStagesAtWhatIsReachedFirst) {
-    LedPlatens led(parse_program(R"(
-name = "led"
+    LedPlatens led = led_by(R"(
 stages = ["load", "unload", "hold", "load"]
-platens.bonded = false
-[stage.load]
-platen_speed = { to = "4 mm/s", over = "2 ms" }
-until = { time = "10 ms", axial_stress = "-2 MPa" }
-[stage.unload]
-platen_speed = "-2 mm/s"
-until = { time = "10 ms", axial_stress = "-1 MPa" }
-[stage.hold]
-platen_speed = 0.0
-until = { time = "20 ms", rest = 1e-3, peak_drop = 0.5 }
-)",
-                                 "led.toml"));
+platens = {}
+stage.load = { platen_speed = { to = "4 mm/s", over = "2 ms" }, until = { time = "10 ms", axial_stress = "-2 MPa" } }
+stage.unload = { platen_speed = "-2 mm/s", until = { time = "10 ms", axial_stress = "-1 MPa" } }
+stage.hold = { platen_speed = 0.0, until = { time = "20 ms", rest = 1e-3, peak_drop = 0.5 } }
+)");
     IntervalLoading last;
     const auto row = [&](double at, double stress, double unbalanced = 1) {
         led.row(at, stress, unbalanced);
@@ -340,17 +317,15 @@ until = { time = "20 ms", rest = 1e-3, peak_drop = 0.5 }
     EXPECT_EQ(led.stages.records()[3].ended_by, "time");
 }
 
-TEST(StageController, AStageGoesOnFromWhatIsThere) {
-    LedPlatens led(parse_program(R"(
-name = "led"
+TEST(StageController, StartsAStageFromTheValuesThereAre) {
+    LedPlatens led = led_by(R"(
 stages = ["up", "wave", "keep"]
 boundary.a = { on = "top", pressure = "1 MPa" }
 boundary.b = { on = "bottom" }
 stage.up = { a.pressure = { to = "3 MPa", over = "1 ms" }, until.time = "1 ms" }
 stage.wave = { a.pressure = { pulse = "1 MPa", over = "1 ms" }, b.velocity_y = 1.0, until.time = "2 ms" }
 stage.keep = { b.velocity_y = "free", until.time = "1 ms" }
-)",
-                                 "led.toml"));
+)");
     EXPECT_TRUE(std::isnan(led.stages.values(0)[1]));  // free until it is named
     led.row(0, 0);
     EXPECT_EQ(led.stages.values(0)[0], 1e6);
@@ -363,6 +338,12 @@ stage.keep = { b.velocity_y = "free", until.time = "1 ms" }
     EXPECT_TRUE(std::isnan(led.stages.values(3.5e-3)[1]));
 }
 
+LoadingRequest heated_request() {
+    LoadingRequest request;
+    request.rate = RateKind::automatic;
+    request.heat = 300;
+    return request;
+}
 /// A compression test after heating by 300 K, whose specimen is at rest in each row. \return rows of heating
 int heat_through(LedPlatens& led, double near_failure, double stored_energy = 0) {
     Feedback feedback;
@@ -377,10 +358,8 @@ int heat_through(LedPlatens& led, double near_failure, double stored_energy = 0)
     return rows;
 }
 
-TEST(Heating, GoesToItsTemperatureAndToRestBeforeThePlatensCome) {
-    LoadingRequest request;
-    request.heat = 300;
-    LedPlatens led(request);
+TEST(Heating, ReachesItsTemperatureAndRestBeforeThePlatensCome) {
+    LedPlatens led(heated_request());
     led.row(0);
     EXPECT_TRUE(led.stages.is_without_platens());
     EXPECT_EQ(led.stages.interval_steps(transit / 1000), 500);  // half a transit
@@ -405,13 +384,12 @@ TEST(Heating, HasTheTimeOfTheSlowestRate) {
     EXPECT_LT(time, LedPlatens(request).program.stages.front().longest_time);
 }
 
-TEST(Heating, EnergyThatHeatLockedInDoesNotHurryThePlatens) {
-    LoadingRequest request;
-    request.rate = RateKind::automatic;
+TEST(Heating, LeavesThePlatenSpeedAsItIsByTheEnergyItLocksIn) {
+    LoadingRequest request = heated_request();
+    LedPlatens hot(request);
+    request.heat = 0;
     LedPlatens cold(request);
     cold.row(0, 0, 1e-4);
-    request.heat = 300;
-    LedPlatens hot(request);
     constexpr double locked_in = 50;
     heat_through(hot, 0, locked_in);
     const double begin = hot.stages.records().back().end;
@@ -428,12 +406,13 @@ TEST(Heating, EnergyThatHeatLockedInDoesNotHurryThePlatens) {
 }
 
 // Platens are placed, and strains restart, between the row that ends a stage and the stage that has them.
-TEST(StageController, AStageBeginsWithTheStrainsOfItsPlatens) {
-    LedPlatens led(
-        parse_program("name = \"placed\"\ndamping = 0.8\nstages = [\"wait\", \"press\"]\n[platens]\n"
-                      "[stage.wait]\nuntil = { time = \"1 s\" }\n"
-                      "[stage.press]\nplaten_speed = \"1 mm/s\"\nuntil = { axial_strain = \"-0.1 %\" }\n",
-                      "placed.toml"));
+TEST(StageController, CountsStrainsOfAStageFromItsPlatens) {
+    LedPlatens led = led_by(R"(
+stages = ["wait", "press"]
+platens = {}
+stage.wait.until.time = "1 s"
+stage.press = { platen_speed = "1 mm/s", until.axial_strain = "-0.1 %" }
+)");
     led.row(0, 0, 1, {}, 0, 0.0);
     led.places = [&] { led.history[HistoryColumn::axial_strain].back() = 0; };
     led.row(1, 0, 1, {}, 0, -5e-3);
@@ -446,12 +425,13 @@ TEST(StageController, AStageBeginsWithTheStrainsOfItsPlatens) {
 }
 
 // A stage that begins while the specimen is unloaded ends by no fall of that, and by one of its own.
-TEST(StageController, ADropIsCountedUnderLoading) {
-    LedPlatens led(
-        parse_program("name = \"cycle\"\ndamping = 0.8\nstages = [\"load\", \"fail\"]\n[platens]\n"
-                      "[stage.load]\nplaten_speed = \"1 mm/s\"\nuntil = { axial_stress = \"-60 MPa\" }\n"
-                      "[stage.fail]\nplaten_speed = \"1 mm/s\"\nuntil = { peak_drop = 0.3 }\n",
-                      "cycle.toml"));
+TEST(StageController, CountsADropUnderLoadingAlone) {
+    LedPlatens led = led_by(R"(
+stages = ["load", "fail"]
+platens = {}
+stage.load = { platen_speed = "1 mm/s", until.axial_stress = "-60 MPa" }
+stage.fail = { platen_speed = "1 mm/s", until.peak_drop = 0.3 }
+)");
     const auto row = [&](double time, double strain, double stress) {
         led.row(time, -stress, 1e-4, {}, 5, -strain);
         return led.stages.records().size();
@@ -466,14 +446,15 @@ TEST(StageController, ADropIsCountedUnderLoading) {
     EXPECT_EQ(row(7, 1.4e-3, 45e6), 2U);
 }
 
-// A long stage beside a short one does not part its rows, and a stage that goes far beyond the value that ends it says so.
-TEST(StageController, RowsAreThoseOfTheStageThatIsOn) {
-    const auto ends_at = [](double stress) {
-        LedPlatens led(
-            parse_program("name = \"rows\"\ndamping = 0.8\nstages = [\"short\", \"long\"]\n[platens]\n"
-                          "[stage.short]\nplaten_speed = \"1 mm/s\"\nuntil = { time = \"8 ms\", axial_stress = \"-30 MPa\" }\n"
-                          "[stage.long]\nplaten_speed = 0.0\nuntil = { time = \"8 s\" }\n",
-                          "rows.toml"));
+// A long stage beside a short one does not part its rows, and a stage that goes far beyond the value that ends it is reported.
+TEST(StageController, SpacesRowsByTheStageThatIsOn) {
+    const auto overshoots_at = [](double stress) {
+        LedPlatens led = led_by(R"(
+stages = ["short", "long"]
+platens = {}
+stage.short = { platen_speed = "1 mm/s", until = { time = "8 ms", axial_stress = "-30 MPa" } }
+stage.long = { platen_speed = 0.0, until.time = "8 s" }
+)");
         constexpr double time_step = 1e-8;
         led.row(0);
         EXPECT_EQ(led.stages.interval_steps(time_step), std::llround(0.5 * transit / time_step));
@@ -482,19 +463,15 @@ TEST(StageController, RowsAreThoseOfTheStageThatIsOn) {
         EXPECT_EQ(led.stages.interval_steps(time_step), 100000);  // 8 s in 8,000 rows
         return led.stages.overshoots();
     };
-    EXPECT_TRUE(ends_at(30.5e6).empty());
-    ASSERT_EQ(ends_at(31e6).size(), 1U);
-    EXPECT_TRUE(ends_at(31e6).front().starts_with("stage short went 3.3 % beyond its end by axial_stress"))
-        << ends_at(31e6).front();
+    EXPECT_TRUE(overshoots_at(30.5e6).empty());
+    ASSERT_EQ(overshoots_at(31e6).size(), 1U);
+    expect_golden(overshoots_at(31e6).front());
 }
 
 // Forces out of balance of platens that bear nothing yet are those of waves: they do not slow them down.
-TEST(Heating, PlatensThatBearNothingYetAreNotSlow) {
-    LoadingRequest request;
-    request.rate = RateKind::automatic;
-    request.heat = 300;
-    LedPlatens calm(request);
-    LedPlatens ringing(request);
+TEST(Heating, DoesNotSlowPlatensThatBearNothingYet) {
+    LedPlatens calm(heated_request());
+    LedPlatens ringing(heated_request());
     heat_through(calm, 0);
     heat_through(ringing, 0);
     const double begin = calm.stages.records().back().end;
@@ -514,10 +491,7 @@ TEST(Heating, PlatensThatBearNothingYetAreNotSlow) {
 
 /// Speed of platens after heating and a hundred transits of loading. \param answer stress and measures after so many transits
 double speed_after_heating(const std::function<std::pair<double, Feedback>(double transits)>& answer, double peak_drop = 0.3) {
-    LoadingRequest request;
-    request.rate = RateKind::automatic;
-    request.heat = 300;
-    LedPlatens led(request, peak_drop);
+    LedPlatens led(heated_request(), peak_drop);
     heat_through(led, 0);
     const double begin = led.stages.records().back().end;
     double speed = 0;
@@ -529,7 +503,7 @@ double speed_after_heating(const std::function<std::pair<double, Feedback>(doubl
     return speed;
 }
 
-TEST(Heating, BehindAPeakNothingSlowsThePlatensUntilTheTestEnds) {
+TEST(Heating, SlowsNoPlatensBehindAPeak) {
     const auto speed_behind = [](double peak, double stress, double peak_drop = 0.3) {
         Feedback feedback;
         feedback.damping_load = 1;
@@ -543,12 +517,11 @@ TEST(Heating, BehindAPeakNothingSlowsThePlatensUntilTheTestEnds) {
 
 // What settles on a face that heat has cracked falls before it bears a load, and contacts that heat has cracked are none of the
 // test. In bending any load is one.
-TEST(Heating, TheFallOfATestIsThatOfALoad) {
+TEST(Heating, LeavesTheEndOfATestToTheFallOfALoad) {
     for (const TestKind test : {TestKind::uniaxial, TestKind::bend}) {
-        LoadingRequest request;
+        LoadingRequest request = heated_request();
         request.test = test;
         request.span = 0.025;
-        request.heat = 300;
         LedPlatens led(request);
         heat_through(led, 1);
         double time = led.stages.records().back().end;
@@ -568,11 +541,12 @@ TEST(Heating, TheFallOfATestIsThatOfALoad) {
     }
 }
 
-TEST(Heating, AProgramMayHaveATemperatureFromItsStart) {
-    LedPlatens led(
-        parse_program("name = \"warm\"\nstages = [\"a\"]\ntemperature = { to = \"90 K\", rate = \"30 K/s\" }\n"
-                      "stage.a.until.time = \"5 s\"",
-                      "warm.toml"));
+TEST(Heating, FollowsTheTemperatureOfAProgram) {
+    LedPlatens led = led_by(R"(
+stages = ["a"]
+temperature = { to = "90 K", rate = "30 K/s" }
+stage.a.until.time = "5 s"
+)");
     led.row(0);
     led.stages.next(1);
     EXPECT_EQ(led.pressure(1), 30);
@@ -580,4 +554,4 @@ TEST(Heating, AProgramMayHaveATemperatureFromItsStart) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

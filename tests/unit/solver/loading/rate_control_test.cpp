@@ -9,10 +9,8 @@
 
 #include "tests/support/check.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::expect_close;
 
 constexpr double tolerance = 5e-3;
 constexpr RateScales scales{0.16, 5e-5, 3e-4, 10};
@@ -41,27 +39,24 @@ public:
         return speed_;
     }
     [[nodiscard]] double strain() const { return strain_; }
-    double unbalanced_ratio = 0;
-    double difference = 0;
-    double damping_load = 0;
+    double unbalanced_ratio = 0, difference = 0, damping_load = 0;
 
 private:
     // With this mass the bar stores `least_energy` at `least_strain`.
     static constexpr double mass = 2 * scales.min_energy / (wave_speed * wave_speed * scales.min_strain * scales.min_strain);
     RateControl control_;
     double near_failure_;
-    double speed_ = 0;
-    double strain_ = 0;
+    double speed_ = 0, strain_ = 0;
 };
 
-TEST(RateControl, NearDamageTheLoadRisesByTheToleranceInATransit) {
+TEST(RateControl, RaisesTheLoadByTheToleranceInATransitNearDamage) {
     Bar bar(1.0);
     // The speed follows the strain, which grows e-fold in 1/T = 200 transits, with a lag of 4 + 1 transits: 2.5 % below.
     const double speed = bar.speed_after(4 * 400);
     expect_close(2 * speed / (wave_speed * bar.strain()), tolerance, 0.03, tolerance);
 }
 
-TEST(RateControl, HalfTheShareIsHalfTheSpeedNearDamageAndFarFromIt) {
+TEST(RateControl, HalvesItsSpeedAtHalfTheShare) {
     const RateControl whole(tolerance, scales);
     const RateControl half(tolerance, scales, 0.5);
     EXPECT_EQ(half.max_speed(1e-3, 0), whole.max_speed(1e-3, 0) / 2);
@@ -77,7 +72,7 @@ TEST(RateControl, HalfTheShareIsHalfTheSpeedNearDamageAndFarFromIt) {
     expect_close(slower.speed_after(4 * 800) / slower.strain(), speed / 2, 0.02, speed / 2);  // lags as above
 }
 
-TEST(RateControl, FarFromDamageItIsFasterUpToALimit) {
+TEST(RateControl, IsFasterUpToALimitFarFromDamage) {
     const RateControl control(tolerance, scales);
     Bar far(0);
     Bar near(1.0);
@@ -93,7 +88,7 @@ TEST(RateControl, FarFromDamageItIsFasterUpToALimit) {
     EXPECT_EQ(control.allowed(1), tolerance);
 }
 
-TEST(RateControl, AMeasureThatExceedsTheToleranceSlowsDownToTheFloor) {
+TEST(RateControl, SlowsDownToItsFloorWhereAMeasureExceedsTheTolerance) {
     for (double Bar::*const measure : {&Bar::unbalanced_ratio, &Bar::difference, &Bar::damping_load}) {
         Bar bar(1.0);
         const double before = bar.speed_after(1000);
@@ -110,7 +105,7 @@ TEST(RateControl, AMeasureThatExceedsTheToleranceSlowsDownToTheFloor) {
     }
 }
 
-TEST(RateControl, AKineticEnergyBelowZeroIsNone) {
+TEST(RateControl, TakesAKineticEnergyBelowZeroForNone) {
     RateControl turning(tolerance, scales);
     RateControl resting(tolerance, scales);
     for (int i = 0; i < 10; ++i) {
@@ -118,7 +113,7 @@ TEST(RateControl, AKineticEnergyBelowZeroIsNone) {
     }
 }
 
-TEST(RateControl, WhatWasNearDamageIsNotHurriedAnyMore) {
+TEST(RateControl, StaysSlowOnceDamageWasNear) {
     RateControl control(tolerance, scales);
     double speed = 0;
     for (int i = 0; i < 2000; ++i) speed = control.next(measures(0, 100, i == 0 ? 1.0 : 0.0), 1e-3, duration);
@@ -149,7 +144,7 @@ Feedback cracking(double unbalanced_ratio = 0, double element_force = 1e6) {
     return feedback;
 }
 
-TEST(HeatingControl, WhereMineralsCrackTheirStressRisesByTheToleranceInATransit) {
+TEST(HeatingControl, RaisesTheStressByTheToleranceInATransitWhereMineralsCrack) {
     constexpr double far = 1e9;  // K, so that the end is not near
     const std::vector<double> rates = rates_of_heating(cracking(), far, 4 * 800);
     double change = 0;
@@ -163,20 +158,20 @@ TEST(HeatingControl, WhereMineralsCrackTheirStressRisesByTheToleranceInATransit)
 }
 
 // Energies go with the square of stress: 10⁴ times the least is the stress of 100 times the least change.
-TEST(HeatingControl, WhereThereIsStressAlreadyThatRisesByTheTolerance) {
+TEST(HeatingControl, CountsTheStressThereIsAlready) {
     Feedback cooling = cracking();
     cooling.stored_energy = 1e4;
     const double rate = rates_of_heating(cooling, 1e9, 4 * 40).back();
     expect_close(rate * heating_scales.transit_time / 400, tolerance, 0.01, tolerance);  // it follows by half a per mille
 }
 
-TEST(HeatingControl, UnbalancedForcesSlowItDownUnlessThereAreNoOthers) {
+TEST(HeatingControl, SlowsDownByUnbalancedForcesUnlessThereAreNoOthers) {
     const HeatingControl control(tolerance, heating_scales);
     EXPECT_EQ(rates_of_heating(cracking(20 * tolerance), 1e9, 400).back(), control.min_rate(0));
     EXPECT_EQ(rates_of_heating(cracking(1, 0), 1e9, 400), rates_of_heating(cracking(), 1e9, 400));
 }
 
-TEST(HeatingControl, ItComesToAStop) {
+TEST(HeatingControl, ComesToAStop) {
     double change = 0;
     const std::vector<double> rates = rates_of_heating(cracking(), 300, 4 * 1200);
     for (const double rate : rates) change += rate * duration;
@@ -187,4 +182,4 @@ TEST(HeatingControl, ItComesToAStop) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

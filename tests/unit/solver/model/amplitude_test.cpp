@@ -8,12 +8,10 @@
 
 #include "tests/support/check.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
-using test::expect_close;
-
-TEST(TimeFunction, TakesItsValues) {
+TEST(TimeFunction, HasTheValuesOfItsKind) {
     TimeFunction f;
     f.kind = TimeFunction::Kind::ramp;
     f.from = 1;
@@ -58,4 +56,4 @@ TEST(TimeFunction, TakesItsValues) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -12,29 +12,27 @@
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
-using test::expect_close;
+Assemblage of(const Specimen& s) { return make_assemblage(s, augig_granite().rock, PlaneCondition::strain); }
 
-Assemblage of(const Specimen& s) { return make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain); }
-
-TEST(Assemblage, ANodeOfNoElementHasNoMassAndStays) {
-    Specimen s = test::one_diagonal_grid(1, 1, 0.01, 0.01);
+TEST(Assemblage, GivesNoMassToANodeOfNoElement) {
+    Specimen s = one_diagonal_grid(1, 1, 0.01, 0.01);
     s.node_position.insert(s.node_position.begin(), {0.5, 0.5});
-    test::renumber_nodes(s, [](std::int32_t node) { return node + 1; });
+    renumber_nodes(s, [](std::int32_t node) { return node + 1; });
     const Assemblage a = of(s);
     const std::int32_t i = a.node_of_specimen[0];
     EXPECT_EQ(a.mass[i], 0);
     EXPECT_EQ(a.inverse_mass[i], 0);
 }
 
-TEST(Assemblage, NodesAreRenumberedOnceEach) {
-    Specimen s = test::union_jack_grid(4, 4, 0.02, 0.02);
+TEST(Assemblage, RenumbersEachNodeOnce) {
+    Specimen s = union_jack_grid(4, 4, 0.02, 0.02);
     // Any order of nodes is allowed: reverse it.
     const auto n = static_cast<std::int32_t>(s.n_nodes());
     std::reverse(s.node_position.begin(), s.node_position.end());
-    test::renumber_nodes(s, [n](std::int32_t node) { return n - 1 - node; });
+    renumber_nodes(s, [n](std::int32_t node) { return n - 1 - node; });
     ASSERT_NO_THROW(validate(s, "reversed"));
     const Assemblage a = of(s);
     std::vector<std::int32_t> sorted = a.node_of_specimen;
@@ -65,8 +63,8 @@ Slots slots_of(const SlotsOfNodes<few>& table, std::size_t zero_slot) {
     return slots;
 }
 
-TEST(Assemblage, ContactGeometryAndSlots) {
-    const Specimen s = test::jittered_grid(4, 5, 0.02, 0.03, 0.2);
+TEST(Assemblage, HasTheGeometryAndTheSlotsOfItsContacts) {
+    const Specimen s = jittered_grid(4, 5, 0.02, 0.03, 0.2);
     const Assemblage a = of(s);
     ASSERT_EQ(a.contacts.size(), s.n_contacts());
     double length_sum = 0;
@@ -83,8 +81,8 @@ TEST(Assemblage, ContactGeometryAndSlots) {
 }
 
 // A node inside of a grain is in many elements.
-TEST(Assemblage, EveryElementHasSlotsOfItsNodes) {
-    const Assemblage a = of(test::crossed_blocks(12, 10, 0.02, 0.03, [](int i, int /*j*/) { return i / 4; }));
+TEST(Assemblage, HasSlotsOfTheNodesOfEveryElement) {
+    const Assemblage a = of(crossed_blocks(12, 10, 0.02, 0.03, [](int i, int /*j*/) { return i / 4; }));
     Slots expected;
     for (std::int32_t e = 0; e < a.n_elements(); ++e) {
         for (std::int32_t k = 0; k < 3; ++k) expected[a.element_nodes[e][k]].push_back(element_slot_of(e, k));
@@ -95,7 +93,7 @@ TEST(Assemblage, EveryElementHasSlotsOfItsNodes) {
 
 /// A rectangle of 1,200 grains whose phases follow no pattern of its rows.
 Specimen of_three_phases() {
-    Specimen s = test::one_diagonal_grid(20, 30, 0.02, 0.03);
+    Specimen s = one_diagonal_grid(20, 30, 0.02, 0.03);
     s.phase_names = {"quartz", "feldspar", "mica"};
     for (std::size_t g = 0; g < s.n_grains(); ++g) s.grain_phase[g] = static_cast<std::uint8_t>(g * g % 7 % 3);
     return s;
@@ -103,7 +101,7 @@ Specimen of_three_phases() {
 
 TEST(Assemblage, SortsContactsByClassIntoChunksOfOne) {
     const Specimen s = of_three_phases();
-    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
+    const Assemblage a = of(s);
     const std::vector<std::int32_t> grain = grain_of_nodes(s);
     ASSERT_EQ(a.n_contacts(), static_cast<std::int32_t>(s.n_contacts()));
     ASSERT_EQ(a.contacts.size(), a.specimen_contact.size());
@@ -114,15 +112,14 @@ TEST(Assemblage, SortsContactsByClassIntoChunksOfOne) {
         EXPECT_EQ(chunk.contacts.begin, place);
         EXPECT_GE(chunk.contact_class, last_class);
         for (std::int32_t c = chunk.contacts.begin; c < chunk.contacts.end; ++c) {
-            const auto of_specimen = static_cast<std::size_t>(a.specimen_contact[static_cast<std::size_t>(c)]);
+            const auto of_specimen = static_cast<std::size_t>(a.specimen_contact[c]);
             ++seen[of_specimen];
             EXPECT_EQ(a.contact_of_specimen[of_specimen], c);
             const auto phase = [&](std::size_t k) {
-                return s.grain_phase[static_cast<std::size_t>(grain[static_cast<std::size_t>(s.contact_nodes[of_specimen][k])])];
+                return s.grain_phase[grain[static_cast<std::size_t>(s.contact_nodes[of_specimen][k])]];
             };
             EXPECT_EQ(static_cast<std::int32_t>(contact_class(phase(0), phase(2))), chunk.contact_class);
-            EXPECT_EQ(a.contacts[static_cast<std::size_t>(c)].nodes[0],
-                      a.node_of_specimen[static_cast<std::size_t>(s.contact_nodes[of_specimen][0])]);
+            EXPECT_EQ(a.contacts[c].nodes[0], a.node_of_specimen[s.contact_nodes[of_specimen][0]]);
         }
         last_class = chunk.contact_class;
         place += contacts_per_chunk;
@@ -132,13 +129,13 @@ TEST(Assemblage, SortsContactsByClassIntoChunksOfOne) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) EXPECT_EQ(a.specimen_contact[c] < 0, a.contacts[c].point_area == 0);
 }
 
-TEST(Assemblage, GrainsHaveTheElasticityAndMassOfTheirPhase) {
+TEST(Assemblage, HasTheElasticityAndMassOfTheMineralOfEachGrain) {
     Specimen s = of_three_phases();
     const std::vector<Phase> phases{{83.1e9, 0.08, 2650}, {60e9, 0.25, 2600}, {29.3e9, 0.27, 3000}};
     const Assemblage a = make_assemblage(s, phases, PlaneCondition::stress);
     double mass = 0;
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        const Phase& phase = phases[s.grain_phase[static_cast<std::size_t>(s.element_grain[e])]];
+        const Phase& phase = phases[s.grain_phase[s.element_grain[e]]];
         const PlaneElasticity c = make_plane_elasticity(phase.young_modulus, phase.poisson_ratio, PlaneCondition::stress);
         EXPECT_EQ(a.elasticity[e].c11, c.c11);
         EXPECT_EQ(a.elasticity[e].mu, c.mu);
@@ -150,4 +147,4 @@ TEST(Assemblage, GrainsHaveTheElasticityAndMassOfTheirPhase) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

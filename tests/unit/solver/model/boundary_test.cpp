@@ -10,10 +10,8 @@
 #include "tests/support/check.hpp"
 #include "tests/support/specimens.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::expect_close;
 
 Platen top() {
     Platen platen;
@@ -41,7 +39,7 @@ TEST(PlatenPoint, PushesButDoesNotPull) {
     expect_close(platen_response(cap, point(), {0, 0}, 1e-6).force.y, 4000, 1e-12, 4000);
 }
 
-TEST(PlatenPoint, AGapMustBeClosedFirst) {
+TEST(PlatenPoint, PushesOnceItsGapIsClosed) {
     PlatenPoint p = point();
     p.gap = -2e-6;
     EXPECT_EQ(platen_response(top(), p, {0, 0}, -1e-6).force.y, 0);
@@ -49,11 +47,9 @@ TEST(PlatenPoint, AGapMustBeClosedFirst) {
 }
 
 // Penetration 1 µm: 4000 N, friction up to 400 N, reached after 1 µm of sliding (400 N/µm).
-TEST(PlatenPoint, FrictionSticksThenSlidesAndIsBooked) {
+TEST(PlatenPoint, SticksThenSlidesAndBooksItsFriction) {
     PlatenPoint p = point();
-    double booked = 0;
-    double work = 0;
-    double largest = 0;
+    double booked = 0, work = 0, largest = 0;
     const auto slide_to = [&](double x) {
         const int n = 1000;
         const double from = p.anchor + p.shear / 4e8;
@@ -103,9 +99,9 @@ std::vector<Platen> platens_of(const Specimen& s) {
     return p;
 }
 
-TEST(Boundary, PointsAreThoseWithinReach) {
-    const Specimen s = test::one_diagonal_grid(4, 6, 0.04, 0.06);
-    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
+TEST(Boundary, HasThePointsWithinReachAndOfBondedPlatensTheirFaces) {
+    const Specimen s = one_diagonal_grid(4, 6, 0.04, 0.06);
+    const Assemblage a = make_assemblage(s, augig_granite().rock, PlaneCondition::strain);
     const Boundary near = make_boundary(a, s, platens_of(s), 1e-6);
     const Boundary far = make_boundary(a, s, platens_of(s), 0.0101);
     std::size_t on_faces = 0;
@@ -124,17 +120,12 @@ TEST(Boundary, PointsAreThoseWithinReach) {
     }
     EXPECT_TRUE(std::is_sorted(far.platen_points.begin(), far.platen_points.end(),
                                [](const PlatenPoint& l, const PlatenPoint& r) { return l.node < r.node; }));
-}
-
-TEST(Boundary, BondedPlatensHoldTheirFacesOnly) {
-    const Specimen s = test::one_diagonal_grid(4, 6, 0.04, 0.06);
-    const Assemblage a = make_assemblage(s, test::augig_granite().rock, PlaneCondition::strain);
-    std::vector<Platen> platens = platens_of(s);
-    platens[0].bonded = platens[1].bonded = true;
-    for (const PlatenPoint& p : make_boundary(a, s, platens, 0.02).platen_points) {
+    std::vector<Platen> bonded = platens_of(s);
+    bonded[0].bonded = bonded[1].bonded = true;
+    for (const PlatenPoint& p : make_boundary(a, s, bonded, 0.02).platen_points) {
         expect_close(std::abs(a.position[p.node].y), 0.03, 1e-9, 0.03);
     }
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

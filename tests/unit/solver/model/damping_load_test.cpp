@@ -8,11 +8,8 @@
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::expect_close;
-using test::SmallRun;
 
 constexpr double transit = 1e-4;
 constexpr double time_constant = mean_transits * transit;
@@ -21,7 +18,7 @@ constexpr double time_constant = mean_transits * transit;
 /// fifty time constants.
 template <class Velocity, class DampingForce>
 double share_of(Velocity&& velocity, DampingForce&& damping_force) {
-    SmallRun run(test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_law());
+    SmallRun run(one_diagonal_grid(2, 2, 0.02, 0.02), augig_law());
     State& s = run.state;
     const double interval = 0.05 * transit;
     for (int i = 1; i <= 4000; ++i) {
@@ -40,7 +37,7 @@ TEST(DampingLoad, IsThePowerOfDampingOnSteadyMotionOverThatOfThePlatens) {
     EXPECT_EQ(share_of([](double) { return 0.0; }, [](double) { return 2.0; }), 0);
 }
 
-TEST(DampingLoad, WhatDampingTakesFromWavesDoesNotCount) {
+TEST(DampingLoad, LeavesOutWhatDampingTakesFromWaves) {
     // An oscillation of half a transit that damping opposes in every instant: no power on the mean motion.
     const auto v = [](double t) { return std::sin(2 * M_PI * t / (0.5 * transit)); };
     const double share = share_of(v, [&](double t) { return std::copysign(1.0, v(t)); });
@@ -49,8 +46,8 @@ TEST(DampingLoad, WhatDampingTakesFromWavesDoesNotCount) {
     EXPECT_LT(std::abs(share_of([&](double t) { return 0.1 + v(t); }, [&](double t) { return std::copysign(1.0, v(t)); })), 0.02);
 }
 
-TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
-    SmallRun run(test::one_diagonal_grid(2, 2, 0.02, 0.02), test::augig_law());
+TEST(DampingLoad, StaysWhenTheSameInstantIsFollowedAgain) {
+    SmallRun run(one_diagonal_grid(2, 2, 0.02, 0.02), augig_law());
     State& s = run.state;
     s.displacement.assign(s.displacement.size(), {1e-6, 0});
     s.damping_force.assign(s.damping_force.size(), {-1, 0});
@@ -65,4 +62,4 @@ TEST(DampingLoad, ASecondLookAtTheSameInstantChangesNothing) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -15,7 +15,7 @@
 #include "tests/support/small_run.hpp"
 #include "tests/support/thread_ranks.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 /// What a part is made of.
@@ -24,7 +24,7 @@ struct WholeSpecimen {
     Assemblage assemblage;
     PrescribedConditions prescribed;
 };
-WholeSpecimen whole_specimen(const std::string& name, test::SmallRun run) {
+WholeSpecimen whole_specimen(const std::string& name, SmallRun run) {
     return {name, std::move(run.assemblage), std::move(run.boundary.prescribed)};
 }
 
@@ -54,10 +54,10 @@ WholeSpecimen scattered_chunks(std::int32_t n_nodes, std::int32_t n_elements, st
 const std::vector<WholeSpecimen>& whole_specimens() {
     static const std::vector<WholeSpecimen> specimens = [] {
         std::vector<WholeSpecimen> all;
-        all.push_back(whole_specimen("grid", {test::jittered_grid(10, 20, 0.04, 0.08, 0.25), test::augig_law()}));
-        all.push_back(whole_specimen(
-            "phases", test::varied_phases(test::jittered_grid(8, 16, 0.04, 0.08, 0.25)).run(LawVariant::consistent)));
-        all.push_back(whole_specimen("few grains", {test::jittered_grid(2, 2, 0.04, 0.04, 0.25), test::augig_law()}));
+        all.push_back(whole_specimen("grid", {jittered_grid(10, 20, 0.04, 0.08, 0.25), augig_law()}));
+        all.push_back(
+            whole_specimen("phases", varied_phases(jittered_grid(8, 16, 0.04, 0.08, 0.25)).run(LawVariant::consistent)));
+        all.push_back(whole_specimen("few grains", {jittered_grid(2, 2, 0.04, 0.04, 0.25), augig_law()}));
         all.push_back(scattered_chunks(300, 200, 250));
         return all;
     }();
@@ -67,9 +67,7 @@ const std::vector<WholeSpecimen>& whole_specimens() {
 /// Parts of a specimen by rank. They are read after their ranks have ended.
 std::vector<Part> parts_of(const WholeSpecimen& whole, int n) {
     std::vector<Part> parts(static_cast<std::size_t>(n));
-    test::on_thread_ranks(n, [&](const Ranks& ranks) {
-        parts[static_cast<std::size_t>(ranks.rank())] = make_part(whole.assemblage, whole.prescribed, ranks);
-    });
+    on_thread_ranks(n, [&](const Ranks& ranks) { parts[ranks.rank()] = make_part(whole.assemblage, whole.prescribed, ranks); });
     return parts;
 }
 Range nodes_of_rank(const Part& part, std::size_t rank) { return {part.first_node[rank], part.first_node[rank + 1]}; }
@@ -86,9 +84,8 @@ TEST(Part, SharesTheWorkEvenly) {
     }
 }
 
-TEST(Part, OfMoreRanksThanChunksLeavesSomeWithNothing) {
-    const std::vector<Part> parts =
-        parts_of(whole_specimen("one cell", {test::jittered_grid(1, 1, 1, 1, 0), test::augig_law()}), 5);
+TEST(Part, LeavesNothingToRanksBeyondItsChunks) {
+    const std::vector<Part> parts = parts_of(whole_specimen("one cell", {jittered_grid(1, 1, 1, 1, 0), augig_law()}), 5);
     EXPECT_EQ(parts[0].nodes.count, 1);
     EXPECT_EQ(std::count_if(parts.begin(), parts.end(), [](const Part& part) { return part.nodes.own.empty(); }), 4);
     for (std::size_t rank = 0; rank < parts.size(); ++rank) {
@@ -108,7 +105,7 @@ double number_of_chunk(std::int32_t chunk) { return 1.0 / (1 + chunk) + (chunk %
 /// Sums of each kind of chunks on one rank of `n`. \param digits gets their bytes on each rank
 std::set<std::string> bytes_of_sums(const WholeSpecimen& whole, int n) {
     std::set<std::string> found;
-    test::on_thread_ranks(n, [&](const Ranks& ranks) {
+    on_thread_ranks(n, [&](const Ranks& ranks) {
         const Part part = make_part(whole.assemblage, whole.prescribed, ranks);
         std::string bytes;
         for (const ChunkShare* share : {&part.nodes, &part.elements, &part.contacts}) {
@@ -120,7 +117,7 @@ std::set<std::string> bytes_of_sums(const WholeSpecimen& whole, int n) {
     return found;
 }
 
-TEST(Part, SumsHaveTheSameBytesOnAnyNumberOfRanks) {
+TEST(Part, SumsToTheSameBytesOnAnyNumberOfRanks) {
     // The last has more chunks of each kind than ranks tell each other sums: 3 or 4 chunks a sum, and fewer in the last.
     std::vector<WholeSpecimen> all = whole_specimens();
     all.push_back(scattered_chunks(9001, 13001, 12301));
@@ -136,7 +133,7 @@ TEST(Part, FindsValuesAtNodesOfAnyRank) {
     const std::int32_t n_nodes = whole.assemblage.n_nodes();
     const std::vector<std::int32_t> nodes{n_nodes - 1, 0, n_nodes / 2, 3, n_nodes / 3, 0};
     for (int n = 1; n <= 5; ++n) {
-        test::on_thread_ranks(n, [&](const Ranks& ranks) {
+        on_thread_ranks(n, [&](const Ranks& ranks) {
             const Part part = make_part(whole.assemblage, whole.prescribed, ranks);
             std::vector<double> values(static_cast<std::size_t>(n_nodes), -1);
             for (std::int32_t i = part.own_nodes().begin; i < part.own_nodes().end; ++i) values[i] = 2.0 * i;
@@ -148,4 +145,4 @@ TEST(Part, FindsValuesAtNodesOfAnyRank) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -5,7 +5,7 @@
 
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 ContactHistory slipped_history() {
@@ -23,8 +23,8 @@ ContactHistory slipped_history() {
     return h;
 }
 
-TEST(PointHistory, IsReadAsItWasStoredAndOtherPointsKeepTheirs) {
-    test::SmallRun run(test::jittered_grid(3, 4, 0.02, 0.03, 0.2), test::augig_law());
+TEST(PointHistory, IsReadAsItWasStoredWhileOtherPointsKeepTheirs) {
+    SmallRun run(jittered_grid(3, 4, 0.02, 0.03, 0.2), augig_law());
     run.state.opening[2] = 1e-8;  // the arrays of motions are those that steps write
     ContactHistory moved;
     moved.motion.opening = 1e-8;
@@ -38,13 +38,13 @@ TEST(PointHistory, IsReadAsItWasStoredAndOtherPointsKeepTheirs) {
     }
 }
 
-TEST(MakeState, NotchesAndOpenBoundariesAreBrokenFromTheStart) {
-    Specimen s = test::jittered_grid(3, 4, 0.02, 0.03, 0.2);
+TEST(MakeState, BreaksNotchesAndOpenBoundariesFromTheStart) {
+    Specimen s = jittered_grid(3, 4, 0.02, 0.03, 0.2);
     s.contact_kind[1] = static_cast<std::uint8_t>(ContactKind::pre_existing_crack);
     s.contact_kind[3] = static_cast<std::uint8_t>(ContactKind::open_boundary);
-    const test::SmallRun run(s, test::augig_law());
+    const SmallRun run(s, augig_law());
     for_each_contact(run.assemblage, [&](std::int32_t place, std::int32_t /*contact_class*/) {
-        const auto contact = run.assemblage.specimen_contact[static_cast<std::size_t>(place)];
+        const auto contact = run.assemblage.specimen_contact[place];
         for (const std::size_t point : points_of(place)) {
             EXPECT_EQ(point_history(run.state, point) == broken_contact(), contact == 1 || contact == 3) << contact;
             EXPECT_EQ(run.state.next_level[point] == 0, contact == 1 || contact == 3) << "no event of theirs counts";
@@ -53,4 +53,4 @@ TEST(MakeState, NotchesAndOpenBoundariesAreBrokenFromTheStart) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

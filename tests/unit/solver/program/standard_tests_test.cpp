@@ -4,14 +4,15 @@
 
 #include "share/base/error.hpp"
 #include "tests/support/augig_granite.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/specimens.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 /// 90 mm × 20 mm with boundary edges of 5 mm, whose nodes lie at multiples of it.
 Specimen beam() {
-    Specimen s = test::union_jack_grid(18, 4, 0.09, 0.02);
+    Specimen s = union_jack_grid(18, 4, 0.09, 0.02);
     s.shape = "beam";
     return s;
 }
@@ -22,10 +23,10 @@ ProgramPlatens bent(const Specimen& s, std::optional<double> span, std::optional
     request.rate = RateKind::automatic;
     request.span = span;
     request.roller_width = roller_width;
-    return *standard_test(request, 0.3, s, test::augig_granite().rock).platens;
+    return *standard_test(request, 0.3, s, augig_granite().rock).platens;
 }
 
-TEST(Bend, RollersStandAtTheNodesNextToTheirPlaces) {
+TEST(Bend, PlacesItsRollersAtTheNodesNextToTheirPlaces) {
     const ProgramPlatens platens = bent(beam(), 0.062);
     ASSERT_EQ(platens.bottom.at.size(), 2U);
     EXPECT_NEAR(platens.bottom.at[0], -0.03, 1e-12);
@@ -37,14 +38,14 @@ TEST(Bend, RollersStandAtTheNodesNextToTheirPlaces) {
     EXPECT_EQ(bent(beam(), 0.062, 0.002).top.width, 0.002);
 }
 
-TEST(Bend, UsualSpans) {
+TEST(Bend, HasUsualSpans) {
     EXPECT_NEAR(bent(beam(), {}).span(), 0.08, 1e-12);  // four heights
-    Specimen half_disc = test::union_jack_grid(20, 10, 0.1, 0.05);
+    Specimen half_disc = union_jack_grid(20, 10, 0.1, 0.05);
     half_disc.shape = "half-disc";
     EXPECT_NEAR(bent(half_disc, {}).span(), 0.06, 1e-12);  // 0.6 diameters
 }
 
-TEST(Bend, IsLoadedMoreSlowlyThanCompressionAndDirectTensionMostSlowly) {
+TEST(StandardTests, AreSlowerInBendingAndSlowestInDirectTension) {
     const auto tolerance = [](TestKind test) {
         LoadingRequest request;
         request.test = test;
@@ -56,28 +57,16 @@ TEST(Bend, IsLoadedMoreSlowlyThanCompressionAndDirectTensionMostSlowly) {
     EXPECT_LT(tolerance(TestKind::tension), tolerance(TestKind::brazilian));
 }
 
-TEST(Bend, RollersWithoutRoomAreRefused) {
-    const auto refused = [](const Specimen& s, std::optional<double> span, std::optional<double> width = {}) {
-        try {
-            bent(s, span, width);
-        } catch (const UsageError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
-    };
-    EXPECT_EQ(refused(beam(), 0.09),
-              "--span: rollers at a distance of 90 mm have no room on a beam of 90 mm; give at most 85 mm");
-    EXPECT_EQ(refused(beam(), 0.008),
-              "--span: rollers 5 mm wide at a distance of 8 mm leave no room between them; at least 10 mm fits");
-    EXPECT_EQ(refused(beam(), 0.06, 0.04),
-              "--roller-width: three rollers 40 mm wide have no room on a beam of 90 mm; at most 30 mm fits");
-    EXPECT_EQ(refused(beam(), 0.04, 0.03),
-              "--roller-width: rollers 30 mm wide at a distance of 40 mm leave no room between them; at most 20 mm fits");
-    Specimen low = test::union_jack_grid(8, 8, 0.04, 0.04);
+TEST(Bend, RefusesRollersWithoutRoom) {
+    Specimen low = union_jack_grid(8, 8, 0.04, 0.04);
     low.shape = "beam";
-    EXPECT_EQ(
-        refused(low, {}),
-        "--span: missing, and by default rollers at a distance of 160 mm have no room on a beam of 40 mm; give at most 35 mm");
+    Refusals refused;
+    refused.add<UsageError>("span of the width", [] { bent(beam(), 0.09); });
+    refused.add<UsageError>("span below two rollers", [] { bent(beam(), 0.008); });
+    refused.add<UsageError>("three wide rollers", [] { bent(beam(), 0.06, 0.04); });
+    refused.add<UsageError>("two wide rollers", [] { bent(beam(), 0.04, 0.03); });
+    refused.add<UsageError>("low beam", [&] { bent(low, {}); });
+    expect_golden(refused.text());
 }
 
 TEST(StandardTests, LoadTheShapesTheyAreMadeFor) {
@@ -90,7 +79,7 @@ TEST(StandardTests, LoadTheShapesTheyAreMadeFor) {
         return true;
     };
     const auto named = [](const char* shape, bool has_faces) {
-        Specimen s = test::union_jack_grid(8, 4, 0.08, 0.04);
+        Specimen s = union_jack_grid(8, 4, 0.08, 0.04);
         s.shape = shape;
         if (!has_faces) s.boundary_part.assign(s.n_boundary_edges(), static_cast<std::uint8_t>(BoundaryPart::rim));
         return s;
@@ -112,4 +101,4 @@ TEST(StandardTests, LoadTheShapesTheyAreMadeFor) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

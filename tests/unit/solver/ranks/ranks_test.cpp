@@ -11,13 +11,11 @@
 
 #include "share/base/error.hpp"
 #include "solver/ranks/alike.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 #include "tests/support/thread_ranks.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::on_thread_ranks;
 
 /// As many numbers as the rank has, and none of the first.
 std::vector<double> numbers_of_rank(int rank) {
@@ -113,79 +111,73 @@ TEST(Ranks, DoOnTheFirstWhatIsDoneOnce) {
     }
 }
 
-/// What `on_first` throws on each rank if the first one throws `error`: its exit code and message.
+/// What `on_first` throws on each rank if the first one throws `error`: its exit code and message, a line each.
 template <class Exception>
-std::vector<std::string> errors_on_first(const Exception& error) {
-    std::vector<std::string> errors(3);
+std::string errors_on_first(const Exception& error) {
+    std::array<std::string, 3> errors;
     on_thread_ranks(3, [&](const Ranks& ranks) {
-        std::string& own = errors[static_cast<std::size_t>(ranks.rank())];
         try {
             ranks.on_first([&] { throw error; });
         } catch (const Error& known) {
-            own = std::to_string(static_cast<int>(known.code())) + " " + known.what();
+            errors[ranks.rank()] = std::to_string(static_cast<int>(known.code())) + " " + known.what();
         } catch (const std::exception& unknown) {
-            own = unknown.what();
+            errors[ranks.rank()] = unknown.what();
         }
         EXPECT_EQ(ranks.of_first(3), 3);  // all continue together
     });
-    return errors;
+    return errors[0] + "\n" + errors[1] + "\n" + errors[2] + "\n";
 }
 
 TEST(Ranks, ShareAnErrorOfTheFirst) {
-    EXPECT_EQ(errors_on_first(OutputError("no space left")),
-              (std::vector<std::string>{"5 no space left", "5 the first rank has failed", "5 the first rank has failed"}));
-    const std::string internal = std::to_string(static_cast<int>(ExitCode::internal)) + " the first rank has failed";
-    EXPECT_EQ(errors_on_first(std::runtime_error("unknown")), (std::vector<std::string>{"unknown", internal, internal}));
-    test::expect_one_line<InputError>([] { Ranks::alone().on_first([] { throw InputError("of a rank alone"); }); },
-                                      {"of a rank alone"});
-    test::expect_one_line<InputError>(
-        [] { on_thread_ranks(4, [](const Ranks& ranks) { ranks.on_first([] { throw InputError("of the first"); }); }); },
-        {"of the first"});
+    expect_golden(errors_on_first(OutputError("no space left")) + errors_on_first(std::runtime_error("unknown")));
+    const auto fail = [](const Ranks& ranks) { ranks.on_first([] { throw InputError("of the first"); }); };
+    EXPECT_THROW(fail(Ranks::alone()), InputError);
+    EXPECT_THROW(on_thread_ranks(4, fail), InputError);
 }
 
 // --- ranks that are threads ------------------------------------------------------------------------------------------------
 
 TEST(ThreadRanks, EndWithTheErrorOfAnyOfThem) {
+    Refusals refused;
     for (int failing = 0; failing < 4; ++failing) {
         int n_continued = 0;
-        const auto run = [&] {
+        const std::string name = "rank " + std::to_string(failing);
+        refused.add<NumericalError>(name + " fails", [&] {
             on_thread_ranks(4, [&](const Ranks& ranks) {
                 EXPECT_EQ(ranks.largest(1), 1);
-                if (ranks.rank() == failing) throw NumericalError("rank " + std::to_string(failing));
+                if (ranks.rank() == failing) throw NumericalError(name);
                 static_cast<void>(ranks.largest(2));
                 ++n_continued;
             });
-        };
-        test::expect_one_line<NumericalError>(run, {"rank " + std::to_string(failing)});
+        });
         EXPECT_EQ(n_continued, 0);
     }
+    expect_golden(refused.text());
 }
 
-TEST(Ranks, PrepareAlikeOrSayInWhatTheyDiffer) {
+TEST(Ranks, PrepareAlikeOrNameWhatDiffers) {
     const auto prepare = [](const std::function<Facts(int)>& facts_of_rank) {
         on_thread_ranks(3, [&](const Ranks& ranks) { prepare_alike(ranks, [&] { return facts_of_rank(ranks.rank()); }); });
-    };
-    const auto refused = [&](const std::function<Facts(int)>& facts_of_rank, const std::string& line) {
-        test::expect_one_line<UsageError>([&] { prepare(facts_of_rank); }, {line, "all ranks need the same options"});
     };
     const auto settings = [](const SettingValue& rate) {
         return facts_of({{"rate", rate, Dimension::speed, SettingGroup::rate}, {"seed", 1.0}}, "--");
     };
-    EXPECT_NO_THROW(prepare([&](int) { return settings(5e-3); }));
-    refused([&](int rank) { return settings(rank == 2 ? SettingValue("auto") : SettingValue(5e-3)); },
-            "--rate: 5 mm/s on rank 0, auto on rank 2");
-    refused([&](int rank) { return settings(rank == 2 ? SettingValue() : SettingValue(5e-3)); },
-            "--rate: 5 mm/s on rank 0, none on rank 2");
-    refused([](int rank) { return Facts{{"a.h5", rank == 1 ? "f0" : "f1"}}; }, "a.h5: f1 on rank 0, f0 on rank 1");
-    const auto fail = [](int first) {
-        return [first](int rank) {
+    const auto fail = [&](int first) {
+        prepare([first](int rank) {
             if (rank >= first) throw InputError("b.h5: no such file");
             return Facts{};
-        };
+        });
     };
-    refused(fail(1), "b.h5: no such file (on rank 1, and not on rank 0)");
-    test::expect_one_line<InputError>([&] { prepare(fail(0)); }, {"b.h5: no such file"});
+    EXPECT_NO_THROW(prepare([&](int) { return settings(5e-3); }));
+    Refusals refused;
+    refused.add<UsageError>("another rate",
+                            [&] { prepare([&](int rank) { return settings(rank == 2 ? SettingValue("auto") : 5e-3); }); });
+    refused.add<UsageError>("no rate", [&] { prepare([&](int rank) { return settings(rank == 2 ? SettingValue() : 5e-3); }); });
+    refused.add<UsageError>("another file", [&] { prepare([](int rank) { return Facts{{"a.h5", rank == 1 ? "f0" : "f1"}}; }); });
+    refused.add<UsageError>("no file on a rank", [&] { fail(1); });
+    refused.add<InputError>("no file", [&] { fail(0); });
+    expect_golden(refused.text());
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -4,26 +4,32 @@
 #include <gtest/gtest.h>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
+/// The header of a checkpoint.
+RunHeader stopped() {
+    RunHeader header;
+    header.stop_reason = "checkpoint";
+    return header;
+}
+
 TEST(Checkpoint, ResumesWithTheSameContactParametersOnly) {
-    RunHeader before;
-    before.stop_reason = "checkpoint";
+    const RunHeader before = stopped();
     EXPECT_NO_THROW(require_same_test("run.checkpoint", before, before));
+    Refusals refused;
     for (const ContactParameter& row : all_contact_parameters()) {
         RunHeader now = before;
         now.contact.*row.value += 1;
-        test::expect_one_line<InputError>([&] { require_same_test("run.checkpoint", before, now); },
-                                          {"run.checkpoint: " + row.option() + " was 0", ", not "});
+        refused.add<InputError>(std::string(row.quantity.name), [&] { require_same_test("run.checkpoint", before, now); });
     }
+    expect_golden(refused.text());
 }
 
 TEST(Checkpoint, ResumesWithTheSameSettingsButForTheEnd) {
-    RunHeader before;
-    before.stop_reason = "checkpoint";
+    RunHeader before = stopped();
     before.request = {{"rate_tolerance", 3e-3, Dimension::one, SettingGroup::rate},
                       {"frames", 20.0},
                       {"peak_drop", 0.3, Dimension::one, SettingGroup::end}};
@@ -32,9 +38,10 @@ TEST(Checkpoint, ResumesWithTheSameSettingsButForTheEnd) {
     now.request[2].value = 0.5;
     EXPECT_NO_THROW(require_same_test("run.checkpoint", before, now));
     now.request[0].value = 6e-3;
-    test::expect_one_line<InputError>([&] { require_same_test("run.checkpoint", before, now); },
-                                      {"run.checkpoint: --rate-tolerance was 0.003, not 0.006; a test resumes only"});
+    Refusals refused;
+    refused.add<InputError>("another rate tolerance", [&] { require_same_test("run.checkpoint", before, now); });
+    expect_golden(refused.text());
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

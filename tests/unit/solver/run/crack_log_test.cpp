@@ -10,11 +10,8 @@
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::expect_close;
-using test::SmallRun;
 
 ContactEvent event(std::int64_t step, std::int32_t contact, std::uint8_t point) {
     ContactEvent e;
@@ -29,8 +26,8 @@ ContactEvent event(std::int64_t step, std::int32_t contact, std::uint8_t point) 
     return e;
 }
 
-TEST(CrackLog, RowsInTheOrderOfStepContactAndPoint) {
-    SmallRun run(test::jittered_grid(12, 12, 0.02, 0.02, 0.2), test::augig_law());
+TEST(CrackLog, SortsRowsByStepContactAndPoint) {
+    SmallRun run(jittered_grid(12, 12, 0.02, 0.02, 0.2), augig_law());
     ASSERT_GE(run.state.events.size(), 3U);
     CrackLog crack_log(2 * run.assemblage.contacts.size());
     EXPECT_TRUE(crack_log.empty());
@@ -51,7 +48,7 @@ TEST(CrackLog, RowsInTheOrderOfStepContactAndPoint) {
         EXPECT_EQ(rows[i].step, i < 3 ? 5 : 6);
         expect_close(rows[i].time, i < 3 ? 5e-3 : 6e-3, 1e-15, 1e-3);
         EXPECT_TRUE(std::isnan(rows[i].separated.time));
-        EXPECT_EQ(rows[i].length, run.assemblage.contacts[static_cast<std::size_t>(contacts[i])].point_area);
+        EXPECT_EQ(rows[i].length, run.assemblage.contacts[contacts[i]].point_area);
     }
     EXPECT_EQ(rows[1].energy_released, 0.25);
     EXPECT_EQ(crack_log.tensile_points(), 1U);
@@ -65,8 +62,8 @@ TEST(CrackLog, RowsInTheOrderOfStepContactAndPoint) {
 }
 
 // Damage, breaking and separation complete the row of a failure, whatever the order in which they arrive.
-TEST(CrackLog, LaterEventsCompleteTheRow) {
-    SmallRun run(test::one_diagonal_grid(3, 3, 0.02, 0.02), test::augig_law());
+TEST(CrackLog, CompletesARowByLaterEvents) {
+    SmallRun run(one_diagonal_grid(3, 3, 0.02, 0.02), augig_law());
     CrackLog crack_log(2 * run.assemblage.contacts.size());
     const auto later = [](std::int64_t step, ContactEventKind kind) {
         ContactEvent e = event(step, 4, 1);
@@ -97,14 +94,12 @@ TEST(CrackLog, LaterEventsCompleteTheRow) {
 
 // Two grains that are drawn apart and turned against each other, followed step by step: what a row has of the failure is of its
 // step, what it has of a later moment of the step of that.
-TEST(CrackLog, ARowIsOfTheStepsItNames) {
-    SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
-                                          {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
-                 test::augig_law());
+TEST(CrackLog, HasTheMotionsOfTheStepsItNames) {
+    SmallRun run(specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
+                                    {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
+                 augig_law());
     run.set_velocity([](const Vector2&) { return Vector2{}; });
-    for (std::int32_t i = 4; i < 8; ++i) {
-        run.state.velocity[static_cast<std::size_t>(i)] = {1, 5 + 100 * run.assemblage.position[static_cast<std::size_t>(i)].x};
-    }
+    for (std::int32_t i = 4; i < 8; ++i) run.state.velocity[i] = {1, 5 + 100 * run.assemblage.position[i].x};
     run.begin();
     CrackLog crack_log(2);
     struct Instant {
@@ -160,4 +155,4 @@ TEST(CrackLog, ARowIsOfTheStepsItNames) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -8,20 +8,15 @@
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
-using test::expect_close;
-using test::SmallRun;
-
-SmallRun run_of(const Specimen& s) { return {s, test::augig_law()}; }
-
 TEST(Frame, IsInTheOrderOfTheSpecimen) {
-    Specimen s = test::one_diagonal_grid(2, 2, 0.02, 0.02);
+    Specimen s = one_diagonal_grid(2, 2, 0.02, 0.02);
     const auto n = static_cast<std::int32_t>(s.n_nodes());
     std::reverse(s.node_position.begin(), s.node_position.end());
-    test::renumber_nodes(s, [n](std::int32_t node) { return n - 1 - node; });
-    SmallRun run = run_of(s);
+    renumber_nodes(s, [n](std::int32_t node) { return n - 1 - node; });
+    SmallRun run(s, augig_law());
     for (std::size_t i = 0; i < run.state.displacement.size(); ++i) run.state.displacement[i] = 1e-5 * run.assemblage.position[i];
     run.begin();
     const Frame frame = run.frame(3);
@@ -43,4 +38,4 @@ TEST(Frame, IsInTheOrderOfTheSpecimen) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -8,16 +8,11 @@
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
-using test::expect_close;
-using test::SmallRun;
-
-SmallRun run_with_gauges(const Specimen& s) { return {s, test::augig_law()}; }
-
-TEST(Gauges, AUniformStrainIsReadExactly) {
-    const SmallRun run = run_with_gauges(test::jittered_grid(6, 8, 0.04, 0.08, 0.2));
+TEST(Gauges, ReadAUniformStrainExactly) {
+    const SmallRun run(jittered_grid(6, 8, 0.04, 0.08, 0.2), augig_law());
     const Gauges gauges = make_gauges(run.assemblage, run.specimen);
     std::vector<Vector2> u;
     for (const Vector2& p : run.assemblage.position) {
@@ -33,17 +28,17 @@ TEST(Gauges, AUniformStrainIsReadExactly) {
     expect_close(gauges.strains(run.assemblage, u).widening, 2e-4, 1e-12, 2e-4);
 }
 
-TEST(Gauges, OfTheCentralHalf) {
-    const SmallRun run = run_with_gauges(test::one_diagonal_grid(4, 8, 0.04, 0.08));
+TEST(Gauges, LieInTheCentralHalf) {
+    const SmallRun run(one_diagonal_grid(4, 8, 0.04, 0.08), augig_law());
     const Gauges gauges = make_gauges(run.assemblage, run.specimen);
     EXPECT_FALSE(gauges.axial.terms.empty());
     for (const Gauge::Term& term : gauges.axial.terms) {
-        EXPECT_LE(std::abs(run.assemblage.position[static_cast<std::size_t>(term.node)].y), 0.02);
+        EXPECT_LE(std::abs(run.assemblage.position[term.node].y), 0.02);
     }
     for (const Gauge::Term& term : gauges.widening.terms) {
-        expect_close(std::abs(run.assemblage.position[static_cast<std::size_t>(term.node)].x), 0.02, 1e-12, 0.02);
+        expect_close(std::abs(run.assemblage.position[term.node].x), 0.02, 1e-12, 0.02);
     }
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -8,19 +8,14 @@
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
-using test::expect_close;
-using test::SmallRun;
-
-SmallRun measured_run(const Specimen& s) { return {s, test::augig_law()}; }
-
 // One contact opened by hand to half its critical opening.
-TEST(Measure, EnergyOfAnOpenedContact) {
-    SmallRun run(test::specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
-                                          {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
-                 test::augig_law(LawVariant::literal));
+TEST(Measure, HasTheEnergyOfAnOpenedContact) {
+    SmallRun run(specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
+                                    {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
+                 augig_law(LawVariant::literal));
     const ContactLaw& law = run.parameters.laws[0];
     const double opening = 0.5 * law.dct;
     for (std::size_t i = 4; i < 8; ++i) run.state.displacement[i].y = opening;
@@ -43,17 +38,17 @@ TEST(Measure, EnergyOfAnOpenedContact) {
 }
 
 // An octagon, whose slanted edges are the rim: loads on it press from the side, and are no confining pressure.
-TEST(Measure, TheConfiningPressureIsThatOnTheLeftAndTheRight) {
+TEST(Measure, TakesTheConfiningPressureFromTheLeftAndTheRight) {
     const double a = 0.01;
     const double b = 0.02;
     const Specimen octagon =
-        test::specimen_of_triangles({{0, 0}, {-a, -b}, {a, -b}, {b, -a}, {b, a}, {a, b}, {-a, b}, {-b, a}, {-b, -a}},
-                                    {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}, {0, 8, 1}});
+        specimen_of_triangles({{0, 0}, {-a, -b}, {a, -b}, {b, -a}, {b, a}, {a, b}, {-a, b}, {-b, a}, {-b, -a}},
+                              {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}, {0, 8, 1}});
     const auto force = [&](const std::vector<BoundaryPart>& parts, double pressure) {
-        SmallRun run = measured_run(octagon);
+        SmallRun run(octagon, augig_law());
         run.press_on(parts, 0.5);
         run.begin();
-        test::LinearPressure load;
+        LinearPressure load;
         load.set(pressure);
         run.steps_under(load, pressure, 2);
         return run.measured().confining_force;
@@ -67,30 +62,5 @@ TEST(Measure, TheConfiningPressureIsThatOnTheLeftAndTheRight) {
     EXPECT_EQ(force({rim, top, bottom}, 1e6), 0);
 }
 
-TEST(Measure, DampingTakesItsShareOfTheForceAgainstTheMotion) {
-    const Damping local = make_damping(0.8, DampingForm::local);
-    const Vector2 d = damping_force(local, {10, -5}, {3, 3}, {1, -2});
-    EXPECT_EQ(d.x, -8);
-    EXPECT_EQ(d.y, 4);
-    const Vector2 against = damping_force(local, {10, -5}, {3, 3}, {-1, 0});
-    EXPECT_EQ(against.x, 8);
-    EXPECT_EQ(against.y, 0);  // at rest nothing is damped
-}
-
-TEST(Measure, CombinedDampingOpposesOscillationAndLetsSteadyMotionBe) {
-    const Damping combined = make_damping(0.8, DampingForm::combined);
-    // In an oscillation F falls while v > 0, and rises while v < 0.
-    const Vector2 d = damping_force(combined, {10, -5}, {-3, 3}, {1, -2});
-    EXPECT_EQ(d.x, -8);
-    EXPECT_EQ(d.y, 4);
-    // In steady motion F rises and falls alike: the halves cancel while it rises in the sense of the motion.
-    const Vector2 rising = damping_force(combined, {10, -5}, {3, -3}, {1, -2});
-    EXPECT_EQ(rising.x, 0);
-    EXPECT_EQ(rising.y, 0);
-    const Vector2 unchanged = damping_force(combined, {10, -5}, {0, 0}, {1, 0});
-    EXPECT_EQ(unchanged.x, -4);
-    EXPECT_EQ(unchanged.y, 0);
-}
-
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

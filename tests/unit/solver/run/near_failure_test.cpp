@@ -8,11 +8,8 @@
 #include "tests/support/check.hpp"
 #include "tests/support/small_run.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
-
-using test::expect_close;
-using test::SmallRun;
 
 /// A contact under 10 MPa, whose failed points bear a share of the friction that they can.
 void slide(SmallRun& run, std::int32_t contact, double share_of_limit) {
@@ -26,10 +23,10 @@ void slide(SmallRun& run, std::int32_t contact, double share_of_limit) {
 }
 
 // Two blocks with a level joint of four contacts over the whole width.
-TEST(NearFailure, AJointInvolvesTheSectionByTheLengthThatSlides) {
+TEST(NearFailure, IsTheLengthOfAJointThatSlidesOverHalfTheWidth) {
     constexpr double width = 0.06;
     ThreadTeam team(2);
-    SmallRun run(test::jointed_rectangle(4, 2, width, 0.2, 0, test::Blocks::of_one_grain), test::augig_law());
+    SmallRun run(jointed_rectangle(4, 2, width, 0.2, 0, Blocks::of_one_grain), augig_law());
     const auto share = [&] { return near_failure(run.assemblage, run.parameters.laws[0], run.state, width, team); };
     const std::vector<std::int32_t>& contacts = run.assemblage.contact_of_specimen;
     ASSERT_EQ(contacts.size(), 4U);
@@ -47,10 +44,10 @@ TEST(NearFailure, AJointInvolvesTheSectionByTheLengthThatSlides) {
     EXPECT_EQ(share(), 1);
 }
 
-TEST(NearFailure, AContactThatLosesItsCohesionCountsWhileItIsOpen) {
+TEST(NearFailure, CountsAContactThatLosesItsCohesionWhileItIsOpen) {
     constexpr double width = 0.06;
     ThreadTeam team(2);
-    SmallRun run(test::jointed_rectangle(4, 2, width, 0.2, 0, test::Blocks::of_one_grain), test::augig_law());
+    SmallRun run(jointed_rectangle(4, 2, width, 0.2, 0, Blocks::of_one_grain), augig_law());
     ContactLaw law = run.parameters.laws[0];
     law.softens_in_shear = true;
     const std::int32_t contact = run.assemblage.contact_of_specimen[0];
@@ -61,10 +58,10 @@ TEST(NearFailure, AContactThatLosesItsCohesionCountsWhileItIsOpen) {
     expect_close(near_failure(run.assemblage, law, run.state, width, team), 0.5, 1e-12, 1);
 }
 
-TEST(NearFailure, IntactPointsCountOverAShareOfAllPoints) {
+TEST(NearFailure, CountsIntactPointsOverAShareOfAll) {
     constexpr double width = 0.12;
     ThreadTeam team(2);
-    SmallRun run(test::one_diagonal_grid(12, 12, width, width), test::augig_law());
+    SmallRun run(one_diagonal_grid(12, 12, width, width), augig_law());
     const ContactLaw& law = run.parameters.laws[0];
     const double points = 2.0 * run.assemblage.n_contacts();
     ASSERT_GT(0.06 * points, 0.5 * std::sqrt(points));
@@ -77,11 +74,11 @@ TEST(NearFailure, IntactPointsCountOverAShareOfAllPoints) {
     run.state.opening[second] = 0.81 * law.dct;
     expect_close(share(), 2 / (0.06 * points), 1e-12, 1);
     // Few points: half a line across is more than 6 % of them.
-    SmallRun few(test::one_diagonal_grid(2, 2, width, width), test::augig_law());
+    SmallRun few(one_diagonal_grid(2, 2, width, width), augig_law());
     few.state.opening[0] = 0.81 * law.dct;
     expect_close(near_failure(few.assemblage, law, few.state, width, team),
                  1 / (0.5 * std::sqrt(2.0 * few.assemblage.n_contacts())), 1e-12, 1);
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

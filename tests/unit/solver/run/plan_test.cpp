@@ -4,18 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "solver/run/simulation.hpp"
-#include "tests/support/small_run.hpp"
+#include "tests/support/phases.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 SimulationRequest tension() {
-    SimulationRequest r;
-    r.material = test::augig_granite();
-    r.contact = test::augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
-    r.loading.test = TestKind::tension;
-    r.loading.platen_speed = 0.5;
-    r.loading.max_strain = 0.004;
+    SimulationRequest r = augig_request(TestKind::tension, 0.5, 0.004);
     r.mass_scaling = true;
     r.save_state = true;
     r.frames = 2;
@@ -23,11 +18,11 @@ SimulationRequest tension() {
 }
 
 const Specimen& specimen() {
-    static const Specimen s = test::jittered_grid(4, 8, 0.02, 0.04, 0.25);
+    static const Specimen s = jittered_grid(4, 8, 0.02, 0.04, 0.25);
     return s;
 }
 
-TEST(Plan, SizesGrowWithWhatIsKept) {
+TEST(Plan, GrowsWithWhatIsKept) {
     SimulationRequest request = tension();
     const SimulationPlan plan = plan_simulation(specimen(), request);
     EXPECT_EQ(plan.nodes, specimen().n_nodes());
@@ -38,7 +33,7 @@ TEST(Plan, SizesGrowWithWhatIsKept) {
     EXPECT_GT(plan_simulation(specimen(), request).file_size, plan.file_size);
 }
 
-TEST(Plan, NoRunHasMoreSteps) {
+TEST(Plan, HasNoFewerStepsThanTheRun) {
     SimulationRequest request = tension();
     request.loading.max_strain = 2e-4;  // reached while the platens still speed up and nothing fails
     const SimulationPlan plan = plan_simulation(specimen(), request);
@@ -48,4 +43,4 @@ TEST(Plan, NoRunHasMoreSteps) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

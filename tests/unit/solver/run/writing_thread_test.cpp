@@ -8,18 +8,18 @@
 #include "tests/support/synthetic_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 class WritingThreads : public testing::TestWithParam<bool> {
 protected:
-    test::TemporaryFolder folder_;
+    TemporaryFolder folder_;
     WritingThread thread_{
-        std::make_unique<RunWriter>(H5Output(folder_.file("run.h5"), "run"), test::Recipe{}.specimen, test::synthetic_header({})),
+        std::make_unique<RunWriter>(H5Output(folder_.file("run.h5"), "run"), Recipe{}.specimen, synthetic_header({})),
         GetParam()};
 };
 
-TEST_P(WritingThreads, WorkIsDoneInItsOrder) {
+TEST_P(WritingThreads, DoTheirWorkInItsOrder) {
     std::string done;
     const std::thread::id caller = std::this_thread::get_id();
     for (const char name : {'a', 'b', 'c'}) {
@@ -33,7 +33,7 @@ TEST_P(WritingThreads, WorkIsDoneInItsOrder) {
     EXPECT_EQ(done, "abc");
 }
 
-TEST_P(WritingThreads, AnErrorEndsWhatTheCallerDoesNext) {
+TEST_P(WritingThreads, EndTheNextCallByTheirError) {
     const auto fail = [](RunWriter& /*run*/) { throw OutputError("disk.h5: is full"); };
     const auto write = [&] {
         thread_.later(fail);
@@ -45,4 +45,4 @@ TEST_P(WritingThreads, AnErrorEndsWhatTheCallerDoesNext) {
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutOne, WritingThreads, testing::Bool());
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

@@ -11,21 +11,21 @@
 #include "solver/setup/request.hpp"
 #include "tests/support/phases.hpp"
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 /// Grains of three phases under pressure between platens.
 struct LoadedGrains {
     explicit LoadedGrains(int columns)
-        : run(test::varied_phases(test::jittered_grid(columns, 2 * columns + 2, 0.04, 0.08, 0.25)).run(default_law)) {
+        : run(varied_phases(jittered_grid(columns, 2 * columns + 2, 0.04, 0.08, 0.25)).run(default_law)) {
         LoadingRequest loading;
         loading.confining_pressure = 8e6;
-        run.set_boundary(test::boundary_of_test(run.assemblage, run.specimen, loading, test::augig_contact()), 0.7);
+        run.load_by(loading, 0.7);
     }
     [[nodiscard]] StepShares shares(int n_threads) const {
         return share_step(run.assemblage, run.boundary, &run.state, n_threads);
     }
-    test::SmallRun run;
+    SmallRun run;
 };
 
 TEST(StepShares, CoverAllOnce) {
@@ -62,7 +62,7 @@ TEST(StepShares, AreEvenBeforeAndAfterFailure) {
     }
 }
 
-TEST(StepShares, SmallSpecimensGetFewerThreads) {
+TEST(StepShares, AreOfFewerThreadsInSmallSpecimens) {
     SimulationRequest request;
     request.elements_per_thread = 250;
     for (const auto& [asked, elements, expected] :
@@ -75,4 +75,4 @@ TEST(StepShares, SmallSpecimensGetFewerThreads) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test

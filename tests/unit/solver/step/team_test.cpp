@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace graincrack {
+namespace graincrack::test {
 namespace {
 
 /// Each thread writes, waits, and must find what all the others wrote; \return what was amiss.
@@ -18,7 +18,7 @@ int violations(int n_threads, int rounds) {
     std::atomic<int> wrong{0};
     const auto work = [&](int thread) {
         for (int round = 0; round < rounds; ++round) {
-            round_of[static_cast<std::size_t>(thread)] = round;
+            round_of[thread] = round;
             barrier.wait();
             for (const int other : round_of) wrong += other == round ? 0 : 1;
             barrier.wait();
@@ -30,21 +30,21 @@ int violations(int n_threads, int rounds) {
     return wrong;
 }
 
-TEST(SpinBarrier, NobodyPassesBeforeAllHaveCome) {
+TEST(SpinBarrier, LetsNobodyPassBeforeAllHaveCome) {
     EXPECT_EQ(violations(1, 100), 0);
     EXPECT_EQ(violations(2, 5000), 0);
     EXPECT_EQ(violations(3, 2000), 0);
     EXPECT_EQ(violations(16, 200), 0);  // more than most processors: they must let each other run
 }
 
-TEST(ThreadTeam, EveryThreadWorksOnEveryPieceOnce) {
+TEST(ThreadTeam, WorksOnEveryPieceOnceByEveryThread) {
     for (const int n : {1, 2, 5}) {
         ThreadTeam team(n);
         ASSERT_EQ(team.size(), n);
         std::vector<int> done(static_cast<std::size_t>(n), 0);
         for (int piece = 1; piece <= 200; ++piece) {
             team.run([&](int thread) {
-                ++done[static_cast<std::size_t>(thread)];
+                ++done[thread];
                 team.wait();
                 for (const int each : done) EXPECT_EQ(each, piece);
                 team.wait();
@@ -62,7 +62,7 @@ TEST(ThreadTeam, WorksWithAnyNumberOfItsThreads) {
         for (int piece = 0; piece < 50; ++piece) {
             std::vector<int> done(5, 0);
             team.run([&](int thread) {
-                ++done[static_cast<std::size_t>(thread)];
+                ++done[thread];
                 team.wait();
                 EXPECT_EQ(std::accumulate(done.begin(), done.end(), 0), n);
                 team.wait();
@@ -98,4 +98,4 @@ TEST(TeamSize, ShrinksByTheShareThatWaitedAndGrowsAfterAPause) {
 }
 
 }  // namespace
-}  // namespace graincrack
+}  // namespace graincrack::test
