@@ -93,7 +93,8 @@ Toughness measure_toughness(const RunData& run, const Specimen& specimen);
 /// The same, with the requested notch, which the run records. \param run the data of `reader`
 Toughness measure_toughness(const RunReader& reader, const RunData& run);
 
-/// Writes the table `toughness`, one row per run; see share/doc/columns.tsv. \param diagnostics gets the warnings, one line per run
+/// Writes the table `toughness`, one row per run; see share/doc/columns.tsv. \param diagnostics gets the warnings, one line per
+/// run
 void write_toughness_table(std::ostream& out, const std::vector<std::string>& runs, TableFormat format,
                            std::ostream& diagnostics);
 
