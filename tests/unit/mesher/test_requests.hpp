@@ -1,23 +1,70 @@
-// Requests that tests begin with, what they are refused for, and measures of the specimens that come out.
+// Requests that tests begin with, what they are refused for, and what is said and measured of the specimens that come out.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesher/mesh.hpp"
 #include "share/base/error.hpp"
+#include "tests/support/golden.hpp"
 
 namespace graincrack::mesher {
 
-inline Request rectangle_of(std::int64_t grains, std::uint64_t seed = 1) {
+inline Request request_of(Region region, std::int64_t grains, std::uint64_t seed = 1) {
     Request request;
-    request.region = rectangle(0.08, 0.16);
+    request.region = std::move(region);
     request.fabric.grains = grains;
     request.seed = seed;
     return request;
+}
+inline Request rectangle_of(std::int64_t grains, std::uint64_t seed = 1) {
+    return request_of(rectangle(0.08, 0.16), grains, seed);
+}
+/// Grains of a mean edge, m.
+inline Request request_of_edge(Region region, double edge) {
+    Request request;
+    request.region = std::move(region);
+    request.fabric.edge = edge;
+    return request;
+}
+
+/// The specimen of a request, which must be valid.
+inline Specimen valid_mesh(const Request& request, MeshReport* report = nullptr) {
+    const Specimen specimen = mesh(request, {}, report);
+    EXPECT_NO_THROW(validate(specimen, request.region.name));
+    return specimen;
+}
+
+/// Changes of a request, each by its name.
+using Changes = std::vector<std::pair<std::string, std::function<void(Request&)>>>;
+
+inline std::function<void(Request&)> graded(const char* text) {
+    return [text](Request& request) { request.fabric.grading = parse_grading(text, "--grade"); };
+}
+
+/// Fails unless a request has a plan, and once it is changed is refused as the golden file says.
+inline void expect_refused(const Request& good, const Changes& changes, const char* file = __builtin_FILE(),
+                           int line = __builtin_LINE()) {
+    EXPECT_NO_THROW((void)plan_mesh(good));
+    graincrack::test::Refusals refused;
+    for (const auto& [what, change] : changes) {
+        Request request = good;
+        change(request);
+        refused.add<UsageError>(
+            what, [&] { (void)plan_mesh(request); }, file, line);
+    }
+    graincrack::test::expect_golden(refused.text(), "", file, line);
+}
+
+/// Lines, those of warnings behind their codes.
+inline std::string text_of(const std::vector<Remark>& lines) {
+    std::string text;
+    for (const Remark& line : lines) text += (line.code.empty() ? "" : line.code + ": ") + line.text + "\n";
+    return text;
 }
 
 /// Every grain its own crystal.
@@ -25,21 +72,6 @@ inline std::vector<int> own_crystals(const Specimen& specimen) {
     std::vector<int> crystals(specimen.n_grains());
     std::iota(crystals.begin(), crystals.end(), 0);
     return crystals;
-}
-
-/// The message of the UsageError that a request causes once it is changed; "" if there is none.
-template <class Change>
-std::string refusal(Request request, const Change& change) {
-    change(request);
-    try {
-        plan_mesh(request);
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-    return "";
-}
-inline std::string refusal(const Request& request) {
-    return refusal(request, [](Request&) {});
 }
 
 inline Point place_of(const Specimen& specimen, std::int32_t node) {

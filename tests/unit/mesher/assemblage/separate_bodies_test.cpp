@@ -2,22 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "mesher/elements/divided_cells.hpp"
-#include "mesher/mesh.hpp"
-#include "share/base/error.hpp"
 #include "share/file/specimen.hpp"
 #include "tests/unit/mesher/cells/made_cells.hpp"
+#include "tests/unit/mesher/test_requests.hpp"
 
 namespace graincrack::mesher {
 namespace {
-
-using Place = std::array<double, 2>;
 
 /// A unit square of two triangles.
 PlaneCells two_cells() {
@@ -35,33 +29,24 @@ Specimen specimen_of(const PlaneMesh& mesh) {
 }
 
 Request small_rectangle(int elements_per_edge) {
-    Request request;
-    request.region = rectangle(0.04, 0.06);
-    request.fabric.grains = 200;
+    Request request = request_of(rectangle(0.04, 0.06), 200);
     request.fabric.elements_per_edge = elements_per_edge;
     return request;
 }
 
-TEST(SeparateBodies, TwoGrainsShareOneContact) {
+TEST(SeparateBodies, MakesOneContactBetweenTwoGrains) {
     const Specimen s = specimen_of(lattice_mesh(two_cells(), 1));
     validate(s, "two grains");
     ASSERT_EQ(s.n_grains(), 2U);
     ASSERT_EQ(s.n_nodes(), 6U);
     ASSERT_EQ(s.n_contacts(), 1U);
     EXPECT_EQ(s.n_boundary_edges(), 4U);
-    EXPECT_EQ(s.contact_grain_boundary[0], 0);
-    const auto [a1, a2, b1, b2] = s.contact_nodes[0];
-    EXPECT_EQ(s.node_position[index(a1)], s.node_position[index(b1)]);
-    EXPECT_EQ(s.node_position[index(a2)], s.node_position[index(b2)]);
-    EXPECT_LT(a1, 3);
-    EXPECT_GE(b1, 3);
     EXPECT_DOUBLE_EQ(s.grain_area[0], 0.5);
 }
 
-TEST(SeparateBodies, ContactsAreConformingAndOrdered) {
+TEST(SeparateBodies, MakesConformingContactsInOrder) {
     for (const int n : {1, 2, 3}) {
-        const Specimen s = mesh(small_rectangle(n));
-        validate(s, "rectangle");
+        const Specimen s = valid_mesh(small_rectangle(n));
         const auto grains = grain_of_nodes(s);
         std::set<std::array<int, 2>> pairs;
         for (std::size_t c = 0; c < s.n_contacts(); ++c) {
@@ -83,27 +68,25 @@ TEST(SeparateBodies, ContactsAreConformingAndOrdered) {
     }
 }
 
-TEST(SeparateBodies, BoundaryIsAClosedLoopWithTheSolidOnItsLeft) {
+TEST(SeparateBodies, ClosesTheBoundaryWithTheSolidOnItsLeft) {
     const Specimen s = mesh(small_rectangle(2));
-    const auto at = [&](std::int32_t node) { return s.node_position[index(node)]; };
     double doubled_area = 0;
     for (std::size_t b = 0; b < s.n_boundary_edges(); ++b) {
-        const Place end = at(s.boundary_edges[b][1]);
-        const Place next = at(s.boundary_edges[(b + 1) % s.n_boundary_edges()][0]);
-        EXPECT_EQ(end, next) << b;
-        const Place begin = at(s.boundary_edges[b][0]);
-        doubled_area += begin[0] * end[1] - begin[1] * end[0];
+        const Point begin = place_of(s, s.boundary_edges[b][0]);
+        const Point end = place_of(s, s.boundary_edges[b][1]);
+        EXPECT_EQ(end, place_of(s, s.boundary_edges[(b + 1) % s.n_boundary_edges()][0])) << b;
+        doubled_area += cross(begin, end);
         const auto part = static_cast<BoundaryPart>(s.boundary_part[b]);
-        const double outward = part == BoundaryPart::bottom  ? -begin[1] - 0.03
-                               : part == BoundaryPart::right ? begin[0] - 0.02
-                               : part == BoundaryPart::top   ? begin[1] - 0.03
-                                                             : -begin[0] - 0.02;
+        const double outward = part == BoundaryPart::bottom  ? -begin.y - 0.03
+                               : part == BoundaryPart::right ? begin.x - 0.02
+                               : part == BoundaryPart::top   ? begin.y - 0.03
+                                                             : -begin.x - 0.02;
         EXPECT_EQ(outward, 0) << b;
     }
     EXPECT_NEAR(doubled_area / 2, 0.04 * 0.06, 1e-15) << "counter-clockwise";
 }
 
-TEST(SeparateBodies, GrainsFollowEachOtherInSpace) {
+TEST(SeparateBodies, OrdersGrainsInSpace) {
     Request request = small_rectangle(1);
     request.fabric.grains = 2000;
     const Specimen s = mesh(request);
@@ -111,16 +94,12 @@ TEST(SeparateBodies, GrainsFollowEachOtherInSpace) {
     for (std::size_t g = 1; g < s.n_grains(); ++g) {
         const auto centre = [&](std::size_t grain) {
             Point sum;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Place p = s.node_position[3 * grain + k];
-                sum = sum + Point{p[0], p[1]};
-            }
+            for (std::size_t k = 0; k < 3; ++k) sum = sum + place_of(s, static_cast<std::int32_t>(3 * grain + k));
             return (1.0 / 3) * sum;
         };
         mean_step += length(centre(g) - centre(g - 1)) / static_cast<double>(s.n_grains() - 1);
-        EXPECT_EQ(s.element_nodes[g],
-                  (std::array<std::int32_t, 3>{static_cast<std::int32_t>(3 * g), static_cast<std::int32_t>(3 * g + 1),
-                                               static_cast<std::int32_t>(3 * g + 2)}));
+        const auto first = static_cast<std::int32_t>(3 * g);
+        EXPECT_EQ(s.element_nodes[g], (std::array{first, first + 1, first + 2}));
     }
     EXPECT_LT(mean_step, 1.5 * s.statistics.mean_edge);
 }
@@ -150,7 +129,7 @@ PlaneMesh fans_of(PlaneCells cells, Bodies bodies) {
     return mesh;
 }
 
-TEST(SeparateBodies, PolygonsMeetInOneBoundaryOfSeveralContacts) {
+TEST(SeparateBodies, MakesOneBoundaryOfSeveralContactsBetweenPolygons) {
     const Specimen s = specimen_of(fans_of(two_polygons(), Bodies::cells));
     validate(s, "two polygons");
     EXPECT_EQ(s.n_grains(), 2U);
@@ -161,9 +140,8 @@ TEST(SeparateBodies, PolygonsMeetInOneBoundaryOfSeveralContacts) {
         if (c > 0) {
             EXPECT_EQ(s.contact_nodes[c][0], s.contact_nodes[c - 1][1]);
         }
-        const Place p = s.node_position[index(s.contact_nodes[c][0])];
-        const Place q = s.node_position[index(s.contact_nodes[c][1])];
-        const bool is_horizontal = p[1] == q[1];  // as only the prescribed edge is
+        // As only the prescribed edge is.
+        const bool is_horizontal = place_of(s, s.contact_nodes[c][0]).y == place_of(s, s.contact_nodes[c][1]).y;
         EXPECT_EQ(s.contact_kind[c], is_horizontal ? 1 : 0);
     }
     EXPECT_EQ(s.n_boundary_edges(), 6U);
@@ -171,7 +149,7 @@ TEST(SeparateBodies, PolygonsMeetInOneBoundaryOfSeveralContacts) {
     EXPECT_DOUBLE_EQ(s.grain_area[0] + s.grain_area[1], 1);
 }
 
-TEST(SeparateBodies, CrystalsOfSeveralBodiesHaveContactsInside) {
+TEST(SeparateBodies, MakesContactsInsideCrystalsOfSeveralBodies) {
     const PlaneMesh mesh = fans_of(two_polygons(), Bodies::triangles);
     const Specimen s = specimen_of(mesh);
     validate(s, "triangles");
@@ -180,7 +158,7 @@ TEST(SeparateBodies, CrystalsOfSeveralBodiesHaveContactsInside) {
     EXPECT_EQ(mesh.crystal_of_body, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1}));
 }
 
-TEST(SeparateBodies, AMeshThatDoesNotFollowItsRegionIsRefused) {
+TEST(SeparateBodies, RefusesAMeshThatDoesNotFollowItsRegion) {
     PlaneCells missing = two_cells();
     missing.sides[0] = {1, 3, 0};
     EXPECT_THROW(separate_bodies(lattice_mesh(missing, 1)), Error);

@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "mesher/region/shapes.hpp"
-
-#include "mesher/cells/walls.hpp"
-
 #include "mesher/cells/polygon.hpp"
+#include "mesher/cells/walls.hpp"
+#include "mesher/region/shapes.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -33,14 +31,14 @@ TEST(ClippedDiagram, CutsTheCornersOfARectangle) {
     }
 }
 
-TEST(ClippedDiagram, OneCellIsTheOutline) {
+TEST(ClippedDiagram, IsTheOutlineForOneCell) {
     const ConvexOutline outline = walls_of(half_disc(2), 0.3).hull;
     const ClippedDiagram diagram(outline, std::vector<Point>{{0, 0}}, std::vector{0.0});
     EXPECT_NEAR(diagram.areas()[0], moments(outline.corners).area, 1e-12);
     EXPECT_EQ(diagram.cells().loop(0).size(), outline.size());
 }
 
-TEST(ClippedDiagram, ManyCellsOnOneSideLeaveTheOthersToTheEnds) {
+TEST(ClippedDiagram, LeavesSidesWithoutCellsToTheEnds) {
     const ConvexOutline outline = walls_of(rectangle(4, 2), 1).hull;
     // The three lines between cells end on the lower side alone, or on the upper one.
     const std::vector<Point> seeds{{0, 0.9}, {-0.2, -0.95}, {0.2, -0.95}};

@@ -6,27 +6,21 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "mesher/fabric/crystals.hpp"
-#include "mesher/mesh.hpp"
-#include "share/base/error.hpp"
 #include "share/file/specimen.hpp"
 #include "share/file/specimen_measures.hpp"
-#include "tests/support/check.hpp"
 #include "tests/unit/mesher/test_requests.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
 Request crystals_of(const Region& region, std::int64_t n, Tessellation tessellation = Tessellation::voronoi) {
-    Request request;
-    request.region = region;
+    Request request = request_of(region, n);
     request.fabric.tessellation = tessellation;
-    request.fabric.grains = n;
     request.fabric.spread = 0.3;
     return request;
 }
@@ -40,9 +34,7 @@ TEST(Crystals, BecomeValidSpecimens) {
                 for (const double spread : {0.0, 0.6}) {
                     Request request = crystals_of(region, n, tessellation);
                     request.fabric.spread = spread;
-                    MeshReport report;
-                    const Specimen s = mesh(request, {}, &report);
-                    EXPECT_NO_THROW(validate(s, region.name)) << n << " " << spread;
+                    const Specimen s = valid_mesh(request);
                     EXPECT_EQ(number_of_crystals(s), static_cast<std::size_t>(n));
                     const bool is_trigon = tessellation == Tessellation::trigon;
                     EXPECT_EQ(s.tessellation, is_trigon ? "trigon" : "voronoi");
@@ -70,14 +62,12 @@ TEST(Crystals, HaveTheirSizes) {
             }
         }
     }
-    Request request = crystals_of(rectangle(0.08, 0.16), 0);
-    request.fabric.grains.reset();
-    request.fabric.edge = 0.004;
-    // √3/4 · 4² mm² each
-    EXPECT_EQ(mesh(request).n_grains(), 1848U);
+    Request request = request_of_edge(rectangle(0.08, 0.16), 0.004);
+    request.fabric.tessellation = Tessellation::voronoi;
+    EXPECT_EQ(mesh(request).n_grains(), 1848U) << "√3/4 · 4² mm² each";
 }
 
-TEST(Crystals, FewHaveTheirSizesWithoutShortEdges) {
+TEST(Crystals, HaveTheirSizesWhereTheyAreFew) {
     for (const double spread : {0.0, 0.1, 0.6}) {
         for (std::uint64_t seed = 1; seed <= 50; ++seed) {
             Request request = crystals_of(seed % 2 == 0 ? disc(0.08) : rectangle(0.04, 0.08), seed % 4 < 2 ? 20 : 30);
@@ -86,23 +76,6 @@ TEST(Crystals, FewHaveTheirSizesWithoutShortEdges) {
             const MeshReport report = tessellate(request, plan_mesh(request)).report;
             EXPECT_LE(report.largest_area_error, 1e-6) << spread << " " << seed;
             EXPECT_NEAR(report.spread, spread, 1e-6) << seed;
-        }
-    }
-}
-
-TEST(Crystals, DiscsKeepTheirPoles) {
-    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
-        Request request = crystals_of(disc(0.08), 150);
-        request.seed = seed;
-        const Specimen s = mesh(request);
-        for (const double pole : {-0.04, 0.04}) {
-            double facet = 0;
-            for (const auto& [p, q] : s.boundary_edges) {
-                const Point from = place_of(s, p);
-                const Point to = place_of(s, q);
-                if (from.y == pole && to.y == pole) facet += std::abs(from.x - to.x);
-            }
-            EXPECT_NEAR(2 * std::atan2(facet / 2, 0.04), s.loading_arc, 1e-9);
         }
     }
 }
@@ -126,8 +99,7 @@ TEST(Crystals, FollowFlawsHolesAndOutlinesWithTheirSizes) {
                 Request request = crystals_of(region, 250, tessellation);
                 request.fabric.elongation = {ratio, 0.5};
                 MeshReport report;
-                const Specimen s = mesh(request, {}, &report);
-                EXPECT_NO_THROW(validate(s, region.name)) << region.name;
+                const Specimen s = valid_mesh(request, &report);
                 EXPECT_EQ(number_of_crystals(s), 250U);
                 EXPECT_NEAR(broken_length(s), length, 1e-9) << region.name;
                 EXPECT_LE(report.largest_area_error, 0.03) << region.name;
@@ -148,27 +120,23 @@ struct AtEnd {
 };
 AtEnd crystals_where(const Specimen& s, const std::function<bool(Point)>& is_there) {
     std::vector<Point> moment(s.n_grains());
-    std::vector<double> area(s.n_grains(), 0);
     std::vector<double> n_elements(s.n_grains(), 0);
     for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        std::array<Point, 3> corner;
-        for (std::size_t k = 0; k < 3; ++k) corner[k] = place_of(s, s.element_nodes[e][k]);
-        const auto grain = static_cast<std::size_t>(s.element_grain[e]);
-        const double own = signed_area(corner[0], corner[1], corner[2]);
-        moment[grain] = moment[grain] + (own / 3) * (corner[0] + corner[1] + corner[2]);
-        area[grain] += own;
+        std::array<Point, 3> at;
+        for (std::size_t k = 0; k < 3; ++k) at[k] = place_of(s, s.element_nodes[e][k]);
+        const std::size_t grain = index(s.element_grain[e]);
+        moment[grain] = moment[grain] + (signed_area(at[0], at[1], at[2]) / 3) * (at[0] + at[1] + at[2]);
         n_elements[grain] += 1;
     }
     AtEnd end;
-    double total = 0;
-    for (std::size_t grain = 0; grain < area.size(); ++grain) {
-        if (!is_there((1 / area[grain]) * moment[grain])) continue;
+    for (std::size_t grain = 0; grain < s.n_grains(); ++grain) {
+        if (!is_there((1 / s.grain_area[grain]) * moment[grain])) continue;
         end.n += 1;
-        end.diameter += std::sqrt(4 * area[grain] / std::numbers::pi);
+        end.diameter += std::sqrt(4 * s.grain_area[grain] / std::numbers::pi);
         end.elements += n_elements[grain];
-        total += area[grain];
+        end.element_area += s.grain_area[grain];
     }
-    end.element_area = total / end.elements;
+    end.element_area /= end.elements;
     end.diameter /= end.n;
     end.elements /= end.n;
     return end;
@@ -177,15 +145,14 @@ AtEnd crystals_where(const Specimen& s, const std::function<bool(Point)>& is_the
 // Mean diameters over a strip in which sizes grow linearly from g₀ to g₁ are to the second order √(g₀ g₁). The tolerance of 6 %
 // is three standard errors of the fewest crystals at an end (130, whose diameters vary by .1: 2.6 %) and as much for the rows of
 // crystals that the end of the strip cuts.
-TEST(Crystals, SizesAreGradedAlongAnAxis) {
+TEST(Crystals, AreGradedAlongAnAxis) {
     for (const bool has_element_size : {false, true}) {
         Request request = crystals_of(rectangle(0.08, 0.16), 4000);
         request.fabric.spread = 0.1;
         request.fabric.grading = parse_grading("along=y,from=0.5,to=2", "--grade");
         if (has_element_size) request.fabric.element_size = 0.4e-3;
         MeshReport report;
-        const Specimen s = mesh(request, {}, &report);
-        EXPECT_NO_THROW(validate(s, "rectangle"));
+        const Specimen s = valid_mesh(request, &report);
         EXPECT_EQ(s.n_grains(), 4000U);
         const AtEnd low = crystals_where(s, [](Point p) { return p.y < -0.06; });  // .5 to .6875
         const AtEnd high = crystals_where(s, [](Point p) { return p.y > 0.06; });  // 1.8125 to 2
@@ -199,14 +166,13 @@ TEST(Crystals, SizesAreGradedAlongAnAxis) {
     }
 }
 
-TEST(Crystals, SizesAreGradedAroundAHole) {
+TEST(Crystals, AreGradedAroundAHole) {
     Request request = crystals_of(rectangle(0.08, 0.08), 2000);
     add_hole(request.region, {0.005, 0}, 0.01, "--hole");
     request.fabric.spread = 0.1;
     request.fabric.grading = parse_grading("towards=holes,from=0.4,distance=24mm", "--grade");
     MeshReport report;
-    const Specimen s = mesh(request, {}, &report);
-    EXPECT_NO_THROW(validate(s, "rectangle"));
+    const Specimen s = valid_mesh(request, &report);
     EXPECT_EQ(s.n_grains(), 2000U);
     const auto distance = [](Point p) { return length(p - Point{0.005, 0}) - 0.01; };
     const AtEnd near = crystals_where(s, [&](Point p) { return distance(p) < 3e-3; });  // .4 to .475
@@ -218,34 +184,33 @@ TEST(Crystals, SizesAreGradedAroundAHole) {
 }
 
 // A specimen's middle must be the origin to 0.1 % of its width, also where chords of the rim differ.
-TEST(Crystals, GradedDiscsHaveTheirMiddle) {
+TEST(Crystals, KeepTheMiddleOfGradedDiscs) {
     Region slit = disc(0.028);
     slit.edges = {central_slit(slit, 0.014, -0.7, "slit")};
     for (const Region& region : {disc(0.028), slit, disc_with_flats(0.028, 0.5)}) {
         for (const char* grading : {"along=x,from=0.5,to=1.6", "along=y,from=1.6,to=0.5"}) {
             Request request = crystals_of(region, 250);
             request.fabric.grading = parse_grading(grading, "--grade");
-            EXPECT_NO_THROW(validate(mesh(request), region.name)) << grading;
+            valid_mesh(request);
             request.fabric.elongation = {3, -1.6};
-            EXPECT_NO_THROW(validate(mesh(request), region.name)) << grading;
+            valid_mesh(request);
         }
     }
 }
 
 // A joint at half the height divides the integral of 1/g², g from .5 to 2, by .8 to .2.
-TEST(Crystals, GradedOnesAreSharedBetweenTheSidesOfAJoint) {
+TEST(Crystals, AreSharedBySizeBetweenTheSidesOfAJoint) {
     Request request = crystals_of(rectangle(0.08, 0.16), 500);
     request.fabric.spread = 0;
     request.region.edges = {{{-0.05, 0}, {0.05, 0}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
     request.fabric.grading = parse_grading("along=y,from=0.5,to=2", "--grade");
-    const Specimen s = mesh(request);
-    EXPECT_NO_THROW(validate(s, "rectangle"));
+    const Specimen s = valid_mesh(request);
     EXPECT_NEAR(crystals_where(s, [](Point p) { return p.y < 0; }).n, 400, 2);
     EXPECT_NEAR(crystals_where(s, [](Point p) { return p.y > 0; }).n, 100, 2);
 }
 
 // A joint cuts off a tenth. The tolerance is three standard errors of its 50 diameters, which vary by .4.
-TEST(Crystals, HaveLargeAndSmallOnesInEachPart) {
+TEST(Crystals, AreLargeAndSmallInEachPart) {
     Request request = crystals_of(rectangle(0.08, 0.16), 500);
     request.fabric.spread = 0.4;
     request.region.edges = {{{-0.05, 0.064}, {0.05, 0.064}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
@@ -256,47 +221,39 @@ TEST(Crystals, HaveLargeAndSmallOnesInEachPart) {
     EXPECT_NEAR(small.diameter / large.diameter, 1, 3 * 0.4 / std::sqrt(50.0));
 }
 
-// Four parts for three crystals.
 TEST(Crystals, NameTheFlawsThatLeaveNoRoom) {
     Region region = rectangle(0.08, 0.16);
     for (const double y : {-0.04, 0.0, 0.04}) {
         const std::string name = "flaws.tsv: line " + std::to_string(3 + std::lround(y / 0.04));
         region.edges.push_back({{-0.1, y}, {0.1, y}, {ContactKind::pre_existing_crack, "joint"}, name});
     }
-    test::expect_one_line<UsageError>([&] { (void)mesh(crystals_of(region, 3)); },
-                                      {"flaws.tsv: line ", "leaves no room", " beside flaws.tsv: line "});
+    test::Refusals refused;
+    refused.add<UsageError>("four parts for three crystals", [&] { (void)mesh(crystals_of(region, 3)); });
+    test::expect_golden(refused.text());
 }
 
 TEST(Crystals, RefuseWhatTheyDoNotHave) {
-    const Request good = crystals_of(rectangle(0.08, 0.16), 100);
-    const auto names = [&](const char* option, const std::function<void(Request&)>& change) {
-        const std::string message = refusal(good, change);
-        EXPECT_EQ(message.rfind(std::string(option) + ": ", 0), 0U) << message;
-        EXPECT_EQ(message.find('\n'), std::string::npos);
-    };
-    EXPECT_EQ(refusal(good), "");
-    names("--slit", [](auto& r) { r.notch = 0.001; });
-    names("slit", [](auto& r) { r.region.edges = {{{0, -0.0795}, {0.02, -0.0795}, {}, "slit"}}; });  // beside the boundary
-    names("--grains", [](auto& r) { add_hole(r.region, {0, 0}, 0.003, "--hole"); });
-    names("--elements-per-edge", [](auto& r) { r.fabric.elements_per_edge = 2; });
-    names("--grade", [](auto& r) { r.fabric.grading = parse_grading("towards=holes,from=0.5,distance=20mm", "--grade"); });
-    names("--grade", [](auto& r) { r.fabric.grading = parse_grading("towards=boundary,from=0.5,distance=5mm", "--grade"); });
-    names("--spread", [](auto& r) { r.fabric.spread = 0.61; });
-    names("--grains", [](auto& r) { r.fabric.grains = 1; });
-    names("--grains", [](auto& r) { r.fabric.grains = 2'000'000; });
-    names("--element-size", [](auto& r) { r.fabric.element_size = 1e-6; });
-    names("--phases", [](auto& r) {
-        r.fabric.grains = 2;
-        r.fabric.phases.fractions = {{"a", 0.2}, {"b", 0.3}, {"c", 0.5}};
-    });
-    names("--element-size", [](auto& r) {
-        r.fabric.tessellation = Tessellation::delaunay;
-        r.fabric.element_size = 0.001;
-    });
-    names("--size-distribution", [](auto& r) {
-        r.fabric.tessellation = Tessellation::delaunay;
-        r.fabric.size_distribution = SizeDistribution::normal;
-    });
+    const PrescribedEdge beside_the_boundary{{0, -0.0795}, {0.02, -0.0795}, {}, "slit"};
+    Request pair = crystals_of(rectangle(0.08, 0.16), 2);
+    pair.fabric.phases.fractions = {{"a", 0.2}, {"b", 0.3}, {"c", 0.5}};
+    Request triangles_of_elements = rectangle_of(100);
+    triangles_of_elements.fabric.element_size = 0.001;
+    Request normal_triangles = rectangle_of(100);
+    normal_triangles.fabric.size_distribution = SizeDistribution::normal;
+    expect_refused(crystals_of(rectangle(0.08, 0.16), 100),
+                   {{"a notch", [](Request& r) { r.notch = 0.001; }},
+                    {"a flaw beside the boundary", [&](Request& r) { r.region.edges = {beside_the_boundary}; }},
+                    {"a hole of 3 mm", [](Request& r) { add_hole(r.region, Point(), 0.003, "--hole"); }},
+                    {"2 elements an edge", [](Request& r) { r.fabric.elements_per_edge = 2; }},
+                    {"graded towards no hole", graded("towards=holes,from=0.5,distance=20mm")},
+                    {"graded in steps", graded("towards=boundary,from=0.5,distance=5mm")},
+                    {"a spread of 0.61", [](Request& r) { r.fabric.spread = 0.61; }},
+                    {"1 crystal", [](Request& r) { r.fabric.grains = 1; }},
+                    {"2,000,000 crystals", [](Request& r) { r.fabric.grains = 2'000'000; }},
+                    {"elements of 1 um", [](Request& r) { r.fabric.element_size = 1e-6; }},
+                    {"3 phases of 2 crystals", [&](Request& r) { r = pair; }},
+                    {"a size of elements of triangles", [&](Request& r) { r = triangles_of_elements; }},
+                    {"a distribution of triangles", [&](Request& r) { r = normal_triangles; }}});
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -27,16 +26,24 @@ double length_of_flaws(const CutCells& cut) {
     return sum;
 }
 
-/// The cells of squares cut along the walls of a region, and where they have no room.
-std::optional<CutCells> cut(const Squares& squares, const Walls& walls, Point& no_room) {
+/// Cells of area 1 that fill a rectangle of 8 x 6.
+const RandomCells& tiles() {
+    static const RandomCells cells(rectangle(8, 6), 48, 0, SizeDistribution::normal, 1);
+    return cells;
+}
+
+Point middle_of(const PlaneCells& cells, std::size_t cell) { return moments(corners_of(cells, cell)).centroid; }
+
+/// They cut along walls, and where they have no room.
+std::optional<CutCells> cut(const Walls& walls, Point& no_room) {
     const Zones zones(walls);
     std::vector<std::size_t> zone_of_cell;
-    for (const Point& seed : squares.seeds) zone_of_cell.push_back(zones.zone_at(seed));
-    return cut_cells(squares.cells, squares.areas, walls, zones, zone_of_cell, {}, no_room);
+    for (std::size_t cell = 0; cell < 48; ++cell) zone_of_cell.push_back(zones.zone_at(middle_of(tiles().made.cells, cell)));
+    return cut_cells(tiles().made.cells, tiles().requested, walls, zones, zone_of_cell, {}, no_room);
 }
-CutCells cut(const Squares& squares, const Walls& walls) {
+CutCells cut(const Walls& walls) {
     Point no_room;
-    return cut(squares, walls, no_room).value();
+    return cut(walls, no_room).value();
 }
 
 void expect_whole(const CutCells& cut, std::size_t n, double area) {
@@ -48,51 +55,47 @@ void expect_whole(const CutCells& cut, std::size_t n, double area) {
 }
 
 TEST(CutCells, FollowASlitThatCrossesThem) {
-    const Squares squares(8, 6);
     Region region = rectangle(8, 6);
     region.edges = {central_slit(region, 4, 0.4, "slit")};
-    const CutCells made = cut(squares, walls_of(region, 1));
+    const CutCells made = cut(walls_of(region, 1));
     expect_whole(made, 48, 48);
     EXPECT_NEAR(length_of_flaws(made), 4, 1e-12);
 }
 
-TEST(CutCells, OnEitherSideOfAJointKeepTheirNumberAndFillTheirSide) {
-    const Squares squares(8, 6);
+TEST(CutCells, KeepTheirNumberOnEitherSideOfAJoint) {
     Region region = rectangle(8, 6);
     region.edges = {{{-5, 0.25}, {5, 0.25}, {ContactKind::grain_boundary, "joint"}}};
-    const CutCells made = cut(squares, walls_of(region, 1));
+    const CutCells made = cut(walls_of(region, 1));
     expect_whole(made, 48, 48);
     EXPECT_NEAR(length_of_flaws(made), 8, 1e-12);
-    // 24 below on 8 x 3.25, 24 above on 8 x 2.75
+    const auto is_above = [&](std::size_t cell) { return middle_of(made.cells, cell).y > 0.25; };
+    int above = 0;
+    for (std::size_t cell = 0; cell < 48; ++cell) above += is_above(cell) ? 1 : 0;
     for (std::size_t cell = 0; cell < 48; ++cell) {
-        double middle = 0;
-        for (const int p : made.cells.loop(cell)) middle += made.cells.points[index(p)].y;
-        const bool is_above = middle / static_cast<double>(made.cells.loop(cell).size()) > 0.25;
-        EXPECT_NEAR(made.areas[cell], (is_above ? 2.75 : 3.25) / 3, 1e-12);
+        EXPECT_NEAR(made.areas[cell], is_above(cell) ? 8 * 2.75 / above : 8 * 3.25 / (48 - above), 1e-12);
     }
 }
 
 // A joint that cuts a corner off leaves there a zone in which no seed lies.
 TEST(CutCells, SayWhereTheyHaveNoRoom) {
-    const Squares squares(8, 6);
     Region region = rectangle(8, 6);
     region.edges = {{{3.6, -3}, {4, -2.6}, {ContactKind::grain_boundary, "joint"}}};
     Point no_room;
-    EXPECT_FALSE(cut(squares, walls_of(region, 1), no_room));
+    EXPECT_FALSE(cut(walls_of(region, 1), no_room));
     EXPECT_NEAR(no_room.x, 3.8, 0.2);
     EXPECT_NEAR(no_room.y, -2.8, 0.2);
 }
 
 TEST(CutCells, EndAtTheWallOfAHole) {
-    const Squares squares(8, 6);
     Region region = rectangle(8, 6);
     add_hole(region, {0.3, 0.2}, 1.2, "--hole");
     const Walls walls = walls_of(region, 0.5);
-    const CutCells made = cut(squares, walls);
-    // Seeds in the hole have no cells.
-    const auto inside = std::count_if(squares.seeds.begin(), squares.seeds.end(), [&](Point p) { return walls.contains(p); });
-    EXPECT_LT(inside, 48);
-    expect_whole(made, static_cast<std::size_t>(inside), area(region));
+    const CutCells made = cut(walls);
+    // Cells in the hole are gone.
+    std::size_t inside = 0;
+    for (std::size_t cell = 0; cell < 48; ++cell) inside += walls.contains(middle_of(tiles().made.cells, cell)) ? 1 : 0;
+    EXPECT_LT(inside, 48U);
+    expect_whole(made, inside, area(region));
     double rim = 0;
     for (const Side& side : made.cells.sides) {
         if (side.part != 5) continue;

@@ -4,15 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "mesher/cells/cell_areas.hpp"
-#include "mesher/cells/laguerre.hpp"
 #include "mesher/cells/polygon.hpp"
 #include "mesher/cells/short_edges.hpp"
-#include "mesher/cells/walls.hpp"
 #include "mesher/plane/step_length.hpp"
-#include "mesher/region/shapes.hpp"
 #include "tests/unit/mesher/cells/made_cells.hpp"
 
 namespace graincrack::mesher {
@@ -22,8 +17,7 @@ namespace {
 /// and the middle of their cell falls below in step length over that root, and corners a cell.
 struct Shape {
     double shortest = INFINITY;
-    double step = 0;
-    double n_corners = 0;
+    double step = 0, n_corners = 0;
 };
 
 Shape shape_of(const PlaneCells& cells) {
@@ -50,20 +44,15 @@ Shape shape_of(const PlaneCells& cells) {
 TEST(RelaxedCorners, MakeShapesBetterAndKeepAreas) {
     for (const Region& region : {rectangle(0.08, 0.16), disc(0.08)}) {
         for (const double spread : {0.1, 0.3}) {
-            constexpr std::size_t n = 500;
-            const ConvexOutline outline =
-                walls_of(region, std::sqrt(4 * area(region) / (std::numbers::sqrt3 * static_cast<double>(n)))).hull;
-            RandomNumbers random(3);
-            const std::vector<double> requested =
-                requested_areas(n, moments(outline.corners).area, spread, SizeDistribution::normal, random);
-            PlaneCells cells = laguerre_cells(outline, requested, random).cells;
+            const RandomCells m(region, 500, spread, SizeDistribution::normal, 3);
+            const auto& [outline, requested, made] = m;
+            PlaneCells cells = made.cells;
             remove_short_edges(cells, outline.size());
             ASSERT_LE(restore_areas(cells, outline.size(), requested), 1e-6);
             const PlaneCells before = cells;
             EXPECT_LE(relax_corners(cells, outline.size(), requested), 1e-6);
-
             const std::vector<double> areas = areas_of(cells);
-            for (std::size_t cell = 0; cell < n; ++cell) {
+            for (std::size_t cell = 0; cell < cells.size(); ++cell) {
                 EXPECT_NEAR(areas[cell] / requested[cell], 1, 1e-6);
                 EXPECT_TRUE(is_sound(corners_of(cells, cell)));
             }
@@ -72,21 +61,63 @@ TEST(RelaxedCorners, MakeShapesBetterAndKeepAreas) {
             EXPECT_NEAR(shape_of(cells).n_corners, 5.5, 0.4) << "as of hexagons, of which some have lost a short edge";
             EXPECT_EQ(cells.corners, before.corners);
             for (std::size_t p = 0; p < outline.size(); ++p) EXPECT_EQ(cells.points[p], before.points[p]);
-            for (const Side& side : cells.sides) {
-                const auto at = [&](int p) { return cells.points[index(p)]; };
-                const auto was = [&](int p) { return before.points[index(p)]; };
-                EXPECT_NEAR(std::abs(cross(unit(at(side.to) - at(side.from)), unit(was(side.to) - was(side.from)))), 0, 1e-12);
+            for (const auto& [from, to, part, kind] : cells.sides) {
+                const Point is = cells.points[index(to)] - cells.points[index(from)];
+                const Point was = before.points[index(to)] - before.points[index(from)];
+                EXPECT_NEAR(cross(unit(is), unit(was)), 0, 1e-12);
             }
         }
     }
 }
 
-TEST(RelaxedCorners, FixedPointsStay) {
+TEST(RelaxedCorners, LeaveFixedPoints) {
     // Two halves of a square, all of whose points are fixed.
     PlaneCells cells = halves_of_square();
-    const std::vector<Point> before = cells.points;
     EXPECT_NEAR(relax_corners(cells, 6, {2, 2}), 0, 1e-12);
-    EXPECT_EQ(cells.points, before);
+    EXPECT_EQ(cells.points, halves_of_square().points);
+}
+
+/// A rectangle of 3 × 1 in three cells of a row; corners of the rectangle are the first points.
+PlaneCells row_of_three(double first, double second) {
+    return cells_of(
+        {{0, 0}, {3, 0}, {3, 1}, {0, 1}, {first, 0}, {first, 1}, {second, 0}, {second, 1}},
+        {{0, 4, 5, 3}, {4, 6, 7, 5}, {6, 1, 2, 7}},
+        {{0, 4, 0, {}}, {4, 6, 0, {}}, {6, 1, 0, {}}, {1, 2, 1, {}}, {2, 7, 2, {}}, {7, 5, 2, {}}, {5, 3, 2, {}}, {3, 0, 3, {}}});
+}
+
+TEST(RestoredAreas, MoveWallsAlongTheBoundary) {
+    PlaneCells cells = row_of_three(0.8, 2.1);
+    EXPECT_LE(restore_areas(cells, 4, {1, 1, 1}), 1e-10);
+    // The shortest moves are those of both ends of a wall alike.
+    const PlaneCells expected = row_of_three(1, 2);
+    for (std::size_t p = 0; p < cells.points.size(); ++p) {
+        EXPECT_NEAR(cells.points[p].x, expected.points[p].x, 1e-9);
+        EXPECT_EQ(cells.points[p].y, expected.points[p].y);
+    }
+}
+
+TEST(RestoredAreas, MoveInnerPointsFreely) {
+    // A square of side 2 with four cells around a point; the ends of walls on the boundary are fixed.
+    PlaneCells cells = cells_of(
+        {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0.1, -0.2}},
+        {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}},
+        {{0, 4, 0, {}}, {4, 1, 0, {}}, {1, 5, 1, {}}, {5, 2, 1, {}}, {2, 6, 2, {}}, {6, 3, 2, {}}, {3, 7, 3, {}}, {7, 0, 3, {}}});
+    // Two unknowns for four areas, of which two depend on the others: areas of opposite cells add up to 2.
+    EXPECT_LE(restore_areas(cells, 8, {1, 1, 1, 1}), 1e-10);
+    EXPECT_NEAR(cells.points[8].x, 0, 1e-9);
+    EXPECT_NEAR(cells.points[8].y, 0, 1e-9);
+}
+
+TEST(RestoredAreas, TurnNoCellInsideOut) {
+    PlaneCells cells = row_of_three(1, 2);
+    for (const double area : {1e-3, 1e-6}) {
+        restore_areas(cells, 4, {3 - 2 * area, area, area});
+        for (std::size_t cell = 0; cell < 3; ++cell) EXPECT_TRUE(is_sound(corners_of(cells, cell)));
+    }
+    // Nothing can move: the error is told.
+    PlaneCells fixed = row_of_three(0.8, 2);
+    EXPECT_NEAR(restore_areas(fixed, 8, {1, 1, 1}), 0.2, 1e-12);
+    EXPECT_EQ(fixed.points, row_of_three(0.8, 2).points);
 }
 
 }  // namespace

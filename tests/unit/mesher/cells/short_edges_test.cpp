@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "mesher/cells/polygon.hpp"
 #include "tests/unit/mesher/cells/made_cells.hpp"
 
@@ -18,7 +16,7 @@ PlaneCells square(double gap, double lower = 0) {
         {{0, 4, 0, {}}, {4, 1, 0, {}}, {1, 5, 1, {}}, {5, 2, 1, {}}, {2, 6, 2, {}}, {6, 3, 2, {}}, {3, 7, 3, {}}, {7, 0, 3, {}}});
 }
 
-TEST(ShortEdges, EndsMeetInTheMiddle) {
+TEST(ShortEdges, MeetInTheMiddle) {
     PlaneCells cells = square(0.1);
     const ShortEdges edges = remove_short_edges(cells, 4);
     EXPECT_EQ(edges.n_removed, 1U);
@@ -34,7 +32,7 @@ TEST(ShortEdges, EndsMeetInTheMiddle) {
     EXPECT_EQ(remove_short_edges(between, 4).n_removed, 1U);
 }
 
-TEST(ShortEdges, FixedPointsStay) {
+TEST(ShortEdges, LeaveFixedPoints) {
     // The end of the lower line comes near a corner, which takes it.
     PlaneCells cells = square(0.5, -0.96);
     EXPECT_EQ(remove_short_edges(cells, 4).n_removed, 1U);
@@ -48,7 +46,7 @@ TEST(ShortEdges, FixedPointsStay) {
     EXPECT_EQ(edges.n_left, 1U);
 }
 
-TEST(ShortEdges, TrianglesKeepTheirSides) {
+TEST(ShortEdges, LeaveTrianglesTheirSides) {
     // A triangle with a short side, which would become a line.
     PlaneCells cells = cells_of({{0, 0}, {2, 0}, {2, 0.02}, {0, 2}}, {{0, 1, 2}, {0, 2, 3}},
                                 {{0, 1, 0, {}}, {1, 2, 1, {}}, {2, 3, 2, {}}, {3, 0, 3, {}}});

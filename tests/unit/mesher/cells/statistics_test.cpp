@@ -10,7 +10,7 @@
 namespace graincrack::mesher {
 namespace {
 
-TEST(Statistics, OfTwoGrains) {
+TEST(Statistics, AreThoseOfTwoGrains) {
     const PlaneCells cells = cells_of({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {{0, 1, 2}, {2, 3, 0}});
     const MeshStatistics s = statistics_of(rectangle(1, 1), cells);
     const double mean = (4 + std::sqrt(2)) / 5;
@@ -25,7 +25,7 @@ TEST(Statistics, OfTwoGrains) {
     EXPECT_NEAR(s.area_error, 0, 1e-15);
 }
 
-TEST(Statistics, OfAPolygonThatIsNotConvex) {
+TEST(Statistics, AreThoseOfAPolygonThatIsNotConvex) {
     const PlaneCells cells = cells_of({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {{0, 1, 2, 3, 4, 5}});
     const MeshStatistics s = statistics_of({"polygon", {{cells.points, {0, 0, 0, 0, 0, 0}}}, {}}, cells);
     EXPECT_NEAR(s.mean_diameter, std::sqrt(4 * 3 / 3.14159265358979), 1e-12);

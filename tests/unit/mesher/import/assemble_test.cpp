@@ -12,8 +12,8 @@
 #include "mesher/import/outline.hpp"
 #include "share/base/error.hpp"
 #include "share/file/specimen.hpp"
-#include "tests/support/check.hpp"
 #include "tests/unit/mesher/import/mesh_files.hpp"
+#include "tests/unit/mesher/test_requests.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -23,19 +23,8 @@ Specimen specimen_of(ImportedMesh mesh, const Placement& placement = {}, std::ve
     return assemble(std::move(mesh), placement, CrystalChoice::elastic, "file", notes == nullptr ? unused : *notes);
 }
 
-std::vector<std::string> texts_of(const std::vector<Remark>& notes) {
-    std::vector<std::string> texts;
-    for (const Remark& note : notes) texts.push_back(note.text);
-    return texts;
-}
-
-std::string assembly_message(ImportedMesh mesh, const Placement& placement = {}) {
-    try {
-        specimen_of(std::move(mesh), placement);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+std::ptrdiff_t n_sides(const Specimen& s, const std::string& part) {
+    return std::ranges::count_if(s.boundary_part, [&](std::uint8_t number) { return s.part_names[number] == part; });
 }
 
 /// Two squares of two triangles each: grains 0 and 1.
@@ -67,7 +56,7 @@ TEST(Assemble, MakesContactsPartsAndCracks) {
     request.file = "file";
     request.placement.scale = 0.01;
     std::vector<Remark> notes;
-    const Specimen s = assemble(import_mesh(test::msh_41, request), request.placement, request.crystals, "file", notes);
+    const Specimen s = assemble(import_mesh(msh_41, request), request.placement, request.crystals, "file", notes);
     EXPECT_EQ(s.shape, "rectangle");
     EXPECT_DOUBLE_EQ(s.width, 0.02);
     EXPECT_DOUBLE_EQ(s.height, 0.01);
@@ -78,11 +67,8 @@ TEST(Assemble, MakesContactsPartsAndCracks) {
     EXPECT_EQ(s.phase_names, (std::vector<std::string>{"quartz", "feld_spar"}));
     ASSERT_EQ(s.n_boundary_edges(), 6U);
     EXPECT_EQ(s.part_names[s.boundary_part[0]], "loaded");  // those with names come first
-    int n_bottom = 0;
-    for (const std::uint8_t part : s.boundary_part) n_bottom += part == static_cast<std::uint8_t>(BoundaryPart::bottom) ? 1 : 0;
-    EXPECT_EQ(n_bottom, 2);
-    EXPECT_EQ(texts_of(notes),
-              std::vector<std::string>{"moved by (-10 mm, -5 mm), so that the middle of its extent is the origin"});
+    EXPECT_EQ(n_sides(s, "bottom"), 2);
+    test::expect_golden(text_of(notes));
     EXPECT_NEAR(s.statistics.mean_edge, std::sqrt(4 * 1e-4 / std::sqrt(3.0)), 1e-9);  // of triangles of the squares' area
 }
 
@@ -93,26 +79,16 @@ TEST(Assemble, PutsRightWhatFilesLeave) {
     mesh.triangles[2] = {6, 2, 5};
     std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
     std::vector<Remark> notes;
-    const Specimen s = specimen_of(mesh, {}, &notes);
-    EXPECT_EQ(s.n_contacts(), 1U);
-    EXPECT_EQ(texts_of(notes),
-              (std::vector<std::string>{"1 point that no corner of a triangle lies at was left out",
-                                        "1 of 7 points lie where others do and were joined with them; sides that "
-                                        "were apart there are grain boundaries "
-                                        "now (lines of the name crack make broken ones)",
-                                        "1 of 4 triangles were clockwise and were turned"}));
-}
-
-TEST(Assemble, PiecesOfAGrainAreGrains) {
-    ImportedMesh mesh = squares();
+    EXPECT_EQ(specimen_of(mesh, {}, &notes).n_contacts(), 1U);
+    test::expect_golden(text_of(notes), "points and directions");
+    mesh = squares();
     mesh.grain_of_triangle = {0, 1, 1, 0};  // the pieces of grain 1 meet in a point only
-    std::vector<Remark> notes;
-    const Specimen s = specimen_of(mesh, {}, &notes);
-    EXPECT_EQ(s.n_grains(), 3U);
-    EXPECT_EQ(texts_of(notes), std::vector<std::string>{"grains of several pieces: 1 further piece is a grain of its own"});
+    notes.clear();
+    EXPECT_EQ(specimen_of(mesh, {}, &notes).n_grains(), 3U);
+    test::expect_golden(text_of(notes), "pieces of a grain");
 }
 
-TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
+TEST(Assemble, MakesGrainsOfTheElementsOfCrystalsThatBreak) {
     ImportedMesh mesh = squares();
     mesh.phase_of_grain = {"quartz", "mica"};
     // Along the diagonal of the left square, inside of its crystal.
@@ -139,13 +115,6 @@ TEST(Assemble, ElementsOfCrystalsThatBreakAreGrains) {
     EXPECT_EQ(contacts, (std::vector<std::pair<int, int>>{{0, 0}, {1, 1}, {2, 3}}));
 }
 
-TEST(Assemble, CrystalsOfOneElementDoNotBreak) {
-    std::vector<Remark> notes;
-    graincrack::test::expect_one_line<InputError>(
-        [&] { assemble(fan(12, 1), {}, CrystalChoice::breaking, "fan.msh", notes); },
-        {"fan.msh: --crystals break: each crystal is one element", "smaller elements, another --grain"});
-}
-
 TEST(Assemble, TellsBodiesThatDoNotTouch) {
     ImportedMesh mesh = squares();
     for (const Point& p : squares().points) mesh.points.push_back({p.x, p.y + 1.5});
@@ -157,73 +126,67 @@ TEST(Assemble, TellsBodiesThatDoNotTouch) {
     placement.shape = "rectangle";
     const Specimen s = specimen_of(mesh, placement, &notes);
     EXPECT_DOUBLE_EQ(s.height, 2.5);
-    EXPECT_EQ(notes.back().text, "the grains make 2 bodies that share no sides");
-    const auto n_sides = [&](const std::string& part) {
-        return std::count_if(s.boundary_part.begin(), s.boundary_part.end(),
-                             [&](std::uint8_t number) { return s.part_names[number] == part; });
-    };
-    EXPECT_EQ(n_sides("bottom"), 2);
-    EXPECT_EQ(n_sides("top"), 2);
-    EXPECT_EQ(n_sides("side"), 4);  // of the gap
-    EXPECT_EQ(n_sides("left"), 2);
+    test::expect_golden(notes.back().text);
+    for (const char* part : {"bottom", "top", "left"}) EXPECT_EQ(n_sides(s, part), 2) << part;
+    EXPECT_EQ(n_sides(s, "side"), 4) << "of the gap";
     EXPECT_EQ(specimen_of(mesh).shape, "polygon");
 }
 
 TEST(Assemble, RefusesWhatDoesNotConform) {
-    ImportedMesh hanging = squares();
-    hanging.points.push_back({0, 0});
-    hanging.triangles = {{0, 1, 6}, {0, 6, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};  // a point on the side of the right square
-    hanging.grain_of_triangle = {0, 0, 0, 1, 1};
-    EXPECT_EQ(
-        assembly_message(hanging),
-        "file: the mesh does not conform: the point (0, 0) lies on the side from (0, 0.5) to (0, -0.5) without being its end");
-    ImportedMesh twice = squares();
-    twice.triangles.push_back({0, 1, 5});
-    twice.grain_of_triangle.push_back(1);
-    EXPECT_EQ(assembly_message(twice),
-              "file: two triangles overlap: both have the side from (-1, -0.5) to (0, -0.5) with themselves on its left");
-    ImportedMesh crossing = squares();
-    crossing.points.insert(crossing.points.end(), {{.5, 0}, {3, -.1}, {3, .1}});
-    crossing.triangles.push_back({6, 7, 8});
-    crossing.grain_of_triangle.push_back(1);
-    EXPECT_EQ(assembly_message(crossing).substr(0, 38), "file: the mesh overlaps itself: the si");
-    ImportedMesh flat = squares();
-    flat.points[4] = {-.5, -.5};
-    EXPECT_EQ(assembly_message(flat), "file: a triangle at (-1, -0.5) has no area");
-    ImportedMesh one_point = squares();
-    for (Point& p : one_point.points) p = {1, 1};
-    EXPECT_EQ(assembly_message(one_point), "file: all points lie at one place, or too far apart");
-    Placement placement;
-    placement.scale = 1e6;
-    EXPECT_EQ(assembly_message(squares(), placement).substr(0, 16), "file: 2000 km ac");
+    test::Refusals refused;
+    const auto add = [&](const std::string& what, const ImportedMesh& mesh, const Placement& placement = {}) {
+        refused.add<InputError>(what, [&] { specimen_of(mesh, placement); });
+    };
+    ImportedMesh mesh = squares();
+    mesh.points.push_back({0, 0});
+    mesh.triangles = {{0, 1, 6}, {0, 6, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+    mesh.grain_of_triangle = {0, 0, 0, 1, 1};
+    add("a point on the side of the right square", mesh);
+    mesh = squares();
+    mesh.triangles.push_back({0, 1, 5});
+    mesh.grain_of_triangle.push_back(1);
+    add("two triangles on a side", mesh);
+    mesh = squares();
+    mesh.points.insert(mesh.points.end(), {{.5, 0}, {3, -.1}, {3, .1}});
+    mesh.triangles.push_back({6, 7, 8});
+    mesh.grain_of_triangle.push_back(1);
+    add("a triangle across a side", mesh);
+    mesh = squares();
+    mesh.points[4] = {-.5, -.5};
+    add("a flat triangle", mesh);
+    for (Point& p : mesh.points) p = {1, 1};
+    add("one place", mesh);
+    add("2,000 km", squares(), {1e6, {}, ""});
+    add("a fan beside the origin", fan(24, 0.04), {1, Point{0.01, 0}, ""});
+    std::vector<Remark> notes;
+    refused.add<InputError>("crystals of one element that break",
+                            [&] { assemble(fan(12, 1), {}, CrystalChoice::breaking, "fan.msh", notes); });
+    test::expect_golden(refused.text());
 }
 
-TEST(Assemble, AMeshAroundTheOriginIsNotMoved) {
+TEST(Assemble, LeavesAMeshAroundTheOriginInItsPlace) {
     std::vector<Remark> notes;
-    const ImportedMesh mesh = fan(24, 0.04);
-    const Specimen s = specimen_of(mesh, {}, &notes);
+    const Specimen s = specimen_of(fan(24, 0.04), {}, &notes);
     EXPECT_TRUE(notes.empty());
     EXPECT_EQ(s.shape, "disc");
     EXPECT_EQ(s.height, 2 * 0.04 * std::cos(std::numbers::pi / 24));
     EXPECT_EQ(s.width, s.height);
     EXPECT_NEAR(s.loading_arc, 2 * std::numbers::pi / 24, 1e-12);
-    for (const std::uint8_t part : s.boundary_part) EXPECT_EQ(s.part_names[part], "rim");
-    Placement placement;
-    placement.origin = Point{0.01, 0};
-    EXPECT_NE(assembly_message(mesh, placement).find("the middle of the nodes along x is more than 0.1 %"), std::string::npos);
+    EXPECT_EQ(n_sides(s, "rim"), 24);
+}
+
+Outline outline_of(ImportedMesh mesh) {
+    std::vector<Remark> notes;
+    clean(mesh, "file");
+    return outline_of(mesh, "", "file", notes);
 }
 
 TEST(Outline, TellsShapes) {
-    std::vector<Remark> notes;
-    const auto shape = [&](ImportedMesh mesh) {
-        clean(mesh, "file");
-        return outline_of(mesh, "", "file", notes).shape;
-    };
-    EXPECT_EQ(shape(squares()), "rectangle");
+    EXPECT_EQ(outline_of(squares()).shape, "rectangle");
     ImportedMesh trapezium = squares();
     trapezium.points[5].x = 1.2;
-    EXPECT_EQ(shape(trapezium), "polygon");
-    EXPECT_EQ(shape(fan(6, 1)), "polygon");
+    EXPECT_EQ(outline_of(trapezium).shape, "polygon");
+    EXPECT_EQ(outline_of(fan(6, 1)).shape, "polygon");
     ImportedMesh half = fan(40, 1);
     half.points.push_back({1, 0});
     half.points.push_back({-1, 0});
@@ -235,7 +198,7 @@ TEST(Outline, TellsShapes) {
     }
     half.triangles.push_back({0, 40, 1});
     half.grain_of_triangle.resize(half.triangles.size(), 1);
-    EXPECT_EQ(shape(half), "half-disc");
+    EXPECT_EQ(outline_of(half).shape, "half-disc");
     ImportedMesh ring = fan(16, 1);
     ring.triangles.clear();
     ring.grain_of_triangle.clear();
@@ -246,14 +209,13 @@ TEST(Outline, TellsShapes) {
         ring.triangles.push_back({j + 1, 17 + j, 17 + i});
         ring.grain_of_triangle.insert(ring.grain_of_triangle.end(), {i, i});
     }
-    clean(ring, "file");
-    const Outline outline = outline_of(ring, "", "file", notes);
+    const Outline outline = outline_of(ring);
     EXPECT_EQ(outline.shape, "ring");
     EXPECT_EQ(outline.part_names[4], "outer");
     EXPECT_EQ(outline.part_names[outline.sides.back().part], "inner");
 }
 
-TEST(Outline, NamesOfLinesAreParts) {
+TEST(Outline, HasTheNamesOfLinesAsParts) {
     ImportedMesh mesh = squares();
     mesh.lines = {{2, 5, "punch"}, {4, 1, "flaw-joint"}, {1, 4, "crack"}, {0, 4, "crack"}, {1, 5, "strange"}};
     std::vector<Remark> notes;
@@ -263,14 +225,10 @@ TEST(Outline, NamesOfLinesAreParts) {
     EXPECT_EQ(outline.part_names[5], "punch");
     EXPECT_EQ(outline.sides.size(), 7U);
     EXPECT_EQ(outline.sides.back().kind, (FlawKind{ContactKind::grain_boundary, "joint"}));  // the first name of a side counts
-    EXPECT_EQ(texts_of(notes),
-              (std::vector<std::string>{
-                  "1 lines of cracks and flaws lie between no two grains and were passed over",
-                  "lines \"strange\" lie inside and say nothing there; contacts along lines of the name crack, flaw-NAME or "
-                  "flaw-NAME-broken are cracks or of a class of flaws"}));
+    test::expect_golden(text_of(notes));
 }
 
-TEST(Outline, NamesOfFlaws) {
+TEST(Outline, KnowsTheNamesOfFlaws) {
     EXPECT_EQ(flaw_of_line("crack"), FlawKind{ContactKind::pre_existing_crack});
     EXPECT_EQ(flaw_of_line("open-boundary"), FlawKind{ContactKind::open_boundary});
     EXPECT_EQ(flaw_of_line("flaw-joint"), (FlawKind{ContactKind::grain_boundary, "joint"}));

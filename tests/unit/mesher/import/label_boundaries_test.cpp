@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace graincrack::mesher {
@@ -11,24 +12,19 @@ namespace {
 
 LabelPieces all_pieces_of(const std::string& text) { return label_pieces(read_label_image(text, "section"), 1, "section"); }
 
-/// The places of a chain: its nodes, and the corners of pixels between them.
-std::vector<Point> places(const LabelBoundaries& boundaries, const BoundaryChain& chain) {
-    std::vector<Point> points = chain.path;
-    if (chain.closed()) return points;
-    points.front() = boundaries.nodes[static_cast<std::size_t>(chain.from)];
-    points.back() = boundaries.nodes[static_cast<std::size_t>(chain.to)];
-    return points;
-}
-
 /// The areas of the pieces by their boundaries, which are on their left or right.
 std::vector<double> areas(const LabelBoundaries& boundaries, std::size_t n_pieces) {
     std::vector<double> area(n_pieces);
     for (const BoundaryChain& chain : boundaries.chains) {
-        const std::vector<Point> path = places(boundaries, chain);
+        std::vector<Point> path = chain.path;  // nodes, and the corners of pixels between them
+        if (!chain.closed()) {
+            path.front() = boundaries.nodes[index(chain.from)];
+            path.back() = boundaries.nodes[index(chain.to)];
+        }
         for (std::size_t i = 0; i + (chain.closed() ? 0 : 1) < path.size(); ++i) {
             const double part = 0.5 * cross(path[i], path[(i + 1) % path.size()]);
-            if (chain.left >= 0) area[static_cast<std::size_t>(chain.left)] += part;
-            if (chain.right >= 0) area[static_cast<std::size_t>(chain.right)] -= part;
+            if (chain.left >= 0) area[index(chain.left)] += part;
+            if (chain.right >= 0) area[index(chain.right)] -= part;
         }
     }
     return area;
@@ -46,7 +42,7 @@ TEST(LabelBoundaries, GoFromJunctionToJunction) {
     for (const BoundaryChain& c : b.chains) EXPECT_NE(c.left, c.right);
 }
 
-TEST(LabelBoundaries, AroundAGrainAreClosed) {
+TEST(LabelBoundaries, AreClosedAroundAGrain) {
     const LabelPieces pieces = all_pieces_of("1 1 1 1\n1 2 2 1\n1 1 1 1\n");
     const LabelBoundaries b = label_boundaries(pieces);
     EXPECT_EQ(b.nodes.size(), 4U);
@@ -56,7 +52,7 @@ TEST(LabelBoundaries, AroundAGrainAreClosed) {
     EXPECT_EQ(areas(b, 2), (std::vector<double>{10, 2}));
 }
 
-TEST(LabelBoundaries, OfFourPiecesMeetInOneNode) {
+TEST(LabelBoundaries, MeetInOneNodeOfFourPieces) {
     const LabelBoundaries b = label_boundaries(all_pieces_of("1 2\n2 1\n"));
     EXPECT_EQ(b.nodes.size(), 4U + 4U + 1U);
     EXPECT_EQ(b.opened_corners, 0);
@@ -94,7 +90,7 @@ TEST(LabelBoundaries, OpenTheCornerWhereAPieceMeetsItself) {
     EXPECT_EQ(label_boundaries(all_pieces_of("0 0 0 0\n0 1 1 0\n0 1 0 1\n0 1 1 1\n0 0 0 0\n")).opened_corners, 1);
 }
 
-TEST(LabelJunctions, OneSideApartBecomeOne) {
+TEST(LabelJunctions, BecomeOneWhereOneSideIsBetween) {
     const LabelPieces pieces = all_pieces_of("1 1 2 2\n1 1 2 2\n1 1 4 4\n3 3 4 4\n3 3 4 4\n");
     LabelBoundaries b = label_boundaries(pieces);
     const std::size_t nodes = b.nodes.size();
@@ -103,9 +99,8 @@ TEST(LabelJunctions, OneSideApartBecomeOne) {
     EXPECT_EQ(join_near_junctions(b, 2), 1);
     EXPECT_EQ(b.nodes.size(), nodes - 1);
     EXPECT_EQ(std::count(b.nodes.begin(), b.nodes.end(), Point{2, 2.5}), 1);
-    double sum = 0;
-    for (const double a : areas(b, 4)) sum += a;
-    EXPECT_DOUBLE_EQ(sum, 20);
+    const std::vector<double> area = areas(b, 4);
+    EXPECT_DOUBLE_EQ(std::accumulate(area.begin(), area.end(), 0.0), 20);
     EXPECT_EQ(pinched_nodes(b), 0);
 }
 

@@ -3,22 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "share/base/error.hpp"
+#include "tests/support/golden.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/unit/mesher/import/png_writer.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
-using test::png_of;
-
-std::string error_of(std::string_view bytes) {
-    try {
-        read_label_image(bytes, "section");
-    } catch (const InputError& error) {
-        std::string message = error.what();
-        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-        return message;
-    }
-    return "";
+/// The refusal of a picture.
+void add(test::Refusals& refused, const std::string& what, const std::string& bytes) {
+    refused.add<InputError>(what, [&] { read_label_image(bytes, "section"); });
 }
 
 TEST(LabelImage, ReadsTheLabelsOfEveryKindOfPng) {
@@ -48,8 +42,6 @@ TEST(LabelImage, TakesEachColourForALabel) {
     EXPECT_EQ(labels({1, 2, 3, 255, 1, 2, 3, 254}, PNG_COLOR_TYPE_RGB_ALPHA), (std::vector<int>{0x010203, 0x01010203}));
     EXPECT_EQ(labels({9, 255, 9, 0}, PNG_COLOR_TYPE_GRAY_ALPHA), (std::vector<int>{9, static_cast<int>(0xff000009U)}));
     EXPECT_EQ(labels({9, 65535, 300, 65534}, PNG_COLOR_TYPE_GRAY_ALPHA, 16), (std::vector<int>{9, 0x1012c}));
-    EXPECT_EQ(error_of(png_of(1, 1, {1, 2, 3}, {PNG_COLOR_TYPE_RGB, 16})),
-              "section: the PNG has colours of 16 bits; colours of 8 bits, greys of 8 or 16 bits or a palette are needed");
 }
 
 TEST(LabelImage, ReadsText) {
@@ -65,48 +57,41 @@ TEST(LabelImage, ReadsText) {
               std::vector<int>{5});
 }
 
-TEST(LabelImage, SaysWhatIsWrongWithText) {
-    EXPECT_EQ(error_of("1 2\n3 4\n5\n"), "section: row 3 has 1 number, the rows above 2; all need as many");
-    EXPECT_EQ(error_of("1 2\n\n5 6\n"), "section: row 2 has 0 numbers, the rows above 2; all need as many");
-    EXPECT_EQ(error_of("\n5 6\n"), "section: row 1 has no number; each row of the picture needs as many");
-    EXPECT_EQ(error_of(" \n"), "section: there is no number in it; the rows of a picture are needed");
-    for (const std::string bad : {"-1", "1.5", "x", "2147483648", "1,2", "+1", "0x1"}) {
-        EXPECT_EQ(
-            error_of("1 2\n3 " + bad),
-            "section: row 2 has \"" + bad + "\"; whole numbers from 0 to 2147483647, separated by tabs or blanks, are needed");
-    }
-    EXPECT_NE(error_of(std::string("1 \x1b[1m", 6)).find("\\x1b"), std::string::npos);
+TEST(LabelImage, RefusesBadText) {
+    EXPECT_EQ(test::expect_refused<InputError>("mesher/import/label_image.toml",
+                                               [](const std::string& text) { read_label_image(text, "section"); }),
+              12U);
+}
+
+TEST(LabelImage, RefusesBadPictures) {
+    test::Refusals refused;
+    add(refused, "a JPEG", "\xff\xd8\xff\xe0");
+    add(refused, "a TIFF", std::string("II*\0", 4));
+    add(refused, "part of a signature", "\x89PNG");
+    add(refused, "a signature alone", "\x89PNG\r\n\x1a\n");
+    add(refused, "colours of 16 bits", png_of(1, 1, {1, 2, 3}, {PNG_COLOR_TYPE_RGB, 16}));
+    // A picture of one row of 20,000 pixels whose header says that it has 20,000 rows.
+    std::string bytes = png_of(20000, 1, std::vector<int>(20000), {PNG_COLOR_TYPE_GRAY, 1});
+    bytes.replace(20, 4, std::string("\0\0\x4e\x20", 4));
+    const unsigned long check = crc32(0, reinterpret_cast<const unsigned char*>(bytes.data()) + 12, 17);
+    for (std::size_t k = 0; k < 4; ++k) bytes[29 + k] = static_cast<char>(check >> (24 - 8 * k) & 0xffU);
+    add(refused, "more pixels than are read", bytes);
+    test::expect_golden(refused.text());
 }
 
 TEST(LabelImage, RefusesDamagedPictures) {
     std::vector<int> samples(400);
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i * i % 251);
+    test::Refusals refused;
     for (const bool interlaced : {false, true}) {
         const std::string whole = png_of(20, 20, samples, {PNG_COLOR_TYPE_GRAY, 8, interlaced});
-        for (std::size_t n = 8; n < whole.size(); ++n) {
-            EXPECT_EQ(error_of(whole.substr(0, n)).rfind("section: the PNG is damaged: ", 0), 0U) << n;
-        }
+        for (std::size_t n = 8; n < whole.size(); ++n) add(refused, std::to_string(n) + " bytes", whole.substr(0, n));
         for (std::size_t i = 8; i < whole.size(); ++i) {
             std::string damaged = whole;
             damaged[i] = static_cast<char>(damaged[i] ^ 0x55);
-            EXPECT_FALSE(error_of(damaged).empty()) << i;
+            add(refused, "another byte at " + std::to_string(i), damaged);
         }
     }
-    for (const std::string& other : {std::string("\xff\xd8\xff\xe0"), std::string("II*\0", 4), std::string("\x89PNG")}) {
-        EXPECT_EQ(error_of(other), "section: is no PNG and no text; save the picture as PNG");
-    }
-    const std::string signature = "\x89PNG\r\n\x1a\n";
-    EXPECT_EQ(error_of(signature), "section: the PNG is damaged: it ends too early; a whole picture is needed");
-}
-
-TEST(LabelImage, RefusesMorePixelsThanItReads) {
-    // A picture of one row of 20,000 pixels whose header says that it has 20,000 rows.
-    std::string bytes = png_of(20000, 1, std::vector<int>(20000), {PNG_COLOR_TYPE_GRAY, 1});
-    const std::string height("\0\0\x4e\x20", 4);
-    bytes.replace(20, 4, height);
-    const unsigned long check = crc32(0, reinterpret_cast<const unsigned char*>(bytes.data()) + 12, 17);
-    for (std::size_t k = 0; k < 4; ++k) bytes[29 + k] = static_cast<char>(check >> (24 - 8 * k) & 0xffU);
-    EXPECT_EQ(error_of(bytes), "section: the picture has 20000 × 20000 pixels; at most 100000000 are read");
 }
 
 TEST(LabelImage, KnowsWhatLooksLikeOne) {

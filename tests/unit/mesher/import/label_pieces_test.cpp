@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -32,7 +32,7 @@ TEST(LabelPieces, JoinTheNeighbourWithTheLongestBorder) {
     EXPECT_EQ(pieces_of("1 1 1 2 2\n1 1 9 2 2\n1 1 9 9 2\n1 1 2 2 2\n", 3).size(), 3U) << "three pixels are enough";
 }
 
-TEST(LabelPieces, OfOneLabelBecomeOneWhereWhatPartedThemJoins) {
+TEST(LabelPieces, BecomeOneWhereThePieceBetweenThemJoins) {
     const LabelPieces p = pieces_of("1 1 5 1 1 2\n1 1 5 1 1 2\n2 2 2 2 2 2\n", 3);
     EXPECT_EQ(p.size(), 2U);
     EXPECT_EQ(p.joined, 1);
@@ -50,9 +50,9 @@ TEST(LabelPieces, StayWhereThereIsNoNeighbour) {
 TEST(LabelPieces, RefuseMoreGrainsThanAreMade) {
     LabelImage image{1001, 1000, std::vector<int>(1001000), ""};
     for (std::size_t i = 0; i < image.labels.size(); ++i) image.labels[i] = static_cast<int>(i);
-    graincrack::test::expect_one_line<InputError>(
-        [&] { label_pieces(image, 1, "section"); },
-        {"section: 1001000 grains; at most 1000000 are made, so a larger smallest piece is needed"});
+    test::Refusals refused;
+    refused.add<InputError>("1,001,000 labels", [&] { label_pieces(image, 1, "section"); });
+    test::expect_golden(refused.text());
 }
 
 }  // namespace

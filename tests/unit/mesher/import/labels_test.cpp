@@ -12,8 +12,8 @@
 #include "mesher/import/label_pieces.hpp"
 #include "mesher/plane/random_numbers.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
 #include "tests/unit/mesher/import/png_writer.hpp"
+#include "tests/unit/mesher/test_requests.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -38,25 +38,26 @@ LabelOptions options_of(int smallest_piece = 10) {
 
 Point at(const ImportedMesh& mesh, int p) { return mesh.points[index(p)]; }
 
+double area_at(const ImportedMesh& mesh, const Triangle& t) {
+    return signed_area(at(mesh, t[0]), at(mesh, t[1]), at(mesh, t[2]));
+}
+
 std::vector<double> grain_areas(const ImportedMesh& mesh) {
     std::vector<double> areas(mesh.phase_of_grain.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        areas[static_cast<std::size_t>(mesh.grain_of_triangle[i])] += signed_area(at(mesh, t[0]), at(mesh, t[1]), at(mesh, t[2]));
+        areas[index(mesh.grain_of_triangle[i])] += area_at(mesh, mesh.triangles[i]);
     }
     return areas;
 }
 
-/// Whether triangles are counter-clockwise, fill the picture and share their sides, and no grain
-/// meets itself in a point.
+/// Whether triangles are counter-clockwise, fill the picture and share their sides, and no grain meets itself in a point.
 void expect_conforming(const ImportedMesh& mesh, double width, double height, const std::string& what) {
     std::map<std::pair<int, int>, int> grain_of_side;
     double area = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Triangle& t = mesh.triangles[i];
-        const double own = signed_area(at(mesh, t[0]), at(mesh, t[1]), at(mesh, t[2]));
-        ASSERT_GT(own, 0) << what;
-        area += own;
+        ASSERT_GT(area_at(mesh, t), 0) << what;
+        area += area_at(mesh, t);
         for (std::size_t k = 0; k < 3; ++k) {
             ASSERT_TRUE(grain_of_side.emplace(std::pair{t[k], t[(k + 1) % 3]}, mesh.grain_of_triangle[i]).second) << what;
         }
@@ -78,21 +79,13 @@ void expect_conforming(const ImportedMesh& mesh, double width, double height, co
     EXPECT_EQ(*grains.rbegin() + 1, static_cast<int>(grains.size()));
 }
 
-bool has_note(const ImportedMesh& mesh, const std::string& part) {
-    return std::any_of(mesh.notes.begin(), mesh.notes.end(),
-                       [&](const Remark& n) { return n.text.find(part) != std::string::npos; });
-}
-
 TEST(Labels, StandUprightInMetres) {
     LabelOptions options = options_of(1);
     options.pixel_size = 5e-6;
     options.phases.by_number = {{7, "quartz"}, {9, "mica"}, {8, "feldspar"}};
     const ImportedMesh mesh = import_labels(picture(4, 2, [](int, int row) { return row == 0 ? 7 : 8; }), options, "section");
-    EXPECT_EQ(mesh.format, "labels, text, 4 × 2 pixels");
     EXPECT_EQ(mesh.phase_of_grain, (std::vector<std::string>{"quartz", "feldspar"}));
-    EXPECT_TRUE(has_note(mesh, "no grain has the label 9 of the phase mica"));
-    options.phases.by_number.erase(8);
-    EXPECT_THROW(import_labels("7\n8\n", options, "section"), InputError);
+    test::expect_golden(mesh.format + "\n" + text_of(mesh.notes));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         Point sum;
         for (const int p : mesh.triangles[i]) sum = sum + at(mesh, p);
@@ -147,12 +140,11 @@ TEST(Labels, MakeGrainsOfPiecesAndJoinSmallOnes) {
         picture(20, 10, [](int column, int row) { return column == 3 && row == 4 ? 9 : (column < 8 || column > 12 ? 1 : 2); }),
         options_of(), "");
     EXPECT_EQ(mesh.phase_of_grain.size(), 3U);
-    EXPECT_TRUE(has_note(mesh, "1 piece of fewer than 10 pixels joined a neighbour"));
-    EXPECT_TRUE(has_note(mesh, "1 label is in several pieces: each is a grain, 1 more than labels"));
+    test::expect_golden(text_of(mesh.notes));
     expect_conforming(mesh, 20, 10, "pieces");
 }
 
-TEST(Labels, OfOddPicturesConform) {
+TEST(Labels, MakeConformingMeshesOfOddPictures) {
     const auto modulo = [](int n) { return [n](int column, int row) { return (column + row) % n; }; };
     const std::vector<std::pair<std::string, std::string>> pictures{
         {"one pixel", "7"},
@@ -197,7 +189,7 @@ std::string cells_picture(int size, int n, std::uint64_t seed) {
     });
 }
 
-TEST(Labels, OfGrainsHaveTheirAreasAndGoodTriangles) {
+TEST(Labels, KeepTheAreasOfGrainsAndMakeGoodTriangles) {
     const std::string text = cells_picture(200, 60, 3);
     const LabelPieces pieces = label_pieces(read_label_image(text, ""), 10, "");
     const ImportedMesh mesh = import_labels(text, options_of(), "");
@@ -223,15 +215,15 @@ TEST(Labels, OfGrainsHaveTheirAreasAndGoodTriangles) {
     EXPECT_NEAR(sum / (3 * static_cast<double>(mesh.triangles.size())), requested, 0.15 * requested);
 }
 
-TEST(Labels, OfAPngAreThoseOfItsText) {
+TEST(Labels, AreTheSameOfAPngAndItsText) {
     std::vector<int> samples;
     const std::string text = picture(30, 20, [&](int column, int row) {
         samples.push_back(column + row < 25 ? 300 : 4);
         return samples.back();
     });
     const ImportedMesh of_text = import_labels(text, options_of(), "");
-    const ImportedMesh of_png = import_labels(test::png_of(30, 20, samples, {PNG_COLOR_TYPE_GRAY, 16}), options_of(), "");
-    EXPECT_EQ(of_png.format, "labels, PNG, grey, 16 bits, 30 × 20 pixels");
+    const ImportedMesh of_png = import_labels(png_of(30, 20, samples, {PNG_COLOR_TYPE_GRAY, 16}), options_of(), "");
+    test::expect_golden(of_png.format);
     EXPECT_EQ(of_png.points, of_text.points);
     EXPECT_EQ(of_png.triangles, of_text.triangles);
 }
@@ -247,44 +239,34 @@ std::string soft_picture(int third) {
             samples.insert(samples.end(), {is_third ? third : static_cast<int>(std::lround(192 + share * 63)), soft, soft});
         }
     }
-    return test::png_of(60, 40, samples, {PNG_COLOR_TYPE_RGB, 8});
+    return png_of(60, 40, samples, {PNG_COLOR_TYPE_RGB, 8});
 }
 
-TEST(Labels, SoftEdgesHaveTheNearestColourOfTheKey) {
+TEST(Labels, HaveTheNearestColourOfTheKeyAtSoftEdges) {
     LabelOptions options = options_of();
     options.phases.by_colour = {{0xc03030, "quartz"}, {0xffffff, "mica"}, {0xe09898, "of_the_edge_alone"}};
     const ImportedMesh mesh = import_labels(soft_picture(0), options, "");
     ASSERT_EQ(mesh.labels.size(), 2U);  // not the third, of which the soft edge has a pixel somewhere
-    EXPECT_EQ(mesh.labels[0].phase + mesh.labels[1].phase, "micaquartz");
+    EXPECT_EQ(mesh.labels[0].phase + " " + mesh.labels[1].phase, "mica quartz");
     EXPECT_EQ(mesh.phase_of_grain.size(), 2U);
-    const auto said = std::ranges::find_if(mesh.notes, [](const Remark& note) { return note.text.find("took the") < 60; });
-    ASSERT_NE(said, mesh.notes.end());
-    EXPECT_TRUE(said->text.starts_with("40 pixels up to 2 from a colour of the key took the nearest")) << said->text;
+    test::expect_golden(text_of(mesh.notes));
 }
 
-TEST(Labels, AColourThatTheKeyLacksIsRefused) {
+TEST(Labels, AreRefusedInOneLine) {
+    test::Refusals refused;
     LabelOptions options = options_of();
-    options.phases.by_colour = {{0xc03030, "quartz"}, {0xffffff, "mica"}};
-    graincrack::test::expect_one_line<InputError>([&] { import_labels(soft_picture(90), options, "minerals.png"); },
-                                                  {"minerals.png: the label ", "has no phase"});
-}
-
-TEST(Labels, APhotoIsRefused) {
+    options.phases.by_number = {{7, "quartz"}};
+    refused.add<InputError>("a label without a phase", [&] { import_labels("7\n8\n", options, "section.tsv"); });
+    options.phases = {{}, {{0xc03030, "quartz"}, {0xffffff, "mica"}}};
+    refused.add<InputError>("a colour that the key lacks", [&] { import_labels(soft_picture(90), options, "minerals.png"); });
     std::vector<int> samples;
     for (int i = 0; i < 3 * 30 * 30; ++i) samples.push_back(i * i % 251);
-    graincrack::test::expect_one_line<InputError>(
-        [&] {
-            import_labels(test::png_of(30, 30, samples, {PNG_COLOR_TYPE_RGB, 8}), options_of(), "photo.png");
-        },
-        {"photo.png: is a photo", "a PNG of labels is needed"});
-}
-
-TEST(Labels, RefuseSizesThatMeanNothing) {
-    LabelOptions options = options_of();
+    const std::string photo = png_of(30, 30, samples, {PNG_COLOR_TYPE_RGB, 8});
+    refused.add<InputError>("a photo", [&] { import_labels(photo, options_of(), "photo.png"); });
+    options = options_of();
     options.element_size = 1e-6;
-    graincrack::test::expect_one_line<InputError>(
-        [&] { import_labels("1 2", options, "section.tsv"); },
-        {"section.tsv: elements of 1 um are too many for 2 × 1 pixels; at least 479.6 um are needed"});
+    refused.add<InputError>("elements of 1 um", [&] { import_labels("1 2", options, "section.tsv"); });
+    test::expect_golden(refused.text());
 }
 
 }  // namespace

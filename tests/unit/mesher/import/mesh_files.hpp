@@ -10,7 +10,7 @@
 #include "mesher/import/import_specimen.hpp"
 #include "share/base/text.hpp"
 
-namespace graincrack::mesher::test {
+namespace graincrack::mesher {
 
 inline const std::string msh_22 =
     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
@@ -36,9 +36,9 @@ inline std::string with(std::string text, const std::string& part, const std::st
 }
 
 /// The mesh of a file; `request` says the rest.
-inline ImportedMesh read(const std::string& bytes, ImportRequest request = {}) {
+inline ImportedMesh read_mesh(const std::string& bytes, ImportRequest request = {}) {
     request.file = "file";
     return import_mesh(bytes, request);
 }
 
-}  // namespace graincrack::mesher::test
+}  // namespace graincrack::mesher

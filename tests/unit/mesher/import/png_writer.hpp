@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace graincrack::mesher::test {
+namespace graincrack::mesher {
 
 /// What kind of PNG is written; `samples` of a pixel follow each other.
 struct PngKind {
@@ -16,15 +16,6 @@ struct PngKind {
     bool interlaced = false;
     std::vector<png_color> palette = {};  ///< empty: shades of grey
 };
-
-inline int channels_of(int colour_type) {
-    switch (colour_type) {
-        case PNG_COLOR_TYPE_GRAY_ALPHA: return 2;
-        case PNG_COLOR_TYPE_RGB: return 3;
-        case PNG_COLOR_TYPE_RGB_ALPHA: return 4;
-        default: return 1;
-    }
-}
 
 /// The bytes of a PNG with such samples, row by row from the top; a palette has 256 shades of grey, of fewer bits as many as fit,
 /// unless it is given.
@@ -49,7 +40,7 @@ inline std::string png_of(int width, int height, const std::vector<int>& samples
     }
     png_write_info(png, info);
     png_set_packing(png);
-    const std::size_t row_samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels_of(kind.colour_type));
+    const std::size_t row_samples = static_cast<std::size_t>(width) * png_get_channels(png, info);
     std::vector<std::vector<png_byte>> rows(static_cast<std::size_t>(height));
     std::vector<png_bytep> row_pointers;
     for (std::size_t j = 0; j < rows.size(); ++j) {
@@ -66,4 +57,4 @@ inline std::string png_of(int width, int height, const std::vector<int>& samples
     return bytes;
 }
 
-}  // namespace graincrack::mesher::test
+}  // namespace graincrack::mesher

@@ -7,7 +7,7 @@
 namespace graincrack::mesher {
 namespace {
 
-TEST(PowerDiagram, TwoSeedsShareOneLineOfEqualPowers) {
+TEST(PowerDiagram, HasOneLineOfEqualPowersBetweenTwoSeeds) {
     const std::vector<Point> seeds{{-1, 0}, {1, 0}};
     for (const double weight : {0.0, 0.8, -1.2}) {
         const PowerDiagram diagram = power_diagram(seeds, std::vector{weight, 0.0}, 3);
@@ -25,7 +25,7 @@ TEST(PowerDiagram, TwoSeedsShareOneLineOfEqualPowers) {
     }
 }
 
-TEST(PowerDiagram, EmptyCellsHaveNoSides) {
+TEST(PowerDiagram, HasNoSidesOfEmptyCells) {
     const std::vector<Point> seeds{{-1, 0}, {0, 0}, {1, 0.1}};
     EXPECT_EQ(power_diagram(seeds, std::vector{0.0, 0.0, 0.0}, 2).sides.size(), 2U);
     const PowerDiagram diagram = power_diagram(seeds, std::vector{0.0, -3.0, 0.0}, 2);

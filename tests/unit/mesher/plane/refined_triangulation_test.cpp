@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -39,30 +39,24 @@ TEST(RefinedTriangles, FillRegionsWithinBounds) {
 }
 
 TEST(RefinedTriangles, AreTheSameEachTime) {
-    const RefinedMesh mesh = refined_triangles(square, borders, {0.2});
-    std::vector<std::vector<int>> other_memory(1000, std::vector<int>(17));
-    const RefinedMesh again = refined_triangles(square, borders, {0.2});
-    EXPECT_EQ(again.points, mesh.points);
-    EXPECT_EQ(again.triangles, mesh.triangles);
-    EXPECT_EQ(again.region_of_triangle, mesh.region_of_triangle);
+    const auto mesh = [] { return refined_triangles(square, borders, {0.2}); };
+    EXPECT_EQ(mesh().points, mesh().points);
+    EXPECT_EQ(mesh().triangles, mesh().triangles);
+    EXPECT_EQ(mesh().region_of_triangle, mesh().region_of_triangle);
 }
 
-TEST(RefinedTriangles, RefuseBordersThatCross) {
-    std::vector<Point> points = square;
-    points[6] = {12, 6};
-    EXPECT_THROW(refined_triangles(points, borders, {1}), UsageError);
-    points[6] = {10, 6};
-    EXPECT_THROW(refined_triangles(points, borders, {1}), UsageError) << "a corner on a border";
-    points[6] = points[5];
-    EXPECT_THROW(refined_triangles(points, borders, {1}), UsageError) << "two points at one place";
-}
-
-TEST(RefinedTriangles, RefuseMorePointsThanAllowed) {
-    test::expect_one_line<UsageError>(
-        [] {
-            refined_triangles(square, borders, {0.06, 20, 1000});
-        },
-        {"more than 1000 points are needed"});
+TEST(RefinedTriangles, RefuseBordersThatCrossAndTooManyPoints) {
+    test::Refusals refused;
+    const auto add = [&](const std::string& what, Point corner) {
+        std::vector<Point> points = square;
+        points[6] = corner;
+        refused.add<UsageError>(what, [&] { refined_triangles(points, borders, {1}); });
+    };
+    add("a corner across a border", {12, 6});
+    add("a corner on a border", {10, 6});
+    add("two points at one place", square[5]);
+    refused.add<UsageError>("more points than allowed", [] { (void)refined_triangles(square, borders, {0.06, 20, 1000}); });
+    test::expect_golden(refused.text());
 }
 
 }  // namespace

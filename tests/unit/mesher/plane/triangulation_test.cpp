@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesher/plane/random_numbers.hpp"
+#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -76,7 +77,7 @@ TEST(Triangulation, EndsForPointsOnOneCircle) {
     EXPECT_EQ(delaunay_triangles(points).size(), 400U);
 }
 
-TEST(Triangulation, MovedPointsGiveTheSameAsNewOnes) {
+TEST(Triangulation, IsTheSameOfMovedAndOfNewPoints) {
     auto points = random_points(800, 3);
     DelaunayMesh mesh;
     mesh.build(points);
@@ -91,27 +92,24 @@ TEST(Triangulation, MovedPointsGiveTheSameAsNewOnes) {
     }
 }
 
-TEST(Triangulation, EdgesAreUniqueAndAscending) {
+TEST(Triangulation, HasUniqueAscendingEdges) {
     const std::vector<Triangle> two{{0, 1, 2}, {2, 1, 3}};
     EXPECT_EQ(edges_of(two, 4), (std::vector<Edge>{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}}));
 }
 
-TEST(Triangulation, SplitsAnEarAlongTheOtherDiagonal) {
-    const std::vector<Point> points{{0, 0}, {1, 0}, {0, 1}, {0.8, 0.8}};
-    std::vector<Triangle> triangles{{0, 1, 2}, {1, 3, 2}};
-    EXPECT_TRUE(split_corner_ear(points, triangles, 0, 2, 1));
+TEST(CornerEar, IsSplitAlongTheOtherDiagonalUnlessThatIsFlat) {
+    const std::vector<Triangle> ears{{0, 1, 2}, {1, 3, 2}};
+    std::vector<Triangle> triangles = ears;
+    EXPECT_TRUE(split_corner_ear(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {0.8, 0.8}}, triangles, 0, 2, 1));
     EXPECT_EQ(as_set(triangles), (std::set<Triangle>{{0, 1, 3}, {0, 3, 2}}));
-    EXPECT_FALSE(split_corner_ear(points, triangles, 0, 2, 1)) << "there is no ear any more";
+    triangles = ears;
+    EXPECT_FALSE(split_corner_ear(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {2, 0}}, triangles, 0, 2, 1));
+    EXPECT_EQ(triangles, ears);
+    triangles = {{0, 1, 3}, {0, 3, 2}};
+    EXPECT_FALSE(split_corner_ear(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {0.8, 0.8}}, triangles, 0, 2, 1)) << "no ear";
 }
 
-TEST(Triangulation, LeavesAnEarWhoseOtherDiagonalWouldBeFlat) {
-    const std::vector<Point> points{{0, 0}, {1, 0}, {0, 1}, {2, 0}};
-    std::vector<Triangle> triangles{{0, 1, 2}, {1, 3, 2}};
-    EXPECT_FALSE(split_corner_ear(points, triangles, 0, 2, 1));
-    EXPECT_EQ(triangles, (std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}}));
-}
-
-TEST(Triangulation, HilbertOrderVisitsNeighboursInTurn) {
+TEST(HilbertOrder, VisitsNeighboursInTurn) {
     std::vector<Point> points;
     for (int i = 0; i < 16; ++i) {
         for (int j = 0; j < 16; ++j) points.push_back({static_cast<double>(i), static_cast<double>(j)});
@@ -122,6 +120,51 @@ TEST(Triangulation, HilbertOrderVisitsNeighboursInTurn) {
         const Point step = points[static_cast<std::size_t>(order[k])] - points[static_cast<std::size_t>(order[k - 1])];
         EXPECT_EQ(std::abs(step.x) + std::abs(step.y), 1) << k;
     }
+}
+
+std::vector<Edge> loop(int first, int n) {
+    std::vector<Edge> sides;
+    for (int i = 0; i < n; ++i) sides.push_back({first + i, first + (i + 1) % n});
+    return sides;
+}
+
+const std::vector<Point> l{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+
+TEST(ConstrainedTriangulation, FollowsLoopsAroundHolesAndIslands) {
+    const auto triangles = constrained_triangles(l, loop(0, 6));
+    EXPECT_EQ(triangles.size(), 4U);
+    EXPECT_DOUBLE_EQ(total_area(l, triangles), 3);
+    const std::vector<Point> points{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {2, 2}, {2, 7}, {7, 7}, {7, 2}, {4, 4}, {5, 4}, {5, 5}};
+    auto sides = loop(0, 4);
+    for (const auto& more : {loop(4, 4), loop(8, 3)}) sides.insert(sides.end(), more.begin(), more.end());
+    EXPECT_DOUBLE_EQ(total_area(points, constrained_triangles(points, sides)), 81 - 25 + 0.5);
+}
+
+TEST(ConstrainedTriangulation, HasThePrescribedEdges) {
+    // Delaunay would take the shorter diagonal.
+    const std::vector<Point> kite{{-5, 0}, {0, -1}, {5, 0}, {0, 1}};
+    const auto has_long_diagonal = [](const std::vector<Triangle>& triangles) {
+        const auto edges = edges_of(triangles, 4);
+        return std::find(edges.begin(), edges.end(), Edge{0, 2}) != edges.end();
+    };
+    EXPECT_FALSE(has_long_diagonal(constrained_triangles(kite, loop(0, 4))));
+    EXPECT_TRUE(has_long_diagonal(constrained_triangles(kite, loop(0, 4), std::vector<Edge>{{0, 2}})));
+}
+
+TEST(ConstrainedTriangulation, RefusesCrossingEdgesAndDoublePoints) {
+    const std::vector<Point> unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    EXPECT_THROW(constrained_triangles(unit_square, loop(0, 4), std::vector<Edge>{{0, 2}, {1, 3}}), UsageError);
+    const std::vector<Point> points{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}};
+    EXPECT_THROW(constrained_triangles(points, loop(0, 5), {}), UsageError);
+}
+
+TEST(Convexity, IsExact) {
+    const std::vector<Point> unit_square{{0, 0}, {0.1, 0}, {1, 0}, {1, 1}, {0, 1}};
+    EXPECT_TRUE(is_convex(unit_square));
+    EXPECT_FALSE(is_convex(l));
+    auto dented = unit_square;
+    dented[1].y = 1e-300;
+    EXPECT_FALSE(is_convex(dented));
 }
 
 }  // namespace

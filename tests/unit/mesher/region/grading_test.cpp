@@ -2,17 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
-#include <string>
-
 #include "mesher/region/shapes.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/check.hpp"
+#include "tests/support/golden.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
-TEST(Grading, IsReadOrRefusedByName) {
+TEST(Grading, IsReadOrRefused) {
     const Grading along = parse_grading("to=2,along=x,from=0.5", "--grade");
     EXPECT_EQ(along.kind, Grading::Kind::along_x);
     EXPECT_EQ(along.from, 0.5);
@@ -21,12 +18,14 @@ TEST(Grading, IsReadOrRefusedByName) {
     EXPECT_EQ(towards.kind, Grading::Kind::towards_flaws);
     EXPECT_EQ(towards.to, 1);
     EXPECT_EQ(towards.distance, 0.01);
+    test::Refusals refused;
     for (const char* text : {"", "along=y", "along=y,from=0.5", "along=z,from=0.5,to=2", "along=y,from=0.05,to=2",
                              "along=y,from=0.5,to=11", "along=y,from=0.5,to=2,distance=1mm", "towards=flaws,from=0.5",
                              "towards=flaws,from=0.5,to=1,distance=1mm", "towards=flaws,from=0.5,distance=0mm",
                              "along=x,along=y,from=1,to=2", "along=y,from=nan,to=2", "along=y,,from=1,to=2"}) {
-        test::expect_one_line<UsageError>([&] { (void)parse_grading(text, "--grade"); }, {"--grade: "});
+        refused.add<UsageError>(text, [&] { (void)parse_grading(text, "--grade"); });
     }
+    test::expect_golden(refused.text());
 }
 
 TEST(Grading, GrowsLinearlyWithTheDistance) {

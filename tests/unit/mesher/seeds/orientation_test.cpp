@@ -35,7 +35,7 @@ std::vector<Edge> lattice_edges(int n) {
     return edges;
 }
 
-TEST(EdgeOrientation, SixFoldIsTheSameForOppositeAndTurnedBySixty) {
+TEST(SixFold, IsTheSameForOppositeDirections) {
     const Point v = six_fold({0.3, 0.1});
     EXPECT_NEAR(length(v), 1, 1e-14);
     EXPECT_NEAR(v.y, std::sin(6 * std::atan2(0.1, 0.3)), 1e-12);
@@ -43,17 +43,14 @@ TEST(EdgeOrientation, SixFoldIsTheSameForOppositeAndTurnedBySixty) {
     EXPECT_EQ(six_fold({0, 0}), Point{});
 }
 
-TEST(EdgeOrientation, IsOneForALatticeInAnyDirection) {
+TEST(EdgeOrientation, IsOneForALatticeAndZeroForDirectionsThatCancel) {
     for (const double angle : {0.0, 0.3, 1.1}) EXPECT_NEAR(psi6(lattice(6, angle), lattice_edges(6)), 1, 1e-12) << angle;
-}
-
-TEST(EdgeOrientation, IsZeroForDirectionsThatCancel) {
     const std::vector<Point> points{{0, 0}, {1, 0}, {0, 1}};
     const std::vector<Edge> edges{{0, 1}, {0, 2}};  // 0° and 90°: e^0 + e^(i 540°) = 0
     EXPECT_NEAR(psi6(points, edges), 0, 1e-14);
 }
 
-TEST(EdgeOrientation, PartsShowWhatTheWholeHides) {
+TEST(EdgeOrientation, ShowsInPartsWhatTheWholeHides) {
     // Horizontal edges below, vertical ones above: no preferred direction in the whole mesh, but one in every part.
     const Region region = rectangle(2, 4);
     std::vector<Point> points;
@@ -69,7 +66,7 @@ TEST(EdgeOrientation, PartsShowWhatTheWholeHides) {
     EXPECT_NEAR(largest_psi6_of_parts(region, Partition::blocks, points, edges), 1, 1e-12);
 }
 
-TEST(EdgeOrientation, LocalOrientationOfALatticeIsUniform) {
+TEST(EdgeOrientation, IsUniformInALattice) {
     const auto points = lattice(5, 0.2);
     const auto field = local_orientation(points, neighbours_of(lattice_edges(5), points.size()), 3);
     // the last corner has no edges of its own and takes part by smoothing only

@@ -3,40 +3,38 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include "mesher/region/shapes.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
 #include "mesher/seeds/sampling.hpp"
-#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {
 
 const Region tall_region = rectangle(0.08, 0.16);
 
-/// A relaxed rectangle of edge 8 mm; the sample has more or fewer points than requested if its distance is not 0.77 edges.
-Seeds relaxed(std::uint64_t seed, std::size_t n_inner, double sampling_distance) {
-    constexpr double edge = 8e-3;
+constexpr double grain_edge = 8e-3;
+
+/// A relaxed rectangle.
+Seeds relaxed(std::uint64_t seed) {
     RandomNumbers random(seed);
-    const DepthGrid depth(tall_region, 0.7 * edge);
-    const Seeds fixed = fixed_seeds(tall_region, 60, edge, 0.07, random);
-    const auto inner = sample_points(tall_region, depth, sampling_distance * edge, 0.7 * edge, random);
-    return relax_points(depth, fixed, inner, {edge, 0.1, n_inner});
+    const DepthGrid depth(tall_region, 0.7 * grain_edge);
+    const Seeds fixed = fixed_seeds(tall_region, 60, grain_edge, 0.07, random);
+    const auto inner = sample_points(tall_region, depth, 0.77 * grain_edge, 0.7 * grain_edge, random);
+    return relax_points(depth, fixed, inner, {grain_edge, 0.1, 200});
 }
 
 TEST(PointRelaxation, LeavesTheOutlineAlone) {
-    const Seeds mesh = relaxed(2, 200, 0.77);
+    const Seeds mesh = relaxed(2);
     RandomNumbers random(2);
-    const Seeds fixed = fixed_seeds(tall_region, 60, 8e-3, 0.07, random);
+    const Seeds fixed = fixed_seeds(tall_region, 60, grain_edge, 0.07, random);
     EXPECT_TRUE(std::equal(fixed.points.begin(), fixed.points.end(), mesh.points.begin()));
     for (std::size_t i = fixed.n_fixed; i < mesh.points.size(); ++i) EXPECT_GT(depth_inside(tall_region, mesh.points[i]), 2e-3);
 }
 
-TEST(PointRelaxation, CornersBelongToTwoGrains) {
+TEST(PointRelaxation, GivesCornersTwoGrains) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const Seeds mesh = relaxed(seed, 200, 0.77);
+        const Seeds mesh = relaxed(seed);
         ASSERT_EQ(mesh.corners.size(), 4U);
         for (const auto& [before, corner, after] : mesh.corners) {
             const auto n = std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [at = corner](const Triangle& t) {
@@ -45,7 +43,7 @@ TEST(PointRelaxation, CornersBelongToTwoGrains) {
             EXPECT_GE(n, 2) << "an ear, seed " << seed;
         }
         for (const Edge& e : mesh.edges) {
-            EXPECT_LT(length(mesh.points[index(e[1])] - mesh.points[index(e[0])]), 1.6 * 8e-3) << seed;
+            EXPECT_LT(length(mesh.points[index(e[1])] - mesh.points[index(e[0])]), 1.6 * grain_edge) << seed;
         }
     }
 }

@@ -23,9 +23,6 @@ TEST(PointSampling, KeepsItsDistances) {
         const double inner_area = is_round(region) ? 3.1416 * 0.038 * 0.038 : 0.076 * 0.076;
         EXPECT_NEAR(static_cast<double>(points.size()) * 0.003 * 0.003 / inner_area, 0.66, 0.05);
     }
-}
-
-TEST(PointSampling, ThinShapesMayHaveNoInnerPoints) {
     RandomNumbers random(1);
     const Region thin = rectangle(0.01, 0.1);
     EXPECT_TRUE(sample_points(thin, DepthGrid(thin, 0.007), 0.008, 0.007, random).empty());

@@ -23,7 +23,7 @@ void for_each_point(const Visit& visit) {
     }
 }
 
-TEST(SizeField, IsOneWithoutWishes) {
+TEST(SizeField, IsOneWhereNothingIsAsked) {
     const SizeField size(graded_region, edge, {}, {}, 0);
     EXPECT_TRUE(size.is_uniform());
     EXPECT_EQ(size.at({0.01, 0.02}), 1);
@@ -32,12 +32,11 @@ TEST(SizeField, IsOneWithoutWishes) {
     EXPECT_EQ(relative_perimeter(graded_region, size), perimeter(graded_region));
 }
 
-TEST(SizeField, GradedSizesAreLinearAndKeepTheNumberOfGrains) {
+TEST(SizeField, IsLinearWhereGradedAndKeepsTheNumberOfGrains) {
     const SizeField size(graded_region, edge, parse_grading("along=y,from=0.5,to=2", "--grade"), {}, 0);
     EXPECT_NEAR(size.at({0, 0.03}) / size.at({0, -0.03}), 4, 1e-9);
     EXPECT_NEAR(size.at({0.01, 0}), (size.at({0, 0.03}) + size.at({0, -0.03})) / 2, 1e-9);
-    double grains = 0;
-    double n = 0;
+    double grains = 0, n = 0;
     for_each_point([&](Point p) {
         grains += 1 / (size.at(p) * size.at(p));
         n += 1;
@@ -50,15 +49,12 @@ TEST(SizeField, GradedSizesAreLinearAndKeepTheNumberOfGrains) {
                 0.04 / size.at({0, -0.03}) + 0.04 / size.at({0, 0.03}) + 2 * 0.06 * std::log(4) / 1.5, 1e-3);
 }
 
-TEST(SizeField, ScatterHasItsDeviationAndKeepsTheNumberOfGrains) {
+TEST(SizeField, ScattersByItsDeviationAndKeepsTheNumberOfGrains) {
     RandomNumbers random(2);
     SizeField size(graded_region, edge, {}, {}, 0.35);
     EXPECT_EQ(size.at({0, 0}), 1) << "not drawn";
     size.draw(bounds(graded_region), random);
-    double n = 0;
-    double sum = 0;
-    double squares = 0;
-    double grains = 0;
+    double n = 0, sum = 0, squares = 0, grains = 0;
     for_each_point([&](Point p) {
         const double logarithm = std::log(size.at(p));
         EXPECT_GE(size.at(p), size.smallest());
