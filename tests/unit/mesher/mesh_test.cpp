@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "mesher/cells/triangles.hpp"
@@ -255,22 +255,16 @@ Request notched(double length, int elements_per_edge = 1) {
     return request;
 }
 
-/// A change to another edge in place of a number of grains.
-std::function<void(Request&)> edge_of(double edge) {
-    return [edge](Request& r) {
-        r.fabric.grains.reset();
-        r.fabric.edge = edge;
-    };
-}
-
 TEST(Mesh, RefusesBadRequests) {
+    Request narrow = request_of(rectangle(0.02, 0.16), 100);
+    narrow.notch = 0.011;
     expect_refused(rectangle_of(1122),
                    {{"no grain", [](Request& r) { r.fabric.grains = 0; }},
                     {"-5 grains", [](Request& r) { r.fabric.grains = -5; }},
                     {"neither grains nor an edge", [](Request& r) { r.fabric.grains.reset(); }},
                     {"grains and an edge", [](Request& r) { r.fabric.edge = 0.005; }},
-                    {"an edge of 90 mm", edge_of(0.09)},
-                    {"an edge of 1 nm", edge_of(1e-9)},
+                    {"an edge of 90 mm", [](Request& r) { r = request_of_edge(r.region, 0.09); }},
+                    {"an edge of 1 nm", [](Request& r) { r = request_of_edge(r.region, 1e-9); }},
                     {"a spread of 0.5", [](Request& r) { r.fabric.spread = 0.5; }},
                     {"a spread that is no number", [](Request& r) { r.fabric.spread = std::nan(""); }},
                     {"graded towards no flaw", graded("towards=flaws,from=0.5,distance=20mm")},
@@ -279,19 +273,19 @@ TEST(Mesh, RefusesBadRequests) {
                     {"36 diameters", [](Request& r) { r.region = disc(0.08, Pole::facet, 36); }},
                     {"a notch of 5 mm", [](Request& r) { r.notch = 0.005; }},
                     {"a notch of 75 mm", [](Request& r) { r.notch = 0.075; }},
-                    {"a notch in the width of two edges", [](Request& r) {
-                         r = request_of(rectangle(0.02, 0.16), 100);
-                         r.notch = 0.011;
-                     }}});
+                    {"a notch in the width of two edges", [&](Request& r) { r = narrow; }}});
     EXPECT_NO_THROW((void)plan_mesh(request_of_edge(rectangle(0.08, 0.16), 0.04)));
     EXPECT_NO_THROW((void)plan_mesh(notched(0.011)));
     EXPECT_NO_THROW((void)plan_mesh(notched(0.059)));
 }
 
-/// Areas of the grains and distances of the nodes from the centre, sorted: invariant under rotation and renumbering.
-std::vector<double> turned_invariants(const Specimen& s) {
-    std::vector<double> invariants = s.grain_area;
-    for (const auto& [x, y] : s.node_position) invariants.push_back(std::hypot(x, y));
+/// What is invariant under rotation and renumbering, sorted: distances of the nodes from the centre, areas of the grains with
+/// their phases, and factors of strength.
+std::vector<std::pair<double, int>> turned_invariants(const Specimen& s) {
+    std::vector<std::pair<double, int>> invariants;
+    for (const auto& [x, y] : s.node_position) invariants.emplace_back(std::hypot(x, y), 0);
+    for (std::size_t g = 0; g < s.n_grains(); ++g) invariants.emplace_back(s.grain_area[g], s.grain_phase[g]);
+    for (const double factor : s.contact_strength_factor) invariants.emplace_back(factor, 0);
     std::sort(invariants.begin(), invariants.end());
     return invariants;
 }
@@ -299,25 +293,34 @@ std::vector<double> turned_invariants(const Specimen& s) {
 // The same grains, rotated: every diameter ends in facets that lie on the platens and are centred on the load.
 TEST(Mesh, LoadsADiscAlongEachOfItsDiameters) {
     Request request = request_of(disc(0.08, Pole::facet, 6), 452);
-    const std::vector<double> first = turned_invariants(mesh(request));
-    double moment_before = 0;
-    for (int turn = 0; turn < 6; ++turn) {
-        request.region.loops.front().circle->loaded_diameter = turn;
-        const Specimen turned = mesh(request);
-        EXPECT_EQ(turned.n_grains(), 452U);
-        const std::vector<double> now = turned_invariants(turned);
-        ASSERT_EQ(now.size(), first.size());
-        for (std::size_t i = 0; i < first.size(); ++i) EXPECT_NEAR(now[i], first[i], 1e-16);  // round-off of 0.04 m
-        for (const double platen : {0.04, -0.04}) {
-            double left = 0, right = 0, inside = 0;
-            for (const auto& [x, y] : turned.node_position) {
-                if (y == platen) (x < 0 ? left : right) = x;
-                if (std::abs(y) < 0.03) inside += x * y;  // differs between the rotated specimens
+    request.fabric.phases = {parse_phases("quartz=0.32,feldspar=0.62,mica=0.06"), {}, 4};
+    for (const std::optional<double> correlation : {std::optional<double>{}, std::optional<double>{0.01}}) {
+        request.fabric.strength = {5, correlation, {}};
+        request.region.loops.front().circle->loaded_diameter = 0;
+        const auto first = turned_invariants(mesh(request));
+        double moment_before = 0;
+        for (int turn = 0; turn < 6; ++turn) {
+            request.region.loops.front().circle->loaded_diameter = turn;
+            const Specimen turned = mesh(request);
+            EXPECT_EQ(turned.n_grains(), 452U);
+            const auto now = turned_invariants(turned);
+            ASSERT_EQ(now.size(), first.size());
+            for (std::size_t i = 0; i < first.size(); ++i) {
+                EXPECT_NEAR(now[i].first, first[i].first, first[i].first < 0.1 ? 1e-16 : 1e-9)
+                    << "round-off of 0.04 m, or factors";
+                EXPECT_EQ(now[i].second, first[i].second);
             }
-            EXPECT_LT(left, -0.002);  // half a facet of 5 mm
-            EXPECT_NEAR(left, -right, 1e-15);
-            EXPECT_NE(inside, moment_before);
-            if (platen < 0) moment_before = inside;
+            for (const double platen : {0.04, -0.04}) {
+                double left = 0, right = 0, inside = 0;
+                for (const auto& [x, y] : turned.node_position) {
+                    if (y == platen) (x < 0 ? left : right) = x;
+                    if (std::abs(y) < 0.03) inside += x * y;  // differs between the rotated specimens
+                }
+                EXPECT_LT(left, -0.002);  // half a facet of 5 mm
+                EXPECT_NEAR(left, -right, 1e-15);
+                EXPECT_NE(inside, moment_before);
+                if (platen < 0) moment_before = inside;
+            }
         }
     }
 }
@@ -423,33 +426,29 @@ TEST(Mesh, IsWhatWasPlanned) {
 
 // A notch is one line: every point of it, except for its two ends, belongs to two of its contacts, and the ends lie within an
 // edge of the requested positions.
-TEST(Notch, IsOneLineOfItsLength) {
+TEST(Notch, IsOneLineOfItsLengthAndChangesNothingElse) {
     for (const int n : {1, 3}) {
-        const Specimen s = mesh(notched(0.032, n));
+        Request request = notched(0.032, n);
+        const Specimen s = mesh(request);
         std::map<std::pair<double, double>, int> ends;
         for (std::size_t c = 0; c < s.n_contacts(); ++c) {
             if (!starts_broken(s.contact_kind[c])) continue;
-            for (const int side : {0, 1}) {
-                const auto& p = s.node_position[static_cast<std::size_t>(s.contact_nodes[c][side])];
-                ++ends[{p[0], p[1]}];
-                EXPECT_LT(std::abs(p[1]), s.statistics.max_edge);
+            for (const std::size_t side : {0U, 1U}) {
+                const Point p = place_of(s, s.contact_nodes[c][side]);
+                ++ends[{p.x, p.y}];
+                EXPECT_LT(std::abs(p.y), s.statistics.max_edge);
             }
         }
         ASSERT_FALSE(ends.empty());
-        EXPECT_EQ(std::count_if(ends.begin(), ends.end(), [](const auto& e) { return e.second == 1; }), 2);
-        EXPECT_EQ(std::count_if(ends.begin(), ends.end(), [](const auto& e) { return e.second > 2; }), 0);
+        EXPECT_EQ(std::ranges::count_if(ends, [](const auto& end) { return end.second == 1; }), 2);
+        EXPECT_EQ(std::ranges::count_if(ends, [](const auto& end) { return end.second > 2; }), 0);
         EXPECT_NEAR(ends.rbegin()->first.first - ends.begin()->first.first, 0.032, s.statistics.max_edge);
+        request.notch.reset();
+        const Specimen without = mesh(request);
+        EXPECT_EQ(s.node_position, without.node_position);
+        EXPECT_EQ(s.contact_nodes, without.contact_nodes);
+        EXPECT_EQ(std::ranges::count(without.contact_kind, 1), 0);
     }
-}
-
-TEST(Notch, ChangesNothingElse) {
-    Request whole = notched(0.032);
-    whole.notch.reset();
-    const Specimen with = mesh(notched(0.032));
-    const Specimen without = mesh(whole);
-    EXPECT_EQ(with.node_position, without.node_position);
-    EXPECT_EQ(with.contact_nodes, without.contact_nodes);
-    EXPECT_EQ(std::count(without.contact_kind.begin(), without.contact_kind.end(), 1), 0);
 }
 
 }  // namespace

@@ -76,12 +76,8 @@ TEST(SeparateBodies, ClosesTheBoundaryWithTheSolidOnItsLeft) {
         const Point end = place_of(s, s.boundary_edges[b][1]);
         EXPECT_EQ(end, place_of(s, s.boundary_edges[(b + 1) % s.n_boundary_edges()][0])) << b;
         doubled_area += cross(begin, end);
-        const auto part = static_cast<BoundaryPart>(s.boundary_part[b]);
-        const double outward = part == BoundaryPart::bottom  ? -begin.y - 0.03
-                               : part == BoundaryPart::right ? begin.x - 0.02
-                               : part == BoundaryPart::top   ? begin.y - 0.03
-                                                             : -begin.x - 0.02;
-        EXPECT_EQ(outward, 0) << b;
+        const std::array<double, 4> beyond{begin.y + 0.03, begin.x - 0.02, begin.y - 0.03, begin.x + 0.02};
+        EXPECT_EQ(beyond.at(s.boundary_part[b]), 0) << b;
     }
     EXPECT_NEAR(doubled_area / 2, 0.04 * 0.06, 1e-15) << "counter-clockwise";
 }
@@ -134,8 +130,7 @@ TEST(SeparateBodies, MakesOneBoundaryOfSeveralContactsBetweenPolygons) {
     validate(s, "two polygons");
     EXPECT_EQ(s.n_grains(), 2U);
     EXPECT_EQ(s.n_nodes(), 12U);
-    ASSERT_EQ(s.n_contacts(), 3U);
-    EXPECT_EQ(s.contact_grain_boundary, (std::vector<std::int32_t>{0, 0, 0}));
+    ASSERT_EQ(s.contact_grain_boundary, (std::vector<std::int32_t>{0, 0, 0}));
     for (std::size_t c = 0; c < 3; ++c) {
         if (c > 0) {
             EXPECT_EQ(s.contact_nodes[c][0], s.contact_nodes[c - 1][1]);
@@ -144,7 +139,6 @@ TEST(SeparateBodies, MakesOneBoundaryOfSeveralContactsBetweenPolygons) {
         const bool is_horizontal = place_of(s, s.contact_nodes[c][0]).y == place_of(s, s.contact_nodes[c][1]).y;
         EXPECT_EQ(s.contact_kind[c], is_horizontal ? 1 : 0);
     }
-    EXPECT_EQ(s.n_boundary_edges(), 6U);
     EXPECT_EQ(s.boundary_part, (std::vector<std::uint8_t>{0, 0, 1, 2, 2, 3}));
     EXPECT_DOUBLE_EQ(s.grain_area[0] + s.grain_area[1], 1);
 }

@@ -46,11 +46,6 @@ TEST(Walls, HaveABoxAroundAnLWithHoles) {
     EXPECT_NEAR(area_inside(zones) / area_of_l, 1, 1e-9);
 }
 
-TEST(Walls, HaveTheSameAreasOfElongatedCells) {
-    const Zones zones(walls_of(ring(0.08, 0.03), 0.004, Stretch({2, 0.5})));
-    EXPECT_NEAR(area_inside(zones) / area(ring(0.08, 0.03)), 1, 1e-9);
-}
-
 // The integral of one over (.5 + 1.5 t)² along the height is (1/.5 − 1/1.25)/1.5 in the lower half and (1/1.25 − 1/2)/1.5 in the
 // upper one; tabulated sizes are scaled so that both together are the area, and are linear between points of the table.
 TEST(Zones, HaveRoomForGradedCells) {
@@ -106,12 +101,13 @@ TEST(Walls, HaveTheAreaAndFacetsOfADisc) {
     EXPECT_GE(walls_of(disc(0.08), 0.05).hull.size(), 24U);
 }
 
-TEST(Walls, HaveArcsOfFlatsAndHalves) {
-    const ConvexOutline flats = walls_of(disc_with_flats(0.08, 0.3), 0.004).hull;
-    EXPECT_NEAR(moments(flats.corners).area / area(disc_with_flats(0.08, 0.3)), 1, 1e-9);
-    const ConvexOutline half = walls_of(half_disc(0.08), 0.004).hull;
-    EXPECT_NEAR(moments(half.corners).area / area(half_disc(0.08)), 1, 1e-9);
-    EXPECT_EQ(half.parts.front(), 0);
+TEST(Walls, HaveTheAreasOfArcsAndOfElongatedCells) {
+    for (const Region& region : {disc_with_flats(0.08, 0.3), half_disc(0.08)}) {
+        EXPECT_NEAR(moments(walls_of(region, 0.004).hull.corners).area / area(region), 1, 1e-9);
+    }
+    EXPECT_EQ(walls_of(half_disc(0.08), 0.004).hull.parts.front(), 0);
+    const Zones zones(walls_of(ring(0.08, 0.03), 0.004, Stretch({2, 0.5})));
+    EXPECT_NEAR(area_inside(zones) / area(ring(0.08, 0.03)), 1, 1e-9);
 }
 
 }  // namespace

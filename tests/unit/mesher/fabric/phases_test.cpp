@@ -118,31 +118,6 @@ TEST(Phases, FollowTheSeedWhateverTheElements) {
     EXPECT_EQ(other.grain_area, first.grain_area);
 }
 
-/// Areas and phases of all grains by their distance from the centre: they stay where a disc is turned.
-std::vector<std::pair<double, int>> phases_by_distance(const Specimen& s) {
-    std::vector<std::pair<double, int>> rows(s.n_grains());
-    for (std::size_t e = 0; e < s.n_elements(); ++e) {
-        Point sum;
-        for (const std::int32_t node : s.element_nodes[e]) sum = sum + place_of(s, node);
-        const std::size_t g = index(s.element_grain[e]);
-        rows[g] = {length(sum), s.grain_phase[g]};
-    }
-    std::sort(rows.begin(), rows.end());
-    return rows;
-}
-
-TEST(Phases, TurnWithADisc) {
-    Request request = request_of(disc(0.08, Pole::facet, 6), 452);
-    request.fabric.phases = {granite(), {}, 4};
-    const auto first = phases_by_distance(mesh(request));
-    request.region.loops.front().circle->loaded_diameter = 2;
-    const auto turned = phases_by_distance(mesh(request));
-    for (std::size_t g = 0; g < first.size(); ++g) {
-        EXPECT_NEAR(turned[g].first, first[g].first, 1e-15);
-        EXPECT_EQ(turned[g].second, first[g].second);
-    }
-}
-
 TEST(Phases, RefuseBadTexts) {
     const auto read = [](const std::string& phases) { check(PhaseRequest{parse_phases(phases), {}, 1}); };
     EXPECT_NO_THROW(read("quartz=0.32,feldspar=0.62,mica=6%"));

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -109,22 +108,6 @@ TEST(StrengthField, HasOneFactorOnAGrainBoundaryWhateverTheElements) {
         const Specimen other = mesh(request);
         EXPECT_NE(other.contact_strength_factor, fine.contact_strength_factor);
         EXPECT_EQ(other.node_position, fine.node_position);
-    }
-}
-
-TEST(StrengthField, TurnsWithADisc) {
-    Request request = request_of(disc(0.08, Pole::facet, 6), 452);
-    for (const std::optional<double> correlation : {std::optional<double>{}, std::optional<double>{0.01}}) {
-        request.fabric.strength = {5, correlation, {}};
-        const auto factors_of = [&](int loaded) {
-            request.region.loops.front().circle->loaded_diameter = loaded;
-            std::vector<double> factors = mesh(request).contact_strength_factor;
-            std::sort(factors.begin(), factors.end());
-            return factors;
-        };
-        const std::vector<double> first = factors_of(0);
-        const std::vector<double> turned = factors_of(4);
-        for (std::size_t c = 0; c < first.size(); ++c) EXPECT_NEAR(turned[c], first[c], 1e-9);
     }
 }
 

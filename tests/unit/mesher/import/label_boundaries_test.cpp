@@ -90,7 +90,7 @@ TEST(LabelBoundaries, OpenTheCornerWhereAPieceMeetsItself) {
     EXPECT_EQ(label_boundaries(all_pieces_of("0 0 0 0\n0 1 1 0\n0 1 0 1\n0 1 1 1\n0 0 0 0\n")).opened_corners, 1);
 }
 
-TEST(LabelJunctions, BecomeOneWhereOneSideIsBetween) {
+TEST(LabelJunctions, BecomeOneUnlessAPieceWouldMeetItself) {
     const LabelPieces pieces = all_pieces_of("1 1 2 2\n1 1 2 2\n1 1 4 4\n3 3 4 4\n3 3 4 4\n");
     LabelBoundaries b = label_boundaries(pieces);
     const std::size_t nodes = b.nodes.size();
@@ -102,12 +102,9 @@ TEST(LabelJunctions, BecomeOneWhereOneSideIsBetween) {
     const std::vector<double> area = areas(b, 4);
     EXPECT_DOUBLE_EQ(std::accumulate(area.begin(), area.end(), 0.0), 20);
     EXPECT_EQ(pinched_nodes(b), 0);
-}
-
-TEST(LabelJunctions, StayWhereAPieceWouldMeetItself) {
     // The boundary of 2 and 3 is one side long, and 1 is at both of its ends.
-    LabelBoundaries b = label_boundaries(all_pieces_of("1 1 1 1\n1 2 3 1\n1 1 1 1\n"));
-    EXPECT_EQ(join_near_junctions(b, 2), 0);
+    LabelBoundaries pair = label_boundaries(all_pieces_of("1 1 1 1\n1 2 3 1\n1 1 1 1\n"));
+    EXPECT_EQ(join_near_junctions(pair, 2), 0);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(LabelImage, ReadsTheLabelsOfEveryKindOfPng) {
         EXPECT_EQ(grey.width, 3);
         EXPECT_EQ(grey.height, 2);
         EXPECT_EQ(grey.labels, bytes);
-        EXPECT_EQ(grey.format, "PNG, grey, 8 bits");
+        test::expect_golden(grey.format);
         EXPECT_EQ(read_label_image(png_of(3, 2, bytes, {PNG_COLOR_TYPE_PALETTE, 8, interlaced}), "").labels, bytes);
         const std::vector<int> words{0, 1, 256, 65535, 30000, 255};
         EXPECT_EQ(read_label_image(png_of(3, 2, words, {PNG_COLOR_TYPE_GRAY, 16, interlaced}), "").labels, words);
@@ -96,12 +96,8 @@ TEST(LabelImage, RefusesDamagedPictures) {
 
 TEST(LabelImage, KnowsWhatLooksLikeOne) {
     EXPECT_TRUE(looks_like_labels(png_of(1, 1, {0})));
-    EXPECT_TRUE(looks_like_labels("1 2\t3\r\n4 5 6\n"));
-    EXPECT_TRUE(looks_like_labels("1 -2"));
-    EXPECT_FALSE(looks_like_labels(""));
-    EXPECT_FALSE(looks_like_labels("\n \n"));
-    EXPECT_FALSE(looks_like_labels("$MeshFormat\n4.1 0 8\n"));
-    EXPECT_FALSE(looks_like_labels("1.5 2"));
+    for (const char* text : {"1 2\t3\r\n4 5 6\n", "1 -2"}) EXPECT_TRUE(looks_like_labels(text)) << text;
+    for (const char* text : {"", "\n \n", "$MeshFormat\n4.1 0 8\n", "1.5 2"}) EXPECT_FALSE(looks_like_labels(text)) << text;
 }
 
 }  // namespace

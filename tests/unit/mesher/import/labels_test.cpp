@@ -105,13 +105,11 @@ TEST(Labels, MakeASlantedBoundaryStraight) {
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
             for (const int p : mesh.triangles[i]) grains_of_point[p].insert(mesh.grain_of_triangle[i]);
         }
-        int n = 0;
+        std::erase_if(grains_of_point, [](const auto& point) { return point.second.size() < 2; });
+        EXPECT_GE(grains_of_point.size(), 3U);
         for (const auto& [p, grains] : grains_of_point) {
-            if (grains.size() < 2) continue;
-            ++n;
             EXPECT_LT(std::abs(at(mesh, p).y - height_at(at(mesh, p).x)) / std::hypot(1, slope), 0.5) << slope;
         }
-        EXPECT_GE(n, 3);
     }
 }
 
@@ -128,10 +126,6 @@ TEST(Labels, KeepTheAreaOfACircle) {
         const std::vector<double> areas = grain_areas(mesh);
         ASSERT_EQ(areas.size(), 2U);
         EXPECT_NEAR(areas[1] / pixels, 1, 0.005) << radius;
-        // The area of the pixels is within 0.5 % of this circle's.
-        if (radius == 30) {
-            EXPECT_NEAR(areas[1] / (std::numbers::pi * radius * radius), 1, 0.01);
-        }
     }
 }
 

@@ -29,12 +29,6 @@ inline const std::string msh_41 =
 
 inline const std::string neper_msh = text_of_file(GRAINCRACK_TEST_DATA "/meshes/two-squares-neper.msh");
 
-/// A text with one part of it replaced; that part must be there.
-inline std::string with(std::string text, const std::string& part, const std::string& other) {
-    text.replace(text.find(part), part.size(), other);  // throws if it is not there
-    return text;
-}
-
 /// The mesh of a file; `request` says the rest.
 inline ImportedMesh read_mesh(const std::string& bytes, ImportRequest request = {}) {
     request.file = "file";

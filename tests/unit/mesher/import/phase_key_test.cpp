@@ -24,10 +24,7 @@ TEST(PhaseKey, TellsColoursFromNumbersAndComments) {
     EXPECT_EQ(colour_of_text("#c03020"), 0xc03020);
     EXPECT_EQ(colour_of_text("C03020"), 0xc03020);
     EXPECT_EQ(colour_of_text("#103020"), 0x103020);
-    EXPECT_FALSE(colour_of_text("103020"));  // a number
-    EXPECT_FALSE(colour_of_text("#c0302"));
-    EXPECT_FALSE(colour_of_text("#c030200"));
-    EXPECT_FALSE(colour_of_text("#c0302g"));
+    for (const char* text : {"103020", "#c0302", "#c030200", "#c0302g"}) EXPECT_FALSE(colour_of_text(text)) << text;
     EXPECT_EQ(colour_text(0x00ff07), "#00ff07");
 }
 

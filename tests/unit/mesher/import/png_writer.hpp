@@ -40,18 +40,15 @@ inline std::string png_of(int width, int height, const std::vector<int>& samples
     }
     png_write_info(png, info);
     png_set_packing(png);
-    const std::size_t row_samples = static_cast<std::size_t>(width) * png_get_channels(png, info);
-    std::vector<std::vector<png_byte>> rows(static_cast<std::size_t>(height));
-    std::vector<png_bytep> row_pointers;
-    for (std::size_t j = 0; j < rows.size(); ++j) {
-        for (std::size_t i = 0; i < row_samples; ++i) {
-            const int sample = samples[j * row_samples + i];
-            if (kind.bits == 16) rows[j].push_back(static_cast<png_byte>(sample >> 8));
-            rows[j].push_back(static_cast<png_byte>(sample & 0xff));
-        }
-        row_pointers.push_back(rows[j].data());
+    std::vector<png_byte> data;
+    for (const int sample : samples) {
+        if (kind.bits == 16) data.push_back(static_cast<png_byte>(sample >> 8));
+        data.push_back(static_cast<png_byte>(sample & 0xff));
     }
-    png_write_image(png, row_pointers.data());
+    const std::size_t row_bytes = data.size() / static_cast<std::size_t>(height);
+    std::vector<png_bytep> rows;
+    for (std::size_t at = 0; at < data.size(); at += row_bytes) rows.push_back(data.data() + at);
+    png_write_image(png, rows.data());
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
     return bytes;

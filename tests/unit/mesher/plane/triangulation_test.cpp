@@ -98,15 +98,16 @@ TEST(Triangulation, HasUniqueAscendingEdges) {
 }
 
 TEST(CornerEar, IsSplitAlongTheOtherDiagonalUnlessThatIsFlat) {
-    const std::vector<Triangle> ears{{0, 1, 2}, {1, 3, 2}};
-    std::vector<Triangle> triangles = ears;
-    EXPECT_TRUE(split_corner_ear(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {0.8, 0.8}}, triangles, 0, 2, 1));
+    std::vector<Point> points{{0, 0}, {1, 0}, {0, 1}, {0.8, 0.8}};
+    const std::vector<Triangle> ear{{0, 1, 2}, {1, 3, 2}};
+    std::vector<Triangle> triangles = ear;
+    EXPECT_TRUE(split_corner_ear(points, triangles, 0, 2, 1));
     EXPECT_EQ(as_set(triangles), (std::set<Triangle>{{0, 1, 3}, {0, 3, 2}}));
-    triangles = ears;
-    EXPECT_FALSE(split_corner_ear(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {2, 0}}, triangles, 0, 2, 1));
-    EXPECT_EQ(triangles, ears);
-    triangles = {{0, 1, 3}, {0, 3, 2}};
-    EXPECT_FALSE(split_corner_ear(std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {0.8, 0.8}}, triangles, 0, 2, 1)) << "no ear";
+    EXPECT_FALSE(split_corner_ear(points, triangles, 0, 2, 1)) << "there is no ear any more";
+    points[3] = {2, 0};
+    triangles = ear;
+    EXPECT_FALSE(split_corner_ear(points, triangles, 0, 2, 1));
+    EXPECT_EQ(triangles, ear);
 }
 
 TEST(HilbertOrder, VisitsNeighboursInTurn) {

@@ -31,8 +31,6 @@ TEST(Grading, IsReadOrRefused) {
 TEST(Grading, GrowsLinearlyWithTheDistance) {
     Region region = rectangle(0.08, 0.16);
     const auto graded = [&](const char* text) { return GradedSize(parse_grading(text, "--grade"), region); };
-    EXPECT_THROW((void)graded("towards=flaws,from=0.4,distance=10mm"), UsageError);
-    EXPECT_THROW((void)graded("towards=holes,from=0.4,distance=10mm"), UsageError);
     region.edges = {{{-0.01, 0}, {0.01, 0}}};
     add_hole(region, {0, 0.05}, 0.01, "--hole");
     const GradedSize flaws = graded("towards=flaws,from=0.4,distance=10mm");

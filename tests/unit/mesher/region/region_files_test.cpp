@@ -12,27 +12,24 @@
 namespace graincrack::mesher {
 namespace {
 
-/// A file of this text in a folder that lives as long.
-class File {
-public:
-    explicit File(const std::string& text) : path_(folder_.file("table.tsv")) { std::ofstream(path_) << text; }
-    [[nodiscard]] const std::string& path() const { return path_; }
-
-private:
-    test::TemporaryFolder folder_;
-    std::string path_;
-};
+/// What is read of a file of this text.
+template <class Read>
+auto read_text(const Read& read, const std::string& text) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.file("table.tsv")) << text;
+    return read(folder.file("table.tsv"));
+}
 
 TEST(RegionFiles, HaveTheCornersAndPartsOfPolygons) {
     const Region region =
-        read_polygon(File("# a triangle, clockwise\nx_mm\ty_mm\tpart\n0\t0\tleft\n0\t20\t\n40\t0\tbottom\n0\t0\t\n").path());
+        read_text(read_polygon, "# a triangle, clockwise\nx_mm\ty_mm\tpart\n0\t0\tleft\n0\t20\t\n40\t0\tbottom\n0\t0\t\n");
     ASSERT_EQ(region.loops.size(), 1U);
     EXPECT_EQ(region.loops[0].corners.size(), 3U) << "the first corner again at the end is none";
     EXPECT_NEAR(area(region), 0.5 * 0.02 * 0.04, 1e-15);
 }
 
 TEST(RegionFiles, HaveTheCentresAndRadiiOfHoles) {
-    const std::vector<Hole> holes = read_holes(File("x_mm\ty_mm\tradius_mm\n1\t-2\t3\n4\t5\t6.5\n").path());
+    const std::vector<Hole> holes = read_text(read_holes, "x_mm\ty_mm\tradius_mm\n1\t-2\t3\n4\t5\t6.5\n");
     ASSERT_EQ(holes.size(), 2U);
     EXPECT_NEAR(holes[0].centre.y, -0.002, 1e-15);
     EXPECT_NEAR(holes[1].radius, 0.0065, 1e-15);
@@ -41,7 +38,7 @@ TEST(RegionFiles, HaveTheCentresAndRadiiOfHoles) {
 TEST(RegionFiles, HaveTheEndsClassAndStateOfFlaws) {
     const std::string header = "x1_mm\ty1_mm\tx2_mm\ty2_mm\tclass\tstate\n";
     const auto kind = [&](const std::string& text) {
-        const auto flaws = read_flaws(File(header + "0\t0\t4\t3\t" + text + "\n").path());
+        const auto flaws = read_text(read_flaws, header + "0\t0\t4\t3\t" + text + "\n");
         EXPECT_NEAR(length(flaws.at(0).to - flaws[0].from), 0.005, 1e-15);
         return flaws[0].kind;
     };
@@ -56,7 +53,7 @@ TEST(RegionFiles, HaveTheEndsClassAndStateOfFlaws) {
 TEST(RegionFiles, AreRefusedInOneLine) {
     test::Refusals refused;
     const auto add = [&](const std::string& what, const auto& read, const std::string& text) {
-        refused.add<InputError>(what, [&] { read(File(text).path()); });
+        refused.add<InputError>(what, [&] { read_text(read, text); });
     };
     add("sides that cross", read_polygon, "x_mm\ty_mm\n0\t0\n10\t10\n10\t0\n0\t10\n");
     add("a corner that is no number", read_polygon, "x_mm\ty_mm\n0\t0\n10\tten\n10\t0\n");

@@ -6,7 +6,6 @@
 
 #include "mesher/region/shapes.hpp"
 #include "mesher/seeds/fixed_seeds.hpp"
-#include "share/base/error.hpp"
 
 namespace graincrack::mesher {
 namespace {
@@ -68,12 +67,6 @@ TEST(SizeField, ScattersByItsDeviationAndKeepsTheNumberOfGrains) {
     EXPECT_NEAR(std::sqrt(squares / n - sum * sum / (n * n)), 0.35, 0.03);
     EXPECT_NEAR(sum / n, 0.35 * 0.35, 0.03);
     EXPECT_NEAR(grains / n, 1, 0.08);
-}
-
-TEST(SizeField, RefusesStepsBetweenGrains) {
-    EXPECT_THROW(SizeField(graded_region, edge, parse_grading("towards=boundary,from=0.3,distance=2mm", "--grade"), {}, 0),
-                 UsageError);
-    EXPECT_NO_THROW(SizeField(graded_region, edge, parse_grading("towards=boundary,from=0.3,distance=8mm", "--grade"), {}, 0));
 }
 
 }  // namespace
