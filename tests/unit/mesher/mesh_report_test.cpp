@@ -47,7 +47,7 @@ TEST(ContactZones, AreOfThePairAndOfTheCrystalsThatHaveTheShortest) {
 }
 
 TEST(MeshReport, WarnsOfCrystalsBetweenNarrowWallsAsOfTriangles) {
-    const auto expect_report = [](const std::string& what, double angle, double area_error, std::size_t n_flaws) {
+    const auto compare_report = [](const std::string& what, double angle, double area_error, std::size_t n_flaws) {
         Specimen s = two_phases();
         s.statistics.min_angle = angle;
         Request request;
@@ -58,9 +58,9 @@ TEST(MeshReport, WarnsOfCrystalsBetweenNarrowWallsAsOfTriangles) {
         report.n_flaws = n_flaws;
         test::expect_golden(text_of(describe_mesh(s, request, report)), what);
     };
-    expect_report("a flaw", 0.2, 0.04, 1);
-    expect_report("a flaw near another", 0.007, 0.1, 1);
-    expect_report("elongated crystals", 0.007, 0, 0);
+    compare_report("a flaw", 0.2, 0.04, 1);
+    compare_report("a flaw near another", 0.007, 0.1, 1);
+    compare_report("elongated crystals", 0.007, 0, 0);
 }
 
 TEST(MeshReport, NamesWhatWasNotReached) {

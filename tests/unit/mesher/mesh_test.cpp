@@ -258,22 +258,22 @@ Request notched(double length, int elements_per_edge = 1) {
 TEST(Mesh, RefusesBadRequests) {
     Request narrow = request_of(rectangle(0.02, 0.16), 100);
     narrow.notch = 0.011;
-    expect_refused(rectangle_of(1122),
-                   {{"no grain", [](Request& r) { r.fabric.grains = 0; }},
-                    {"-5 grains", [](Request& r) { r.fabric.grains = -5; }},
-                    {"neither grains nor an edge", [](Request& r) { r.fabric.grains.reset(); }},
-                    {"grains and an edge", [](Request& r) { r.fabric.edge = 0.005; }},
-                    {"an edge of 90 mm", [](Request& r) { r = request_of_edge(r.region, 0.09); }},
-                    {"an edge of 1 nm", [](Request& r) { r = request_of_edge(r.region, 1e-9); }},
-                    {"a spread of 0.5", [](Request& r) { r.fabric.spread = 0.5; }},
-                    {"a spread that is no number", [](Request& r) { r.fabric.spread = std::nan(""); }},
-                    {"graded towards no flaw", graded("towards=flaws,from=0.5,distance=20mm")},
-                    {"graded in steps", graded("towards=boundary,from=0.5,distance=2mm")},
-                    {"the seventh of 6 diameters", [](Request& r) { r.region = disc(0.08, Pole::facet, 6, 6); }},
-                    {"36 diameters", [](Request& r) { r.region = disc(0.08, Pole::facet, 36); }},
-                    {"a notch of 5 mm", [](Request& r) { r.notch = 0.005; }},
-                    {"a notch of 75 mm", [](Request& r) { r.notch = 0.075; }},
-                    {"a notch in the width of two edges", [&](Request& r) { r = narrow; }}});
+    compare_refusals(rectangle_of(1122),
+                     {{"no grain", [](Request& r) { r.fabric.grains = 0; }},
+                      {"-5 grains", [](Request& r) { r.fabric.grains = -5; }},
+                      {"neither grains nor an edge", [](Request& r) { r.fabric.grains.reset(); }},
+                      {"grains and an edge", [](Request& r) { r.fabric.edge = 0.005; }},
+                      {"an edge of 90 mm", [](Request& r) { r = request_of_edge(r.region, 0.09); }},
+                      {"an edge of 1 nm", [](Request& r) { r = request_of_edge(r.region, 1e-9); }},
+                      {"a spread of 0.5", [](Request& r) { r.fabric.spread = 0.5; }},
+                      {"a spread that is no number", [](Request& r) { r.fabric.spread = std::nan(""); }},
+                      {"graded towards no flaw", graded("towards=flaws,from=0.5,distance=20mm")},
+                      {"graded in steps", graded("towards=boundary,from=0.5,distance=2mm")},
+                      {"the seventh of 6 diameters", [](Request& r) { r.region = disc(0.08, Pole::facet, 6, 6); }},
+                      {"36 diameters", [](Request& r) { r.region = disc(0.08, Pole::facet, 36); }},
+                      {"a notch of 5 mm", [](Request& r) { r.notch = 0.005; }},
+                      {"a notch of 75 mm", [](Request& r) { r.notch = 0.075; }},
+                      {"a notch in the width of two edges", [&](Request& r) { r = narrow; }}});
     EXPECT_NO_THROW((void)plan_mesh(request_of_edge(rectangle(0.08, 0.16), 0.04)));
     EXPECT_NO_THROW((void)plan_mesh(notched(0.011)));
     EXPECT_NO_THROW((void)plan_mesh(notched(0.059)));

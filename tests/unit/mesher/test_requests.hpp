@@ -47,8 +47,8 @@ inline std::function<void(Request&)> graded(const char* text) {
 }
 
 /// Fails unless a request has a plan, and once it is changed is refused as the golden file says.
-inline void expect_refused(const Request& good, const Changes& changes, const char* file = __builtin_FILE(),
-                           int line = __builtin_LINE()) {
+inline void compare_refusals(const Request& good, const Changes& changes, const char* file = __builtin_FILE(),
+                             int line = __builtin_LINE()) {
     EXPECT_NO_THROW((void)plan_mesh(good));
     graincrack::test::Refusals refused;
     for (const auto& [what, change] : changes) {

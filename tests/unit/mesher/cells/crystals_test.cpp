@@ -240,20 +240,20 @@ TEST(Crystals, RefuseWhatTheyDoNotHave) {
     triangles_of_elements.fabric.element_size = 0.001;
     Request normal_triangles = rectangle_of(100);
     normal_triangles.fabric.size_distribution = SizeDistribution::normal;
-    expect_refused(crystals_of(rectangle(0.08, 0.16), 100),
-                   {{"a notch", [](Request& r) { r.notch = 0.001; }},
-                    {"a flaw beside the boundary", [&](Request& r) { r.region.edges = {beside_the_boundary}; }},
-                    {"a hole of 3 mm", [](Request& r) { add_hole(r.region, Point(), 0.003, "--hole"); }},
-                    {"2 elements an edge", [](Request& r) { r.fabric.elements_per_edge = 2; }},
-                    {"graded towards no hole", graded("towards=holes,from=0.5,distance=20mm")},
-                    {"graded in steps", graded("towards=boundary,from=0.5,distance=5mm")},
-                    {"a spread of 0.61", [](Request& r) { r.fabric.spread = 0.61; }},
-                    {"1 crystal", [](Request& r) { r.fabric.grains = 1; }},
-                    {"2,000,000 crystals", [](Request& r) { r.fabric.grains = 2'000'000; }},
-                    {"elements of 1 um", [](Request& r) { r.fabric.element_size = 1e-6; }},
-                    {"3 phases of 2 crystals", [&](Request& r) { r = pair; }},
-                    {"a size of elements of triangles", [&](Request& r) { r = triangles_of_elements; }},
-                    {"a distribution of triangles", [&](Request& r) { r = normal_triangles; }}});
+    compare_refusals(crystals_of(rectangle(0.08, 0.16), 100),
+                     {{"a notch", [](Request& r) { r.notch = 0.001; }},
+                      {"a flaw beside the boundary", [&](Request& r) { r.region.edges = {beside_the_boundary}; }},
+                      {"a hole of 3 mm", [](Request& r) { add_hole(r.region, Point(), 0.003, "--hole"); }},
+                      {"2 elements an edge", [](Request& r) { r.fabric.elements_per_edge = 2; }},
+                      {"graded towards no hole", graded("towards=holes,from=0.5,distance=20mm")},
+                      {"graded in steps", graded("towards=boundary,from=0.5,distance=5mm")},
+                      {"a spread of 0.61", [](Request& r) { r.fabric.spread = 0.61; }},
+                      {"1 crystal", [](Request& r) { r.fabric.grains = 1; }},
+                      {"2,000,000 crystals", [](Request& r) { r.fabric.grains = 2'000'000; }},
+                      {"elements of 1 um", [](Request& r) { r.fabric.element_size = 1e-6; }},
+                      {"3 phases of 2 crystals", [&](Request& r) { r = pair; }},
+                      {"a size of elements of triangles", [&](Request& r) { r = triangles_of_elements; }},
+                      {"a distribution of triangles", [&](Request& r) { r = normal_triangles; }}});
 }
 
 }  // namespace

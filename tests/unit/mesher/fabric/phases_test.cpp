@@ -138,9 +138,9 @@ TEST(Phases, RefuseBadRequests) {
     const auto phases = [](const PhaseRequest& request) { return [request](Request& r) { r.fabric.phases = request; }; };
     Request good = rectangle_of(1122);
     good.fabric.phases = {granite(), 7, 2};
-    expect_refused(good, {{"a seed without phases", phases({{}, 7, 1})},
-                          {"clusters without phases", phases({{}, {}, 2})},
-                          {"a fraction that is no number", phases({{{"a", std::nan("")}, {"b", 1}}, {}, 1})}});
+    compare_refusals(good, {{"a seed without phases", phases({{}, 7, 1})},
+                            {"clusters without phases", phases({{}, {}, 2})},
+                            {"a fraction that is no number", phases({{{"a", std::nan("")}, {"b", 1}}, {}, 1})}});
 }
 
 }  // namespace

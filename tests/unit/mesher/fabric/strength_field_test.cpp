@@ -114,13 +114,13 @@ TEST(StrengthField, HasOneFactorOnAGrainBoundaryWhateverTheElements) {
 TEST(StrengthField, RefusesBadRequests) {
     Request good = rectangle_of(1122);
     good.fabric.strength = {5, 0.01, 3};
-    expect_refused(good, {{"a correlation without a modulus",
-                           [](Request& r) {
-                               r.fabric.strength = {{}, 0.01, {}};
-                           }},
-                          {"a seed without a modulus", [](Request& r) {
-                               r.fabric.strength = {{}, {}, 3};
-                           }}});
+    compare_refusals(good, {{"a correlation without a modulus",
+                             [](Request& r) {
+                                 r.fabric.strength = {{}, 0.01, {}};
+                             }},
+                            {"a seed without a modulus", [](Request& r) {
+                                 r.fabric.strength = {{}, {}, 3};
+                             }}});
 }
 
 }  // namespace
