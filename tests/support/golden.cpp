@@ -11,7 +11,7 @@ namespace graincrack::test {
 
 namespace {
 
-constexpr const char* mark = "### ";
+constexpr const char* title_mark = "### ";
 
 using Sections = std::vector<std::pair<std::string, std::string>>;  // title and text
 
@@ -39,7 +39,7 @@ Sections read(const std::string& path) {
     Sections sections;
     std::ifstream in(path);
     for (std::string line; std::getline(in, line);) {
-        if (line.starts_with(mark)) {
+        if (line.starts_with(title_mark)) {
             sections.emplace_back(line.substr(4), "");
         } else if (!sections.empty()) {
             sections.back().second += line + "\n";
@@ -57,7 +57,7 @@ std::string& section(Sections& sections, const std::string& title) {
 
 void write(const std::string& path, const Sections& sections) {
     std::ofstream out(path);
-    for (const auto& [title, text] : sections) out << mark << title << "\n" << without_line_ends(text) << "\n\n";
+    for (const auto& [title, text] : sections) out << title_mark << title << "\n" << without_line_ends(text) << "\n\n";
 }
 
 /// "line 3: …" of the first line in which two texts differ.
