@@ -30,13 +30,10 @@ constexpr double cell_height = spacing / cells_of_segment;
 const double interface_stiffness = 10 * bar_modulus / spacing;  // of the interfaces, Pa/m
 
 SmallRun bar_with_interfaces(double fraction = 0.5) {
-    ContactLaw law = augig_law();
-    law.kt = law.stiffest_normal = interface_stiffness;
-    law.ks = interface_stiffness / 10;
-    law.stiffest_shear = law.ks;
     return {crossed_blocks(segments * cells_of_segment, 1, segments * spacing, cell_height,
                            [](int i, int) { return i / cells_of_segment; }),
-            law, PlaneCondition::stress, fraction, rock_without_poisson_effect()};
+            with_stiffnesses(augig_law(), interface_stiffness, interface_stiffness / 10), PlaneCondition::stress, fraction,
+            rock_without_poisson_effect()};
 }
 
 // Strain between nodes ten segments apart under a stress, by linear algebra: 1/E' = 1/E + 1/(k s), to its round-off.

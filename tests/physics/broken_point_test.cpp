@@ -17,12 +17,9 @@ namespace {
 void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
     SCOPED_TRACE(name_of(variant));
     SmallRun run(jittered_grid(8, 16, 0.04, 0.08, 0.25), make_contact_law(weak_contact(), variant));
-    LoadingRequest loading;
-    loading.platen_friction = 0.1;
-    loading.max_strain = 0.05;
     run.assemblage.vector_target = target;
     run.parameters.damping = 0.8;
-    run.load_by(loading, 0.7, weak_contact());
+    run.load_by({.platen_friction = 0.1, .max_strain = 0.05}, 0.7, weak_contact());
     run.begin();
     constexpr double speed = 2;                                  // m/s
     std::vector<std::size_t> expected(run.state.failed.size());  // marks passed
@@ -83,11 +80,7 @@ struct Hinge {
         run.begin();
         update_pair_list(run.assemblage, run.parameters, run.state);
     }
-    [[nodiscard]] double largest_force() const {
-        double most = 0;
-        for (const Vector2& f : forces_at(run, run.state, run.state.displacement)) most = std::max(most, length(f));
-        return most;
-    }
+    [[nodiscard]] double largest_force() const { return largest_length(forces_at(run, run.state, run.state.displacement)); }
 };
 
 constexpr LawVariant laws_that_lose_frames[] = {LawVariant::consistent, LawVariant::cohesive_frictional};

@@ -45,11 +45,7 @@ struct LoadedSpecimen {
 /// Uniaxial compression (or tension) of 96 grains between rubbing platens (or bonded ones), well past the peak.
 LoadedSpecimen loaded(const ContactLaw& law, TestKind test, double mass_scaling = 0) {
     SmallRun run(jittered_grid(6, 8, 0.02, 0.03, 0.25), law);
-    LoadingRequest request;
-    request.test = test;
-    request.platen_speed = 0.1;
-    request.platen_friction = 5 * degree;
-    request.max_strain = 0.012;
+    const LoadingRequest request{.test = test, .platen_speed = 0.1, .platen_friction = 5 * degree, .max_strain = 0.012};
     run.parameters.mass_scaling = make_mass_scaling(run.assemblage, mass_scaling);
     run.load_by(request, 0.5);
     run.parameters.damping = 0.8;

@@ -25,9 +25,7 @@ namespace graincrack::test {
 namespace {
 
 Boundary platens_of(const SmallRun& run) {
-    LoadingRequest request;
-    request.platen_friction = 5 * degree;
-    return boundary_of_test(run.assemblage, run.specimen, request, augig_contact());
+    return boundary_of_test(run.assemblage, run.specimen, {.platen_friction = 5 * degree}, augig_contact());
 }
 
 /// A run with mass scaling, by default of the factor that suffices.
@@ -145,9 +143,8 @@ TEST(MassScaling, LengthensTheStepUntilTheGrainsLimitIt) {
     const double none = step(0);
     verify_between("dynamics: step with mass scaling over that without, factor 10", step(10) / none, 3, 3.3, "sqrt(1 + factor)");
     const double enough = sufficient_mass_scaling(run.assemblage, platens, run.parameters.laws);
-    ContactLaw slack = run.parameters.laws[0];  // free faces are taken as supported in a step without scaling
-    slack.kt = slack.stiffest_normal = slack.ks = slack.stiffest_shear = 1;
-    const double most = stable_time_step(broken(run.assemblage, 1, 0), run.boundary, slack);
+    // Free faces are taken as supported in a step without scaling.
+    const double most = stable_time_step(broken(run.assemblage, 1, 0), run.boundary, with_stiffnesses(augig_law(), 1, 1));
     expect_close(step(enough) / most, 1 / std::sqrt(1.1), 0.005, 1);
     EXPECT_GT(step(enough) / none, 5);
     EXPECT_LT(step(100 * enough), most);
@@ -225,10 +222,8 @@ TEST(MassScaling, MakesNoEnergyOfGrainsThatReturn) {
 // Platens that speed up carry a specimen along: they push its mass as it is, not what they hold of the added one.
 TEST(MassScaling, LetsPlatensCarryTheMassAsItIs) {
     SmallRun run(jittered_grid(6, 8, 0.02, 0.03, 0.25), augig_law());
-    LoadingRequest request;
-    request.test = TestKind::tension;  // bonded platens
     run.parameters.mass_scaling = make_mass_scaling(run.assemblage, 100);
-    run.load_by(request, 0.5);
+    run.load_by({.test = TestKind::tension}, 0.5);  // bonded platens
     run.begin();
     const double acceleration = 1e4;  // m/s²; a stress of ½ ρ a h = 0.4 MPa
     const double sample = 20 * run.parameters.time_step;
@@ -384,17 +379,13 @@ struct AddedMassCase {
 };
 AddedMassCase make_case(const Specimen& specimen, double share) {
     AddedMassCase c{make_assemblage(specimen, augig_granite().rock, PlaneCondition::strain), {}};
-    LoadingRequest loading;
-    c.boundary = boundary_of_test(c.assemblage, specimen, loading, augig_contact());
+    c.boundary = boundary_of_test(c.assemblage, specimen, {}, augig_contact());
     c.added = scale_mass_of_stiffest_elements(c.assemblage, share);
     return c;
 }
 Specimen rectangle(int elements_per_edge = 1) {
-    mesher::Request request;
-    request.region = mesher::rectangle(0.02, 0.04);
-    request.fabric.edge = 0.004;
-    request.fabric.elements_per_edge = elements_per_edge;
-    return mesher::mesh(request);
+    const mesher::Fabric fabric{.edge = 0.004, .elements_per_edge = elements_per_edge};
+    return mesher::mesh({.region = mesher::rectangle(0.02, 0.04), .fabric = fabric});
 }
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 

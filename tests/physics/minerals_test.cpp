@@ -18,11 +18,7 @@ const std::vector<Phase> minerals{{60e9, 0, 2600}, {83.1e9, 0, 2650}, {29.3e9, 0
 
 /// Contacts so stiff that they hardly give way, the same of every class.
 ContactLaws stiff_contacts(std::size_t n_phases, double stiffness) {
-    ContactLaw law = augig_law(LawVariant::consistent);
-    law.kt = law.stiffest_normal = stiffness;
-    law.ks = stiffness / 10;
-    law.stiffest_shear = law.ks;
-    return same_of_every_class(law, n_phases);
+    return same_of_every_class(with_stiffnesses(augig_law(LawVariant::consistent), stiffness, stiffness / 10), n_phases);
 }
 
 constexpr int layers = 50;  // 62, 32 and 6 % of them feldspar, quartz and mica
@@ -162,18 +158,13 @@ TEST(Minerals, BreakWhereTheirWeakClassIs) {
             std::vector<ContactParameters> contacts(n_contact_classes(2), augig_contact(PlaneCondition::stress));
             contacts[weak] = scaled_contact(contacts.front(), 0.4);
             SmallRun run(s, phases, make_contact_laws(contacts, law.variant), PlaneCondition::stress);
-            LoadingRequest request;
-            request.test = TestKind::tension;
-            run.load_by(request, 0.5, contacts.front());
+            run.load_by({.test = TestKind::tension}, 0.5, contacts.front());
             run.parameters.damping = 0.8;
             run.begin();
-            IntervalLoading pull;
-            pull.velocity_end = {-speed, speed};
-            run.steps(500, pull);
-            pull.velocity_begin = pull.velocity_end;
+            run.steps(500, {{}, {-speed, speed}, nullptr});
             double largest = 0, force = 0;
             do {
-                run.steps(20, pull);
+                run.steps(20, {{-speed, speed}, {-speed, speed}, nullptr});
                 force = run.measured().force_top;
                 largest = std::max(largest, force);
             } while (force > 0.5 * largest);

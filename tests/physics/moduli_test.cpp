@@ -13,11 +13,8 @@ namespace graincrack::test {
 namespace {
 
 ContactLaw elastic_law(PlaneCondition plane, double normal = 1, double shear = 1) {
-    ContactLaw law = make_contact_law(augig_contact(plane), LawVariant::consistent);
-    law.stiffest_normal = law.kt *= normal;
-    law.ks *= shear;
-    law.stiffest_shear = law.ks;
-    return law;
+    const ContactLaw law = make_contact_law(augig_contact(plane), LawVariant::consistent);
+    return with_stiffnesses(law, law.kt * normal, law.ks * shear);
 }
 
 struct Moduli {
@@ -81,10 +78,8 @@ TEST(Moduli, AreThoseOfTheIsotropicFormulaInRandomMeshes) {
     };
     for (const Case& c : {Case{1152, PlaneCondition::stress, 24.78, 0.248}, Case{1840, PlaneCondition::stress, 24.50, 0.253},
                           Case{1152, PlaneCondition::strain, 24.68, 0.239}}) {
-        mesher::Request request;
-        request.region = mesher::rectangle(0.08, 0.16);
-        request.fabric.grains = c.grains;
-        const SmallRun run(mesher::mesh(request), elastic_law(c.plane), c.plane);
+        const SmallRun run(mesher::mesh({.region = mesher::rectangle(0.08, 0.16), .fabric = {.grains = c.grains}}),
+                           elastic_law(c.plane), c.plane);
         Moduli m = pulled(run);
         if (c.plane == PlaneCondition::strain) {
             m = {fpz::material_young_modulus(m.young_modulus, m.poisson_ratio), fpz::material_poisson_ratio(m.poisson_ratio)};

@@ -27,10 +27,7 @@ double difference(const std::vector<Vector2>& fast, const std::vector<NaiveRun::
 enum class Grains { of_one_phase, of_three_phases };
 
 PhasedSpecimen make(Grains grains) {
-    mesher::Request request;
-    request.region = mesher::rectangle(0.02, 0.04);
-    request.fabric.grains = 80;
-    const Specimen s = mesher::mesh(request);
+    const Specimen s = mesher::mesh({.region = mesher::rectangle(0.02, 0.04), .fabric = {.grains = 80}});
     return grains == Grains::of_three_phases ? varied_phases(s)
                                              : PhasedSpecimen{s, uniform_fabric(augig_granite().rock, augig_contact(), 1)};
 }
@@ -56,9 +53,7 @@ void expect_equal_fields(const LawDescription& description, std::int64_t n, bool
                          Grains grains = Grains::of_one_phase) {
     const PhasedSpecimen made = make(grains);
     SmallRun run = made.run(description.variant);
-    LoadingRequest loading;
-    loading.platen_friction = 0.1;
-    run.load_by(loading, 0.5);
+    run.load_by({.platen_friction = 0.1}, 0.5);
     run.parameters.damping = 0.3;
     run.parameters.damping_form = form;
     run.assemblage.vector_target = target;

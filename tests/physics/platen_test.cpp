@@ -16,21 +16,14 @@ namespace {
 Specimen block() {
     return specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0.01}, {-0.01, 0.01}}, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
 }
-std::vector<Platen> platens_at(double gap, double stiffness) {
-    std::vector<Platen> platens(2);
-    platens[bottom_platen].motion = bottom_platen;
-    platens[bottom_platen].side = -1;
-    platens[bottom_platen].position = -0.01 - gap;
-    platens[top_platen].position = 1;  // out of reach
-    for (Platen& p : platens) p.normal_stiffness = stiffness;
-    return platens;
-}
 
 // A block on a penalty floor: π √(m/k) of contact, and the same speed back. The block's own compliance, 1/3 of k over E A/L
 // here, adds 1e-4 of it.
 TEST(Platen, LetsABlockBounceAsASpring) {
     SmallRun run(block(), augig_law());
-    run.set_boundary(make_boundary(run.assemblage, run.specimen, platens_at(1e-5, 1e8), 0.001), 0.2);
+    std::vector<Platen> platens = two_platens(-0.01 - 1e-5, 1);  // the upper one out of reach
+    for (Platen& p : platens) p.normal_stiffness = 1e8;
+    run.set_boundary(make_boundary(run.assemblage, run.specimen, platens, 0.001), 0.2);
     double k = 0;  // of the floor's springs under the two lower corners, N/m per metre of thickness
     for (const PlatenPoint& point : run.boundary.platen_points) {
         k += run.assemblage.position[point.node].y < 0 ? 1e8 * point.tributary : 0;
@@ -61,12 +54,7 @@ TEST(Platen, LetsABlockBounceAsASpring) {
 // What is turned by an angle a as a whole lacks a²/2 of its size where the platens, inclined by a, are.
 TEST(Platen, MeetsTheEndOfASpecimenThatHasTurned) {
     SmallRun run(jittered_grid(4, 6, 0.02, 0.03, 0.2), augig_law());
-    std::vector<Platen> platens(2);
-    platens[bottom_platen].motion = bottom_platen;
-    platens[bottom_platen].side = -1;
-    platens[bottom_platen].position = -0.015;
-    platens[top_platen].position = 0.015;
-    run.set_boundary(make_boundary(run.assemblage, run.specimen, platens, 1e-4), 0.2);
+    run.set_boundary(make_boundary(run.assemblage, run.specimen, two_platens(-0.015, 0.015), 1e-4), 0.2);
     remove_platens(run.state);
     constexpr double angle = 2e-3;
     for (std::size_t i = 0; i < run.state.displacement.size(); ++i) {

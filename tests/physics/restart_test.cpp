@@ -40,13 +40,7 @@ void PrintTo(const RestartCase& c, std::ostream* stream) {  // NOLINT(readabilit
 
 /// Grains of many shapes, between which node–edge contacts come and go after the peak.
 const Specimen& restart_specimen() {
-    static const Specimen s = [] {
-        mesher::Request restart_request;
-        restart_request.region = mesher::rectangle(0.04, 0.08);
-        restart_request.fabric.grains = 300;
-        restart_request.seed = 4;
-        return mesher::mesh(restart_request);
-    }();
+    static const Specimen s = mesher::mesh({.region = mesher::rectangle(0.04, 0.08), .fabric = {.grains = 300}, .seed = 4});
     return s;
 }
 

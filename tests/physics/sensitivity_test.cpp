@@ -23,19 +23,13 @@ namespace graincrack::test {
 namespace {
 
 Specimen refined_disc(int grains, int elements_per_edge) {
-    mesher::Request request;
-    request.region = mesher::disc(0.04);
-    request.fabric.grains = grains;
-    request.fabric.elements_per_edge = elements_per_edge;
-    return mesher::mesh(request);
+    return mesher::mesh({.region = mesher::disc(0.04), .fabric = {.grains = grains, .elements_per_edge = elements_per_edge}});
 }
 
 SimulationRequest brazilian() {
     SimulationRequest request;
-    request.loading.test = TestKind::brazilian;
-    request.loading.rate = RateKind::automatic;
+    request.loading = {.test = TestKind::brazilian, .rate = RateKind::automatic, .platen_friction = 5 * degree};
     request.loading.rate_tolerance = 0.05;  // fast: what is tested is the table
-    request.loading.platen_friction = 5 * degree;
     request.plane = PlaneCondition::stress;
     request.material = augig_granite();
     request.contact = augig_contact(request.plane);

@@ -71,13 +71,10 @@ TEST(Threads, GiveTheSameDigestByAnyNumber) {
 /// A specimen crushed until grains come into contact that were not neighbours.
 SmallRun crushed(LawVariant law, double mass_scaling_factor, VectorTarget target, int threads, bool has_phases = false) {
     SmallRun run = has_phases ? varied_phases(specimen()).run(law) : SmallRun(specimen(), augig_law(law));
-    LoadingRequest loading;
-    loading.platen_friction = 0.1;
-    loading.max_strain = 0.05;
     run.assemblage.vector_target = target;
     run.parameters.damping = 0.8;
     run.parameters.mass_scaling = make_mass_scaling(run.assemblage, mass_scaling_factor);
-    run.load_by(loading, 0.7);
+    run.load_by({.platen_friction = 0.1, .max_strain = 0.05}, 0.7);
     run.begin();
     constexpr double speed = 2;  // m/s
     run.steps(mass_scaling_factor > 0 ? 1200 : 12000, {{speed, -speed}, {speed, -speed}, nullptr}, threads);

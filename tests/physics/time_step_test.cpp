@@ -19,9 +19,7 @@ constexpr double moved = 1e-14;    // m: small against that
 /// A run between platens that touch.
 SmallRun between_platens(const Specimen& specimen, const ContactLaw& law, const ContactParameters& contact = augig_contact()) {
     SmallRun run(specimen, law);
-    LoadingRequest loading;
-    loading.platen_friction = 5 * degree;
-    run.load_by(loading, 1, contact);
+    run.load_by({.platen_friction = 5 * degree}, 1, contact);
     run.state.loading.platen_displacement = {touching, -touching};
     return run;
 }
@@ -42,10 +40,8 @@ TEST(TimeStep, IsBelowTheExactOneWithPlatens) {
 // The specimens of the paper: the smallest triangle decides, so that meshes of a kind differ by some 15 %.
 TEST(TimeStep, IsThatOfSpecimensOfThePaper) {
     for (const auto& [grains, low, high] : {std::tuple{1152, 6e-8, 8e-8}, std::tuple{1840, 5.0e-8, 6.6e-8}}) {
-        mesher::Request request;
-        request.region = mesher::rectangle(0.08, 0.16);
-        request.fabric.grains = grains;
-        const SmallRun run = between_platens(mesher::mesh(request), augig_law());
+        const SmallRun run =
+            between_platens(mesher::mesh({.region = mesher::rectangle(0.08, 0.16), .fabric = {.grains = grains}}), augig_law());
         const std::string name = "dynamics: stable step, 80 x 160 mm, " + std::to_string(grains) + " grains";
         verify_between(name + " (s)", run.parameters.time_step, low, high, "other meshes of the kind");
         verify_between(name + " over that of the solver's own forces",
@@ -83,16 +79,11 @@ double growth(double fraction_of_exact, double damping, int steps, DampingForm f
     run.parameters.damping_form = form;
     // far below the displacements at which triangles stop being linear
     run.set_velocity([](const Vector2& p) { return noise(p, 1e-9); });
-    const auto fastest = [&run] {
-        double v = 0;
-        for (const Vector2& x : run.state.velocity) v = std::max(v, length(x));
-        return v;
-    };
-    const double before = fastest();
+    const double before = largest_length(run.state.velocity);
     run.begin();
     run.steps(steps);
     EXPECT_EQ(run.failed_points(), 0U);
-    return fastest() / before;
+    return largest_length(run.state.velocity) / before;
 }
 
 // At 0.9 of the exact step a mode rises by 1/√(1 − 0.9²) = 2.3 at most, and several add up; above it motion grows without bound.

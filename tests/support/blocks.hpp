@@ -17,10 +17,7 @@ inline ContactLaw joint_law(double normal_stiffness, double shear_stiffness, dou
     contact.tensile_strength = contact.cohesion = 1e12;
     contact.friction_angle = contact.residual_friction_angle = std::atan(tan_friction);
     contact.residual_cohesion = contact.residual_tensile_strength = 0;
-    ContactLaw law = make_contact_law(contact, LawVariant::coulomb_slip);
-    law.kt = law.stiffest_normal = normal_stiffness;
-    law.ks = law.stiffest_shear = shear_stiffness;
-    return law;
+    return with_stiffnesses(make_contact_law(contact, LawVariant::coulomb_slip), normal_stiffness, shear_stiffness);
 }
 
 /// A rectangle of nx × ny cells of four triangles, turned counter-clockwise about its lower right corner.

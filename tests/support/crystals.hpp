@@ -8,14 +8,10 @@ namespace graincrack::test {
 
 /// A flaw across the middle, broken from the start, that ends within the specimen.
 inline Specimen crystals_with_flaw() {
-    mesher::Request request;
-    request.region = mesher::rectangle(0.04, 0.08);
-    request.region.edges = {{{-0.01, -0.012}, {0.012, 0.01}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
-    request.fabric.tessellation = mesher::Tessellation::trigon;
-    request.fabric.grains = 40;
-    request.fabric.spread = 0.3;
-    request.seed = 4;
-    return mesher::mesh(request);
+    mesher::Region region = mesher::rectangle(0.04, 0.08);
+    region.edges = {{{-0.01, -0.012}, {0.012, 0.01}, {ContactKind::pre_existing_crack, "joint"}, "joint"}};
+    const mesher::Fabric fabric{.tessellation = mesher::Tessellation::trigon, .grains = 40, .spread = 0.3};
+    return mesher::mesh({.region = region, .fabric = fabric, .seed = 4});
 }
 
 inline Material granite_with_flaw() {

@@ -40,9 +40,7 @@ struct JointedTest {
     /// The test of the solver to 1.3 times the strain at which an elastic specimen would slide. Only the plane can fail.
     [[nodiscard]] SimulationRequest request() const {
         SimulationRequest request;
-        request.loading.test = TestKind::triaxial;
-        request.loading.rate = RateKind::automatic;
-        request.loading.confining_pressure = pressure;
+        request.loading = {.test = TestKind::triaxial, .rate = RateKind::automatic, .confining_pressure = pressure};
         request.material = augig_granite();
         GivenContact& contact = request.material.contact;
         contact.tensile_strength = 1000 * MPa;

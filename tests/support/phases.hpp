@@ -50,10 +50,7 @@ inline SimulationRequest augig_request(TestKind test, double platen_speed, doubl
     SimulationRequest r;
     r.material = augig_granite();
     r.contact = augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i);
-    r.loading.test = test;
-    r.loading.platen_speed = platen_speed;
-    r.loading.platen_friction = 5 * degree;
-    r.loading.max_strain = max_strain;
+    r.loading = {.test = test, .platen_speed = platen_speed, .platen_friction = 5 * degree, .max_strain = max_strain};
     r.elements_per_thread = 1;
     return r;
 }

@@ -45,9 +45,9 @@ public:
         }
     }
     [[nodiscard]] const std::vector<double>& column(const std::string& probe, const std::string& name) const {
-        for (const ProbeHistory& h : probes.histories()) {
-            for (std::size_t c = 0; c < h.columns.size(); ++c) {
-                if (h.name == probe && h.columns[c].name == name) return h.values[c];
+        for (const ProbeHistory& each : probes.histories()) {
+            for (std::size_t c = 0; c < each.columns.size(); ++c) {
+                if (each.name == probe && each.columns[c].name == name) return each.values[c];
             }
         }
         throw std::out_of_range(probe + "." + name);

@@ -18,15 +18,17 @@
 
 namespace graincrack::test {
 
-/// A boundary without a platen within reach and without pressure.
-inline Boundary no_boundary(const Assemblage& a, const Specimen& s) {
+/// Platens at these heights.
+inline std::vector<Platen> two_platens(double bottom, double top) {
     std::vector<Platen> platens(2);
     platens[bottom_platen].motion = bottom_platen;
     platens[bottom_platen].side = -1;
-    platens[bottom_platen].position = -1e6;
-    platens[top_platen].position = 1e6;
-    return make_boundary(a, s, platens, 0);
+    platens[bottom_platen].position = bottom;
+    platens[top_platen].position = top;
+    return platens;
 }
+/// A boundary without a platen within reach and without pressure.
+inline Boundary no_boundary(const Assemblage& a, const Specimen& s) { return make_boundary(a, s, two_platens(-1e6, 1e6), 0); }
 
 /// Platens and membrane of a standard test.
 inline Boundary boundary_of_test(const Assemblage& a, const Specimen& s, const LoadingRequest& request,
@@ -183,6 +185,18 @@ struct SmallRun {
     }
 };
 
+/// Middle of an element of the undisplaced specimen.
+inline Vector2 centroid(const Assemblage& a, std::size_t element) {
+    Vector2 sum;
+    for (const std::int32_t node : a.element_nodes[element]) sum += (1.0 / 3) * a.position[node];
+    return sum;
+}
+inline double largest_length(const std::vector<Vector2>& vectors) {
+    double largest = 0;
+    for (const Vector2& v : vectors) largest = std::max(largest, length(v));
+    return largest;
+}
+
 /// Links no grains any more: all contacts are broken and released.
 inline void loosen(SmallRun& run) {
     ContactPairList& list = run.state.contact_pairs;
@@ -222,6 +236,12 @@ inline std::vector<VectorTarget> available_vector_targets() {
 
 inline ContactLaw augig_law(LawVariant variant = default_law) {
     return make_contact_law(augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i), variant);
+}
+/// The law with other stiffnesses, which are its greatest too, Pa/m.
+inline ContactLaw with_stiffnesses(ContactLaw law, double normal, double shear) {
+    law.kt = law.stiffest_normal = normal;
+    law.ks = law.stiffest_shear = shear;
+    return law;
 }
 
 }  // namespace graincrack::test

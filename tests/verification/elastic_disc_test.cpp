@@ -20,28 +20,20 @@ constexpr double disc_radius = disc_diameter / 2;
 
 /// A disc with stiff contacts, compressed to about 1 MPa and held until it is at rest.
 SmallRun compressed_disc() {
-    mesher::Request request;
-    request.region = mesher::disc(disc_diameter);
-    request.fabric.grains = 452;
-    request.fabric.elements_per_edge = 2;
     ContactParameters contact = augig_contact(PlaneCondition::stress);
     contact.normal_stiffness *= 10;
     contact.shear_stiffness *= 10;
-    SmallRun run(mesher::mesh(request), make_contact_law(contact, LawVariant::consistent), PlaneCondition::stress);
-    LoadingRequest loading;
-    loading.test = TestKind::brazilian;
-    run.load_by(loading, 0.7, contact);
+    SmallRun run(mesher::mesh({.region = mesher::disc(disc_diameter), .fabric = {.grains = 452, .elements_per_edge = 2}}),
+                 make_contact_law(contact, LawVariant::consistent), PlaneCondition::stress);
+    run.load_by({.test = TestKind::brazilian}, 0.7, contact);
     run.parameters.damping = 0.8;
     run.begin();
     const double approach = 5e-6;  // of each platen: some 3 MPa across the disc
     const double transit = disc_diameter / 3120.23;
     const auto steps = static_cast<std::int64_t>(10 * transit / run.parameters.time_step);
     const double speed = approach / (10 * transit);
-    IntervalLoading platens;
-    platens.velocity_end = {speed, -speed};
-    run.steps(steps, platens);
-    std::swap(platens.velocity_begin, platens.velocity_end);
-    run.steps(steps, platens);
+    run.steps(steps, {{}, {speed, -speed}, nullptr});
+    run.steps(steps, {{speed, -speed}, {}, nullptr});
     run.steps(2 * steps);
     return run;
 }
@@ -70,11 +62,10 @@ Means means(const SmallRun& run, const Frame& frame, const PointLoads& loads, Re
     Means m;
     double area = 0;
     for (std::size_t e = 0; e < frame.element_stress.size(); ++e) {
-        Vector2 centroid;
-        for (const std::int32_t i : run.assemblage.element_nodes[e]) centroid += (1.0 / 3) * run.assemblage.position[i];
-        if (!region(centroid)) continue;
+        const Vector2 middle = centroid(run.assemblage, e);
+        if (!region(middle)) continue;
         const double a = run.assemblage.element_geometry[e].area;
-        const std::array<double, 2> formula = loads.normal_stresses(centroid);
+        const std::array<double, 2> formula = loads.normal_stresses(middle);
         for (std::size_t k = 0; k < 2; ++k) {
             m.measured[k] += a * frame.element_stress[e][k];
             m.expected[k] += a * formula[k];

@@ -26,23 +26,14 @@ constexpr PlaneCondition plane_of_flaws = PlaneCondition::stress;
 const Rock rock_of_flaws = augig_granite().rock;
 
 Specimen flawed_specimen(const mesher::Region& region, double edge, int elements_per_edge, std::uint64_t seed = 1) {
-    mesher::Request request;
-    request.region = region;
-    request.fabric.edge = edge;
-    request.fabric.elements_per_edge = elements_per_edge;
-    request.seed = seed;
-    return mesher::mesh(request);
+    const mesher::Fabric fabric{.edge = edge, .elements_per_edge = elements_per_edge};
+    return mesher::mesh({.region = region, .fabric = fabric, .seed = seed});
 }
 
 /// The same of crystals, which have classes of contacts within them and on flaws.
 Specimen crystals_of_classes(const mesher::Region& region, double edge, double element_size, mesher::Tessellation tessellation) {
-    mesher::Request request;
-    request.region = region;
-    request.fabric.edge = edge;
-    request.fabric.spread = 0.3;
-    request.fabric.tessellation = tessellation;
-    request.fabric.element_size = element_size;
-    return mesher::mesh(request);
+    const mesher::Fabric fabric{.tessellation = tessellation, .edge = edge, .spread = 0.3, .element_size = element_size};
+    return mesher::mesh({.region = region, .fabric = fabric});
 }
 
 /// The same with contacts of one class, within crystals too.
@@ -252,12 +243,6 @@ Eigen::VectorXd load_of(const SmallRun& run, const Kirsch& field) {
         }
     }
     return load;
-}
-
-Vector2 centroid(const Assemblage& a, std::size_t element) {
-    Vector2 sum;
-    for (const std::int32_t node : a.element_nodes[element]) sum += (1.0 / 3) * a.position[node];
-    return sum;
 }
 
 /// The whole outline would turn or move if the tractions were not in balance to round-off: the rest is removed.

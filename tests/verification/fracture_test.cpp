@@ -29,21 +29,16 @@ TEST(Fracture, TakesItsEnergyOnAStraightInterface) {
         for (const auto kind : {FractureEnergyChoice::Kind::mixed, FractureEnergyChoice::Kind::mode_i}) {
             const ContactLaw law = law_of(variant, kind);
             SmallRun run(crossed_blocks(8, 4, 0.02, 0.01, [](int, int j) { return j < 2 ? 0 : 1; }), law, PlaneCondition::stress);
-            LoadingRequest request;
-            request.test = TestKind::tension;
-            run.load_by(request, 0.5, contact_parameters(augig_granite(), PlaneCondition::stress, {}));
+            run.load_by({.test = TestKind::tension}, 0.5, contact_parameters(augig_granite(), PlaneCondition::stress, {}));
             run.parameters.damping = 0.8;
             run.begin();
             const double speed = 5e-3;
-            IntervalLoading pull;
-            pull.velocity_end = {-speed, speed};
-            run.steps(2000, pull);
-            pull.velocity_begin = pull.velocity_end;
+            run.steps(2000, {{}, {-speed, speed}, nullptr});
             double largest = 0;
             // until each platen has moved as far as the interface opens and the blocks elongate together
             const double far = law.dut + 0.01 * law.tc / 25.8e9;
             while (run.state.loading.platen_displacement[top_platen] < far) {
-                run.steps(200, pull);
+                run.steps(200, {{-speed, speed}, {-speed, speed}, nullptr});
                 largest = std::max(largest, run.measured().force_top);
             }
             const Energies e = run.measured().energies;

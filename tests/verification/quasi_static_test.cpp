@@ -17,11 +17,9 @@ namespace {
 constexpr double confining_pressure = 8 * MPa;
 
 Specimen specimen_of(TestKind test) {
-    mesher::Request request;
     const bool disc = test == TestKind::brazilian;
-    request.region = disc ? mesher::disc(0.04) : mesher::rectangle(0.03, 0.06);
-    request.fabric.grains = disc ? 120 : 160;
-    return mesher::mesh(request);
+    return mesher::mesh(
+        {.region = disc ? mesher::disc(0.04) : mesher::rectangle(0.03, 0.06), .fabric = {.grains = disc ? 120 : 160}});
 }
 
 struct Outcome {
@@ -31,14 +29,14 @@ struct Outcome {
 };
 Outcome run(TestKind test, double rate) {
     SimulationRequest request;
-    request.loading.test = test;
-    request.loading.platen_speed = rate;
-    request.loading.platen_friction = 5 * degree;
-    request.loading.confining_pressure = test == TestKind::triaxial ? confining_pressure : 0;
+    request.loading = {.test = test,
+                       .platen_speed = rate,
+                       .confining_pressure = test == TestKind::triaxial ? confining_pressure : 0,
+                       .platen_friction = 5 * degree,
+                       .max_strain = 0.01};  // confined specimens still harden at this strain
     request.material = augig_granite();
     request.plane = test == TestKind::brazilian ? PlaneCondition::stress : PlaneCondition::strain;
     request.contact = augig_contact(request.plane, FractureEnergyChoice::Kind::mode_i);
-    request.loading.max_strain = 0.01;  // confined specimens still harden at this strain
     request.peak_drop = 0.1;
     request.frames = 0;
     const TemporaryFolder folder;

@@ -50,12 +50,8 @@ TEST(MeshReport, WarnsOfCrystalsBetweenNarrowWallsAsOfTriangles) {
     const auto compare_report = [](const std::string& what, double angle, double area_error, std::size_t n_flaws) {
         Specimen s = two_phases();
         s.statistics.min_angle = angle;
-        Request request;
-        request.region = rectangle(4e-3, 4e-3);
-        request.fabric.tessellation = Tessellation::trigon;
-        MeshReport report;
-        report.largest_area_error = area_error;
-        report.n_flaws = n_flaws;
+        const Request request{.region = rectangle(4e-3, 4e-3), .fabric = {.tessellation = Tessellation::trigon}};
+        const MeshReport report{.largest_area_error = area_error, .n_flaws = n_flaws};
         test::expect_golden(text_of(describe_mesh(s, request, report)), what);
     };
     compare_report("a flaw", 0.2, 0.04, 1);
@@ -65,13 +61,8 @@ TEST(MeshReport, WarnsOfCrystalsBetweenNarrowWallsAsOfTriangles) {
 
 TEST(MeshReport, NamesWhatWasNotReached) {
     const Specimen s = two_phases();
-    Request request;
-    request.region = rectangle(4e-3, 4e-3);
-    request.fabric.spread = 0.01;
-    MeshReport report;
-    report.spread = 0.1;
-    report.attempts = 20;
-    report.psi6_of_parts = 0.5;
+    const Request request{.region = rectangle(4e-3, 4e-3), .fabric = {.spread = 0.01}};
+    const MeshReport report{.spread = 0.1, .psi6_of_parts = 0.5, .attempts = 20};
     test::expect_golden(text_of(describe_mesh(s, request, report)));
 }
 

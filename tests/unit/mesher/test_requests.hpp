@@ -15,22 +15,13 @@
 namespace graincrack::mesher {
 
 inline Request request_of(Region region, std::int64_t grains, std::uint64_t seed = 1) {
-    Request request;
-    request.region = std::move(region);
-    request.fabric.grains = grains;
-    request.seed = seed;
-    return request;
+    return {.region = std::move(region), .fabric = {.grains = grains}, .seed = seed};
 }
 inline Request rectangle_of(std::int64_t grains, std::uint64_t seed = 1) {
     return request_of(rectangle(0.08, 0.16), grains, seed);
 }
 /// Grains of a mean edge, m.
-inline Request request_of_edge(Region region, double edge) {
-    Request request;
-    request.region = std::move(region);
-    request.fabric.edge = edge;
-    return request;
-}
+inline Request request_of_edge(Region region, double edge) { return {.region = std::move(region), .fabric = {.edge = edge}}; }
 
 /// The specimen of a request, which must be valid.
 inline Specimen valid_mesh(const Request& request, MeshReport* report = nullptr) {

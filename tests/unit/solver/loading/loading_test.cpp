@@ -54,12 +54,7 @@ public:
     std::function<void()> places;  ///< what happens to the platens before a stage starts
 };
 
-LoadingRequest triaxial_request() {
-    LoadingRequest request;
-    request.test = TestKind::triaxial;
-    request.confining_pressure = 4e6;
-    return request;
-}
+const LoadingRequest triaxial{.test = TestKind::triaxial, .confining_pressure = 4e6};
 /// A program of stages.
 LedPlatens led_by(const std::string& text) { return LedPlatens(parse_program("name = \"led\"\n" + text, "led.toml")); }
 
@@ -81,9 +76,7 @@ TEST(StandardTest, EndsAtAFallThatOutlastsAWaveWithoutDamping) {
 }
 
 TEST(StandardTest, StartsSmoothlyAndKeepsItsSpeed) {
-    LoadingRequest request;
-    request.platen_speed = 5e-3;
-    LedPlatens led(request);
+    LedPlatens led(LoadingRequest{.platen_speed = 5e-3});
     EXPECT_EQ(led.program.order, std::vector<std::string>{axial_stage});
     const double dt = 0.25 * transit;
     double speed = 0;
@@ -105,7 +98,7 @@ TEST(StandardTest, StartsSmoothlyAndKeepsItsSpeed) {
 }
 
 TEST(StandardTest, AppliesThePressureBeforeThePlatens) {
-    LedPlatens led(triaxial_request());
+    LedPlatens led(triaxial);
     const double dt = transit;
     double time = 0, pressure = 0;
     led.row(0);
@@ -132,7 +125,7 @@ TEST(StandardTest, AppliesThePressureBeforeThePlatens) {
 
 // At rest is a specimen that bears what it should: a low unbalanced ratio alone is none where the servo has not arrived.
 TEST(StandardTest, WaitsForTheServoInItsIsotropicStage) {
-    LedPlatens led(triaxial_request());
+    LedPlatens led(triaxial);
     led.row(0);
     const auto go = [&](double from, double to, double stress) {
         for (double time = from; time < to; time += transit) {
@@ -148,10 +141,7 @@ TEST(StandardTest, WaitsForTheServoInItsIsotropicStage) {
 
 TEST(StandardTest, MovesItsPlatensInItsSenseAtTheAutomaticRate) {
     for (const TestKind test : {TestKind::uniaxial, TestKind::tension}) {
-        LoadingRequest request;
-        request.test = test;
-        request.rate = RateKind::automatic;
-        LedPlatens led(request);
+        LedPlatens led(LoadingRequest{.test = test, .rate = RateKind::automatic});
         const double sense = test == TestKind::tension ? -1 : 1;
         const double time_step = 1e-7;
         double time = 0, travel = 0;
@@ -172,10 +162,7 @@ TEST(StandardTest, MovesItsPlatensInItsSenseAtTheAutomaticRate) {
 }
 
 TEST(StandardTest, RestsBetweenBlocks) {
-    LoadingRequest request;
-    request.rate = RateKind::blocks;
-    request.block_steps = 100;
-    LedPlatens led(request);
+    LedPlatens led(LoadingRequest{.rate = RateKind::blocks, .block_steps = 100});
     EXPECT_EQ(std::get<LoadingBlocks>(*led.program.stages.back().platens).rest, default_rest_tolerance);
     led.row(0);
     EXPECT_EQ(led.stages.interval_steps(1e-7), 20);
@@ -190,7 +177,7 @@ TEST(StandardTest, RestsBetweenBlocks) {
             const IntervalLoading b = next(part == 0 ? 1e-5 : 1.0);
             travel += 0.5 * (b.velocity_begin[bottom_platen] + b.velocity_end[bottom_platen]) * 2e-6;
         }
-        expect_close(travel, 4 * 2e-6 * request.platen_speed, 1e-12, travel);  // one part of five is start and stop
+        expect_close(travel, 4 * 2e-6 * LoadingRequest{}.platen_speed, 1e-12, travel);  // one part of five is start and stop
         EXPECT_EQ(next(1.0).velocity_end[bottom_platen], 0);
     }
 }
@@ -198,8 +185,7 @@ TEST(StandardTest, RestsBetweenBlocks) {
 // Speeding up over ten transits, and the whole travel at the slowest speed.
 TEST(StandardTest, TakesLongestAtItsSlowestSpeed) {
     const auto longest = [](const LoadingRequest& request) { return LedPlatens(request).stages.longest().time; };
-    LoadingRequest request;
-    request.max_strain = 0.01;
+    LoadingRequest request{.max_strain = 0.01};
     const double travel = 0.5 * 0.01 * 0.08;
     expect_close(longest(request), 10 * transit + travel / 5e-3, 1e-12, 1);
     request.rate = RateKind::blocks;
@@ -214,14 +200,12 @@ TEST(StandardTest, TakesLongestAtItsSlowestSpeed) {
 TEST(StandardTest, GivesUpOnASpecimenThatDoesNotComeToRest) {
     Refusals refused;
     refused.add<NumericalError>("in blocks", [] {
-        LoadingRequest request;
-        request.rate = RateKind::blocks;
-        LedPlatens led(request);
+        LedPlatens led(LoadingRequest{.rate = RateKind::blocks});
         led.row(0);
         for (int i = 0; i < 1000; ++i) static_cast<void>(led.stages.next(transit));
     });
     refused.add<NumericalError>("under pressure", [] {
-        LedPlatens led(triaxial_request());
+        LedPlatens led(triaxial);
         led.row(0);
         for (int i = 1; i < 100000; ++i) {
             static_cast<void>(led.stages.next(transit));
@@ -250,29 +234,25 @@ TEST(StandardTest, HasThePlatensAndTheMembraneOfItsKind) {
     const Specimen s = specimen();
     const Assemblage a = make_assemblage(s, augig_granite().rock, PlaneCondition::strain);
     const ContactParameters contact = augig_contact();
-    LoadingRequest request;
-    request.platen_friction = 5 * degree;
-    const Boundary uniaxial = boundary_of_test(a, s, request, contact);
+    const Boundary uniaxial = boundary_of_test(a, s, {.platen_friction = 5 * degree}, contact);
     EXPECT_TRUE(uniaxial.prescribed.empty());
     EXPECT_EQ(uniaxial.platens[top_platen].position, 0.04);
     EXPECT_EQ(uniaxial.platens[bottom_platen].side, -1);
     EXPECT_EQ(uniaxial.platens[top_platen].normal_stiffness, contact.normal_stiffness);
     expect_close(uniaxial.platens[top_platen].tan_friction, 0.0874887, 1e-6, 1);  // tan 5°
     EXPECT_FALSE(uniaxial.platens[top_platen].bonded);
-    request.confining_pressure = 4e6;
-    const Boundary triaxial = boundary_of_test(a, s, request, contact);
-    ASSERT_EQ(triaxial.prescribed.edges.size(), 16U);
-    for (const LoadedEdge& edge : triaxial.prescribed.edges) {
+    const std::vector<LoadedEdge> edges =
+        boundary_of_test(a, s, {.confining_pressure = 4e6, .platen_friction = 5 * degree}, contact).prescribed.edges;
+    ASSERT_EQ(edges.size(), 16U);
+    for (const LoadedEdge& edge : edges) {
         expect_close(std::abs(a.position[edge.nodes[0]].x), 0.02, 1e-12, 0.02);
         EXPECT_GT((a.position[edge.nodes[1]].y - a.position[edge.nodes[0]].y) * a.position[edge.nodes[0]].x,
                   0);  // solid on the left
         EXPECT_TRUE(edge.is_lateral);
     }
-    request = {};
-    request.test = TestKind::tension;
-    const Boundary tension = boundary_of_test(a, s, request, contact);
-    EXPECT_TRUE(tension.platens[top_platen].bonded);
-    EXPECT_EQ(tension.platens[top_platen].shear_stiffness, 0);
+    const Platen tension = boundary_of_test(a, s, {.test = TestKind::tension}, contact).platens[top_platen];
+    EXPECT_TRUE(tension.bonded);
+    EXPECT_EQ(tension.shear_stiffness, 0);
     EXPECT_EQ(name_of(TestKind::brazilian), "brazilian");
 }
 
@@ -338,17 +318,10 @@ stage.keep = { b.velocity_y = "free", until.time = "1 ms" }
     EXPECT_TRUE(std::isnan(led.stages.values(3.5e-3)[1]));
 }
 
-LoadingRequest heated_request() {
-    LoadingRequest request;
-    request.rate = RateKind::automatic;
-    request.heat = 300;
-    return request;
-}
+const LoadingRequest heated{.rate = RateKind::automatic, .heat = 300};
 /// A compression test after heating by 300 K, whose specimen is at rest in each row. \return rows of heating
 int heat_through(LedPlatens& led, double near_failure, double stored_energy = 0) {
-    Feedback feedback;
-    feedback.near_failure = near_failure;
-    feedback.stored_energy = stored_energy;
+    const Feedback feedback{.stored_energy = stored_energy, .near_failure = near_failure};
     int rows = 0;
     for (double time = 0; led.stages.records().empty(); time += 0.5 * transit) {
         led.row(time, 0, 1e-4, feedback, 7);
@@ -359,7 +332,7 @@ int heat_through(LedPlatens& led, double near_failure, double stored_energy = 0)
 }
 
 TEST(Heating, ReachesItsTemperatureAndRestBeforeThePlatensCome) {
-    LedPlatens led(heated_request());
+    LedPlatens led(heated);
     led.row(0);
     EXPECT_TRUE(led.stages.is_without_platens());
     EXPECT_EQ(led.stages.interval_steps(transit / 1000), 500);  // half a transit
@@ -376,8 +349,7 @@ TEST(Heating, ReachesItsTemperatureAndRestBeforeThePlatensCome) {
 
 // Also of marble, whose crystals are under stress from some tenths of a kelvin on, if all of it is at the slowest rate.
 TEST(Heating, HasTheTimeOfTheSlowestRate) {
-    LoadingRequest request;
-    request.heat = 480;
+    const LoadingRequest request{.heat = 480};
     const HeatingControl control(request.heating_tolerance(), {transit, 0.1, 1000});
     double time = 0;
     for (double change = 0; change < request.heat; time += transit) change += transit * control.min_rate(change);
@@ -385,18 +357,14 @@ TEST(Heating, HasTheTimeOfTheSlowestRate) {
 }
 
 TEST(Heating, LeavesThePlatenSpeedAsItIsByTheEnergyItLocksIn) {
-    LoadingRequest request = heated_request();
-    LedPlatens hot(request);
-    request.heat = 0;
-    LedPlatens cold(request);
+    LedPlatens hot(heated);
+    LedPlatens cold(LoadingRequest{.rate = RateKind::automatic});
     cold.row(0, 0, 1e-4);
     constexpr double locked_in = 50;
     heat_through(hot, 0, locked_in);
     const double begin = hot.stages.records().back().end;
     for (int i = 1; i < 200; ++i) {
-        Feedback feedback;
-        feedback.kinetic_energy = 1e-5;
-        feedback.stored_energy = 0.1 * i;
+        Feedback feedback{.kinetic_energy = 1e-5, .stored_energy = 0.1 * i};
         const double speed = cold.stages.next(0.25 * transit).velocity_end[bottom_platen];
         cold.row(0.25 * i * transit, -10e6, 1e-4, feedback);
         feedback.stored_energy += locked_in;
@@ -470,8 +438,8 @@ stage.long = { platen_speed = 0.0, until.time = "8 s" }
 
 // Forces out of balance of platens that bear nothing yet are those of waves: they do not slow them down.
 TEST(Heating, DoesNotSlowPlatensThatBearNothingYet) {
-    LedPlatens calm(heated_request());
-    LedPlatens ringing(heated_request());
+    LedPlatens calm(heated);
+    LedPlatens ringing(heated);
     heat_through(calm, 0);
     heat_through(ringing, 0);
     const double begin = calm.stages.records().back().end;
@@ -491,7 +459,7 @@ TEST(Heating, DoesNotSlowPlatensThatBearNothingYet) {
 
 /// Speed of platens after heating and a hundred transits of loading. \param answer stress and measures after so many transits
 double speed_after_heating(const std::function<std::pair<double, Feedback>(double transits)>& answer, double peak_drop = 0.3) {
-    LedPlatens led(heated_request(), peak_drop);
+    LedPlatens led(heated, peak_drop);
     heat_through(led, 0);
     const double begin = led.stages.records().back().end;
     double speed = 0;
@@ -505,9 +473,7 @@ double speed_after_heating(const std::function<std::pair<double, Feedback>(doubl
 
 TEST(Heating, SlowsNoPlatensBehindAPeak) {
     const auto speed_behind = [](double peak, double stress, double peak_drop = 0.3) {
-        Feedback feedback;
-        feedback.damping_load = 1;
-        feedback.near_failure = 1;
+        const Feedback feedback{.damping_load = 1, .near_failure = 1};
         return speed_after_heating([=](double transits) { return std::pair(transits < 2 ? peak : stress, feedback); }, peak_drop);
     };
     EXPECT_GT(speed_behind(100e6, 69e6), 50 * speed_behind(100e6, 71e6));
@@ -519,10 +485,7 @@ TEST(Heating, SlowsNoPlatensBehindAPeak) {
 // test. In bending any load is one.
 TEST(Heating, LeavesTheEndOfATestToTheFallOfALoad) {
     for (const TestKind test : {TestKind::uniaxial, TestKind::bend}) {
-        LoadingRequest request = heated_request();
-        request.test = test;
-        request.span = 0.025;
-        LedPlatens led(request);
+        LedPlatens led(LoadingRequest{.test = test, .rate = RateKind::automatic, .heat = 300, .span = 0.025});
         heat_through(led, 1);
         double time = led.stages.records().back().end;
         const auto goes_on = [&](double stress, double cracks) {

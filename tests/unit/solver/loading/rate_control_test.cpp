@@ -139,9 +139,7 @@ std::vector<double> rates_of_heating(const Feedback& feedback, double to, int in
     return rates;
 }
 Feedback cracking(double unbalanced_ratio = 0, double element_force = 1e6) {
-    Feedback feedback = measures(0, 0, 1, unbalanced_ratio);
-    feedback.element_force = element_force;
-    return feedback;
+    return {.unbalanced_ratio = unbalanced_ratio, .near_failure = 1, .element_force = element_force};
 }
 
 TEST(HeatingControl, RaisesTheStressByTheToleranceInATransitWhereMineralsCrack) {

@@ -18,11 +18,10 @@ TEST(ProgramText, IsTheSameProgramWhenReadAgain) {
     const Specimen specimen = one_diagonal_grid(4, 8, 0.04, 0.08);
     for (const TestKind test : {TestKind::uniaxial, TestKind::triaxial, TestKind::tension}) {
         for (const RateKind rate : {RateKind::fixed, RateKind::automatic, RateKind::blocks}) {
-            LoadingRequest request;
-            request.test = test;
-            request.rate = rate;
-            request.platen_speed = 1.0 / 300;
-            request.confining_pressure = test == TestKind::triaxial ? 1e7 / 3 : 0;
+            const LoadingRequest request{.test = test,
+                                         .rate = rate,
+                                         .platen_speed = 1.0 / 300,
+                                         .confining_pressure = test == TestKind::triaxial ? 1e7 / 3 : 0};
             const double peak_drop = rate == RateKind::fixed ? 0 : 0.3;
             const Program program = standard_test(request, peak_drop, specimen, augig_granite().rock);
             const std::string text = program_text(program);

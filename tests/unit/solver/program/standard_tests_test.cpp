@@ -18,11 +18,7 @@ Specimen beam() {
 }
 
 ProgramPlatens bent(const Specimen& s, std::optional<double> span, std::optional<double> roller_width = {}) {
-    LoadingRequest request;
-    request.test = TestKind::bend;
-    request.rate = RateKind::automatic;
-    request.span = span;
-    request.roller_width = roller_width;
+    const LoadingRequest request{.test = TestKind::bend, .rate = RateKind::automatic, .span = span, .roller_width = roller_width};
     return *standard_test(request, 0.3, s, augig_granite().rock).platens;
 }
 
@@ -46,11 +42,7 @@ TEST(Bend, HasUsualSpans) {
 }
 
 TEST(StandardTests, AreSlowerInBendingAndSlowestInDirectTension) {
-    const auto tolerance = [](TestKind test) {
-        LoadingRequest request;
-        request.test = test;
-        return request.automatic_tolerance();
-    };
+    const auto tolerance = [](TestKind test) { return LoadingRequest{.test = test}.automatic_tolerance(); };
     EXPECT_EQ(tolerance(TestKind::uniaxial), default_rate_tolerance);
     EXPECT_LT(tolerance(TestKind::bend), default_rate_tolerance);
     EXPECT_LT(tolerance(TestKind::brazilian), tolerance(TestKind::bend));

@@ -18,9 +18,7 @@ namespace {
 struct LoadedGrains {
     explicit LoadedGrains(int columns)
         : run(varied_phases(jittered_grid(columns, 2 * columns + 2, 0.04, 0.08, 0.25)).run(default_law)) {
-        LoadingRequest loading;
-        loading.confining_pressure = 8e6;
-        run.load_by(loading, 0.7);
+        run.load_by({.confining_pressure = 8e6}, 0.7);
     }
     [[nodiscard]] StepShares shares(int n_threads) const {
         return share_step(run.assemblage, run.boundary, &run.state, n_threads);
