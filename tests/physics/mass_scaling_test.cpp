@@ -181,12 +181,6 @@ TEST(MassScaling, KeepsMomentumAndEnergyWhileASpecimenFallsApart) {
     }
 }
 
-/// Two grains on one contact, the upper one flying off.
-SmallRun two_scaled_grains(double factor) {
-    const Specimen s = specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
-                                          {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1});
-    return scaled_run(s, augig_law(), false, 0.5, factor);
-}
 // A free grain falls back onto another: no energy is created beyond 1 %, as a contact that closes within a step makes or takes
 // some in proportion to it.
 TEST(MassScaling, MakesNoEnergyOfGrainsThatReturn) {
@@ -194,7 +188,7 @@ TEST(MassScaling, MakesNoEnergyOfGrainsThatReturn) {
         double gap, speed;
     };
     for (const Fall& fall : {Fall{2e-4, 0.1}, Fall{2e-4, 10}, Fall{1e-6, 1}}) {
-        SmallRun run = two_scaled_grains(100);
+        SmallRun run = scaled_run(one_diagonal_column(2, 0.02, 0.02), augig_law(), false, 0.5, 100);
         run.parameters.time_step *= 0.2;
         run.begin();
         for (const std::size_t point : {0, 1}) store_point(broken_contact(), false, point, run.state);

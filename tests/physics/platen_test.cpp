@@ -12,15 +12,11 @@
 namespace graincrack::test {
 namespace {
 
-/// One grain of two triangles, 20 × 20 mm.
-Specimen block() {
-    return specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0.01}, {-0.01, 0.01}}, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
-}
 
 // A block on a penalty floor: π √(m/k) of contact, and the same speed back. The block's own compliance, 1/3 of k over E A/L
 // here, adds 1e-4 of it.
 TEST(Platen, LetsABlockBounceAsASpring) {
-    SmallRun run(block(), augig_law());
+    SmallRun run(one_diagonal_column(1, 0.02, 0.02), augig_law());
     std::vector<Platen> platens = two_platens(-0.01 - 1e-5, 1);  // the upper one out of reach
     for (Platen& p : platens) p.normal_stiffness = 1e8;
     run.set_boundary(make_boundary(run.assemblage, run.specimen, platens, 0.001), 0.2);

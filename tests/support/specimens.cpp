@@ -128,6 +128,11 @@ Specimen specimen_of_triangles(const std::vector<Point>& points, const std::vect
 Specimen one_diagonal_grid(int nx, int ny, double width, double height) {
     return specimen_of_triangles(grid_points(nx, ny, width, height, 0), grid_triangles(nx, ny, never));
 }
+Specimen one_diagonal_column(int ny, double width, double height) {
+    std::vector<int> grain;
+    for (int j = 0; j < ny; ++j) grain.insert(grain.end(), 2, j);
+    return specimen_of_grains(grid_points(1, ny, width, height, 0), grid_triangles(1, ny, never), grain);
+}
 Specimen union_jack_grid(int nx, int ny, double width, double height) {
     return specimen_of_triangles(grid_points(nx, ny, width, height, 0), grid_triangles(nx, ny, alternately));
 }

@@ -22,7 +22,9 @@ Specimen specimen_of_grains(const std::vector<Point>& points, const std::vector<
 
 /// Rectangle about the origin in nx × ny cells of two triangles with the diagonals all one way.
 Specimen one_diagonal_grid(int nx, int ny, double width, double height);
-/// The same with the diagonals alternating (union jack).
+/// A column of such cells, each of which is a grain.
+Specimen one_diagonal_column(int ny, double width, double height);
+/// The grid with the diagonals alternating (union jack).
 Specimen union_jack_grid(int nx, int ny, double width, double height);
 /// Rectangle with inner points moved by up to `jitter` of a cell, in a fixed pattern without direction.
 Specimen jittered_grid(int nx, int ny, double width, double height, double jitter);

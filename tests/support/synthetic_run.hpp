@@ -1,11 +1,10 @@
 // Runs with known answers, made without a solver: a grid of triangular grains and a history of straight lines.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
-#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -15,55 +14,24 @@
 #include "share/file/h5_file.hpp"
 #include "share/file/provenance.hpp"
 #include "share/file/run_file.hpp"
+#include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack::test {
 
-/// columns × rows rectangles, each cut along its rising diagonal into two grains of one triangle.
+/// columns × rows rectangles, each cut along its rising diagonal into two grains of one triangle. Contacts are in the order of
+/// the grains that complete them, boundary edges in that of the places where they begin.
 inline Specimen grid_specimen(int columns, int rows, double width, double height) {
-    Specimen s;
-    s.shape = "rectangle";
-    s.width = width;
-    s.height = height;
+    Specimen s = one_diagonal_grid(columns, rows, width, height);
     s.tessellation = "grid";
     s.seed = 7;
-    std::map<std::pair<std::pair<int, int>, std::pair<int, int>>, std::array<std::int32_t, 2>> open_edges;
-    const auto add_grain = [&](std::array<std::pair<int, int>, 3> corners) {
-        const auto first = static_cast<std::int32_t>(s.n_nodes());
-        for (const auto& [i, j] : corners) {
-            s.node_position.push_back({width * (i / double(columns) - 0.5), height * (j / double(rows) - 0.5)});
-        }
-        s.element_nodes.push_back({first, first + 1, first + 2});
-        s.element_grain.push_back(static_cast<std::int32_t>(s.n_grains()));
-        s.grain_phase.push_back(0);
-        s.grain_area.push_back(width * height / (2.0 * columns * rows));
-        for (int k = 0; k < 3; ++k) {
-            const auto from = corners[k];
-            const auto to = corners[(k + 1) % 3];
-            const std::array<std::int32_t, 2> nodes{first + k, first + (k + 1) % 3};
-            const auto facing = open_edges.find({to, from});
-            if (facing == open_edges.end()) {
-                open_edges[{from, to}] = nodes;
-                continue;
-            }
-            const auto& a = facing->second;  // a1 → a2 around the earlier grain; b runs the other way
-            s.contact_nodes.push_back({a[0], a[1], nodes[1], nodes[0]});
-            s.contact_grain_boundary.push_back(static_cast<std::int32_t>(s.n_contacts()) - 1);
-            s.contact_kind.push_back(0);
-            open_edges.erase(facing);
-        }
-    };
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            add_grain({{{i, j}, {i + 1, j}, {i + 1, j + 1}}});
-            add_grain({{{i, j}, {i + 1, j + 1}, {i, j + 1}}});
-        }
-    }
-    for (const auto& [edge, nodes] : open_edges) {
-        s.boundary_edges.push_back(nodes);
-        const auto& [from, to] = edge;
-        const bool level = from.second == to.second;
-        s.boundary_part.push_back(level ? (from.second == 0 ? 0 : 2) : (from.first == 0 ? 3 : 1));
+    s.grain_area.assign(s.n_grains(), width * height / (2.0 * columns * rows));
+    std::ranges::sort(s.contact_nodes, {}, [](const auto& nodes) { return nodes[3]; });
+    std::ranges::sort(s.boundary_edges, {}, [&s](const auto& nodes) { return s.node_position[nodes[0]]; });
+    for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
+        const auto& [x, y] = s.node_position[s.boundary_edges[e][0]];
+        const bool level = y == s.node_position[s.boundary_edges[e][1]][1];
+        s.boundary_part[e] = level ? (y < 0 ? 0 : 2) : (x < 0 ? 3 : 1);
     }
     const double dx = width / columns;
     const double dy = height / rows;

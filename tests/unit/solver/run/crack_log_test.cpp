@@ -95,9 +95,7 @@ TEST(CrackLog, CompletesARowByLaterEvents) {
 // Two grains that are drawn apart and turned against each other, followed step by step: what a row has of the failure is of its
 // step, what it has of a later moment of the step of that.
 TEST(CrackLog, HasTheMotionsOfTheStepsItNames) {
-    SmallRun run(specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
-                                    {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
-                 augig_law());
+    SmallRun run(one_diagonal_column(2, 0.02, 0.02), augig_law());
     run.set_velocity([](const Vector2&) { return Vector2{}; });
     for (std::int32_t i = 4; i < 8; ++i) run.state.velocity[i] = {1, 5 + 100 * run.assemblage.position[i].x};
     run.begin();

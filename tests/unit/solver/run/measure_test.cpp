@@ -13,9 +13,7 @@ namespace {
 
 // One contact opened by hand to half its critical opening.
 TEST(Measure, HasTheEnergyOfAnOpenedContact) {
-    SmallRun run(specimen_of_grains({{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0}, {-0.01, 0}, {0.01, 0.01}, {-0.01, 0.01}},
-                                    {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}, {0, 0, 1, 1}),
-                 augig_law(LawVariant::literal));
+    SmallRun run(one_diagonal_column(2, 0.02, 0.02), augig_law(LawVariant::literal));
     const ContactLaw& law = run.parameters.laws[0];
     const double opening = 0.5 * law.dct;
     for (std::size_t i = 4; i < 8; ++i) run.state.displacement[i].y = opening;
