@@ -28,16 +28,6 @@ Boundary platens_of(const SmallRun& run) {
     return boundary_of_test(run.assemblage, run.specimen, {.platen_friction = 5 * degree}, augig_contact());
 }
 
-/// A run with mass scaling, by default of the factor that suffices.
-SmallRun scaled_run(const Specimen& specimen, const ContactLaw& law, bool platens, double fraction, double factor = 0) {
-    SmallRun run(specimen, law);
-    const Boundary boundary = platens ? platens_of(run) : run.boundary;
-    run.parameters.mass_scaling = make_mass_scaling(
-        run.assemblage, factor > 0 ? factor : sufficient_mass_scaling(run.assemblage, boundary, run.parameters.laws));
-    run.set_boundary(boundary, fraction);
-    return run;
-}
-
 // --- the stable step -------------------------------------------------------------------------------------------------------
 
 /// The lowest of the nodes that contacts link with each node.
@@ -158,7 +148,8 @@ TEST(MassScaling, LengthensTheStepUntilTheGrainsLimitIt) {
 TEST(MassScaling, KeepsMomentumAndEnergyWhileASpecimenFallsApart) {
     for (const ContactLaw& law : all_laws(augig_contact())) {
         SCOPED_TRACE(name_of(law.variant));
-        SmallRun run = scaled_run(jittered_grid(4, 6, 0.02, 0.03, 0.2), law, false, 0.5);
+        SmallRun run(jittered_grid(4, 6, 0.02, 0.03, 0.2), law);
+        run.scale_masses(run.boundary, 0.5);
         // Drift, a little spin, a pull along y and a shear: cracks of both modes.
         run.set_velocity([](const Vector2& p) { return Vector2{3 + 400 * p.y, -1 + 100 * p.x + 1500 * p.y}; });
         run.begin();
@@ -184,27 +175,25 @@ TEST(MassScaling, KeepsMomentumAndEnergyWhileASpecimenFallsApart) {
 // A free grain falls back onto another: no energy is created beyond 1 %, as a contact that closes within a step makes or takes
 // some in proportion to it.
 TEST(MassScaling, MakesNoEnergyOfGrainsThatReturn) {
-    struct Fall {
-        double gap, speed;
-    };
-    for (const Fall& fall : {Fall{2e-4, 0.1}, Fall{2e-4, 10}, Fall{1e-6, 1}}) {
-        SmallRun run = scaled_run(one_diagonal_column(2, 0.02, 0.02), augig_law(), false, 0.5, 100);
+    for (const auto& [gap, speed] : {std::pair(2e-4, 0.1), std::pair(2e-4, 10.0), std::pair(1e-6, 1.0)}) {
+        SmallRun run(one_diagonal_column(2, 0.02, 0.02), augig_law());
+        run.scale_masses(run.boundary, 0.5, 100);
         run.parameters.time_step *= 0.2;
         run.begin();
         for (const std::size_t point : {0, 1}) store_point(broken_contact(), false, point, run.state);
         for (std::int32_t i = 4; i < 8; ++i) {
-            run.state.displacement[i] = {0, fall.gap};
-            run.state.velocity[i] = {0, -fall.speed};
+            run.state.displacement[i] = {0, gap};
+            run.state.velocity[i] = {0, -speed};
         }
         run.begin();
         const double kinetic = run.measured().energies.kinetic;
         double closest = 1;
-        const auto steps = static_cast<int>(2 * fall.gap / fall.speed / run.parameters.time_step) + 400;
+        const auto steps = static_cast<int>(2 * gap / speed / run.parameters.time_step) + 400;
         for (int i = 0; i < steps; ++i) {
             run.steps(1);
             const Energies e = run.measured().energies;
             closest = std::min({closest, run.state.opening[0], run.state.opening[1]});
-            EXPECT_LT(e.kinetic + e.stored(), 1.01 * kinetic) << fall.speed;
+            EXPECT_LT(e.kinetic + e.stored(), 1.01 * kinetic) << speed;
             expect_close(e.balance_error(), -kinetic, 0.02, kinetic);  // what it began with is nobody's work
         }
         EXPECT_LT(closest, 0);
@@ -275,13 +264,8 @@ TEST(MassScaling, KeepsTheBalanceAtRest) {
 /// A specimen crushed with mass scaling until grains have slid past each other.
 SmallRun crushed_disc() {
     SmallRun run(jittered_grid(4, 6, 0.02, 0.03, 0.25), augig_law(LawVariant::consistent));
-    LoadingRequest request;
-    request.platen_friction = 5 * degree;
-    request.max_strain = 0.1;
-    const Boundary boundary = boundary_of_test(run.assemblage, run.specimen, request, augig_contact());
-    run.parameters.mass_scaling =
-        make_mass_scaling(run.assemblage, sufficient_mass_scaling(run.assemblage, boundary, run.parameters.laws));
-    run.set_boundary(boundary, 0.7);
+    const LoadingRequest request{.platen_friction = 5 * degree, .max_strain = 0.1};
+    run.scale_masses(boundary_of_test(run.assemblage, run.specimen, request, augig_contact()), 0.7);
     run.parameters.damping = 0.8;
     run.begin();
     constexpr double speed = 0.4;  // m/s

@@ -169,12 +169,9 @@ double acceleration_down(double slope, double friction) {
     EXPECT_EQ(block.stage_controller.records().at(0).ended_by, "rest");
     block.run.parameters.laws = law(friction);
     block.run.parameters.damping = 0;
-    IntervalLoading loading;
-    const std::vector<Amplitude> amplitudes(2, Amplitude{{}, 0, true});
-    loading.amplitudes = &amplitudes;
     const auto speed_after = [&](double duration) {
         const double end = block.run.state.time + duration;
-        while (block.run.state.time < end) block.run.steps(10, loading);
+        while (block.run.state.time < end) block.go_on(10);
         return mean_of_grain(block.run, block.run.state.velocity, 1).x;
     };
     const double before = speed_after(0.3e-3);
@@ -217,16 +214,16 @@ TEST(Program, ShearsAJointAtItsFriction) {
     )",
                      law, PlaneCondition::strain, 0.8);
     joint.go(50);
-    ASSERT_EQ(joint.stage_controller.records().size(), 3U);
-    EXPECT_EQ(joint.stage_controller.records()[0].ended_by, "rest");
-    EXPECT_EQ(joint.stage_controller.records()[1].ended_by, "push.displacement_x");
-    EXPECT_EQ(joint.stage_controller.records()[2].ended_by, "push.displacement_x");
+    const std::vector<StageRecord>& records = joint.stage_controller.records();
+    ASSERT_EQ(records.size(), 3U);
+    EXPECT_EQ(records[0].ended_by, "rest");
+    for (const std::size_t stage : {1, 2}) EXPECT_EQ(records[stage].ended_by, "push.displacement_x");
     const std::vector<double>& force = joint.column("push", "force_x");
     const std::vector<double>& time = joint.history[HistoryColumn::time];
     const double limit = 10e6 * width * std::tan(phi * degree);
     const auto at = [&](double t) { return force[std::lower_bound(time.begin(), time.end(), t) - time.begin()]; };
-    verify("specimens: joint in shear, force forth over normal force",
-           at(joint.stage_controller.records()[1].end) / (10e6 * width), std::tan(phi * degree), 5e-3, "tan phi");
+    verify("specimens: joint in shear, force forth over normal force", at(records[1].end) / (10e6 * width),
+           std::tan(phi * degree), 5e-3, "tan phi");
     verify("specimens: joint in shear, force back over normal force", force.back() / (10e6 * width), -std::tan(phi * degree),
            5e-3, "tan phi");
     EXPECT_GT(joint.energies.back().friction, 0.5 * limit * 30e-6);

@@ -44,6 +44,11 @@ public:
             stage_controller.start_next(rows);
         }
     }
+    /// Takes more steps than its program has, with amplitudes of nothing.
+    void go_on(std::int64_t steps) {
+        const std::vector<Amplitude> nothing(2, Amplitude{{}, 0, true});
+        run.steps(steps, {{}, {}, &nothing});
+    }
     [[nodiscard]] const std::vector<double>& column(const std::string& probe, const std::string& name) const {
         for (const ProbeHistory& each : probes.histories()) {
             for (std::size_t c = 0; c < each.columns.size(); ++c) {
@@ -73,11 +78,9 @@ public:
 
 private:
     [[nodiscard]] Feedback feedback() const {
-        Feedback feedback;
-        feedback.time = run.state.time;
-        feedback.axial_compression = -history[HistoryColumn::axial_stress].back();
-        feedback.unbalanced_ratio = history[HistoryColumn::unbalanced_ratio].back();
-        return feedback;
+        return {.time = run.state.time,
+                .axial_compression = -history[HistoryColumn::axial_stress].back(),
+                .unbalanced_ratio = history[HistoryColumn::unbalanced_ratio].back()};
     }
     void record() {
         const Measurement m = run.measured();

@@ -42,9 +42,8 @@ inline Boundary boundary_of_test(const Assemblage& a, const Specimen& s, const L
 inline Boundary with_pressure(Boundary boundary, const std::vector<BoundaryPart>& parts, const Assemblage& a, const Specimen& s) {
     for (std::size_t e = 0; e < s.n_boundary_edges(); ++e) {
         if (std::find(parts.begin(), parts.end(), static_cast<BoundaryPart>(s.boundary_part[e])) != parts.end()) {
-            LoadedEdge edge;
+            LoadedEdge edge{.pressure = 0};
             edge.nodes = {a.node_of_specimen[s.boundary_edges[e][0]], a.node_of_specimen[s.boundary_edges[e][1]]};
-            edge.pressure = 0;
             const auto part = static_cast<BoundaryPart>(s.boundary_part[e]);
             edge.is_lateral = part == BoundaryPart::left || part == BoundaryPart::right;
             edge.length = length(a.position[edge.nodes[1]] - a.position[edge.nodes[0]]);
@@ -61,9 +60,7 @@ public:
     TestPlatens(const LoadingRequest& request, const Specimen& specimen)
         : TestPlatens(standard_test(request, 0.3, specimen, augig_granite().rock), specimen) {}
     IntervalLoading next(double time, double duration) {
-        Feedback feedback;
-        feedback.time = time;
-        const PlatenSpeeds speeds = platens_.next(feedback, duration);
+        const PlatenSpeeds speeds = platens_.next({.time = time}, duration);
         return {{speeds.begin, -speeds.begin}, {speeds.end, -speeds.end}, nullptr};
     }
 
@@ -81,15 +78,9 @@ public:
     void set(double value) { present_ = value; }
     /// Loading of the next steps of a run, in which the pressure changes to `end`. It is valid as long as this object.
     IntervalLoading to(double end, double time, double duration) {
-        TimeFunction line;
-        line.kind = TimeFunction::Kind::table;
-        line.times = {0, duration};
-        line.values = {present_, end};
-        amplitudes_ = {{line, time}};
+        amplitudes_ = {{{.kind = TimeFunction::Kind::table, .times = {0, duration}, .values = {present_, end}}, time}};
         present_ = end;
-        IntervalLoading interval;
-        interval.amplitudes = &amplitudes_;
-        return interval;
+        return {{}, {}, &amplitudes_};
     }
 
 private:
@@ -138,6 +129,12 @@ struct SmallRun {
     /// Sets the platens and the membrane of a standard test, and the state at rest.
     void load_by(const LoadingRequest& request, double fraction, const ContactParameters& contact = augig_contact()) {
         set_boundary(boundary_of_test(assemblage, specimen, request, contact), fraction);
+    }
+    /// The same with selective mass scaling; factor 0: the one that suffices.
+    void scale_masses(const Boundary& b, double fraction, double factor = 0) {
+        parameters.mass_scaling =
+            make_mass_scaling(assemblage, factor > 0 ? factor : sufficient_mass_scaling(assemblage, b, parameters.laws));
+        set_boundary(b, fraction);
     }
     /// Makes this run the part of a rank. It is called before `begin`.
     void share(const Ranks& ranks) { assemblage.part = make_part(assemblage, boundary.prescribed, ranks); }

@@ -75,16 +75,13 @@ void rock_from(double share) {
                      joint_law(1e12, 1e12, std::tan(70 * degree)), PlaneCondition::strain, 0, 0.7);
     SmallRun& run = swing.run;
     run.begin();
-    IntervalLoading loading;
-    const std::vector<Amplitude> amplitudes(2, Amplitude{{}, 0, true});
-    loading.amplitudes = &amplitudes;
     const std::int32_t left = node_towards(run, 1, {-1, -0.01});
     const std::int32_t right = node_towards(run, 1, {0, -1});
     std::vector<double> time{0};
     std::vector<double> lean{turn};
     double slid = 0;  // while it falls
     while (time.back() < 2.5 * block.quarter(turn)) {
-        run.steps(100, loading);
+        swing.go_on(100);
         time.push_back(run.state.time);
         lean.push_back(turn - turn_of(run, left, right));
         if (lean.back() > 0) slid = std::max(slid, std::abs(run.state.displacement[right].x));
@@ -129,7 +126,6 @@ public:
                             -gravity),
                 joint_law(1e12, 1e12, std::tan(friction)), PlaneCondition::strain, 0.8, 0.7) {
         fall_.go(100);
-        loading_.amplitudes = &amplitudes_;
         left_ = node_towards(run(), 1, {-1, -0.01});
         right_ = node_towards(run(), 1, {1, -0.01});
     }
@@ -137,7 +133,7 @@ public:
     void hold(double slope, double duration) {
         run().boundary.prescribed.gravity = {-gravity * std::sin(slope), -gravity * std::cos(slope)};
         const double end = run().state.time + duration;
-        while (run().state.time < end) run().steps(20, loading_);
+        while (run().state.time < end) fall_.go_on(20);
     }
     [[nodiscard]] double turn() { return turn_of(run(), left_, right_); }
     [[nodiscard]] double slid() { return -run().state.displacement[left_].x; }
@@ -147,8 +143,6 @@ public:
 
 private:
     ProgramRun fall_;
-    std::vector<Amplitude> amplitudes_ = std::vector<Amplitude>(2, Amplitude{{}, 0, true});
-    IntervalLoading loading_;
     std::int32_t left_ = 0, right_ = 0;
 };
 

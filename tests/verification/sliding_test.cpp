@@ -280,14 +280,11 @@ void expect_newmark(const NewmarkBlock& problem) {
     SmallRun& run = block.run;
     EXPECT_EQ(block.stage_controller.records().at(0).ended_by, "rest");
     run.parameters.damping = 0;
-    TimeFunction speed;
-    speed.kind = TimeFunction::Kind::table;
-    speed.times = {0, problem.duration};
-    speed.values = {0, problem.acceleration * problem.duration};
+    const TimeFunction speed{.kind = TimeFunction::Kind::table,
+                             .times = {0, problem.duration},
+                             .values = {0, problem.acceleration * problem.duration}};
     const double begin = run.state.time;
     const std::vector<Amplitude> amplitudes{{speed, begin, true}, {{}, 0, true}};
-    IntervalLoading loading;
-    loading.amplitudes = &amplitudes;
     const auto lag = [&run](const std::vector<Vector2>& field) {
         return mean_of_grain(run, field, 0).x - mean_of_grain(run, field, 1).x;
     };
@@ -296,7 +293,7 @@ void expect_newmark(const NewmarkBlock& problem) {
     std::vector<double> velocity;
     std::vector<double> slip;
     while (run.state.time - begin < 1.3 * problem.end()) {
-        run.steps(50, loading);
+        run.steps(50, {{}, {}, &amplitudes});
         time.push_back(run.state.time - begin);
         velocity.push_back(mean_of_grain(run, run.state.velocity, 1).x);
         slip.push_back(lag(run.state.displacement) - start);
