@@ -24,12 +24,8 @@ constexpr double euler = std::numbers::e;
 constexpr double closed_at_zero = -1e-30;  // m, on which friction is none
 
 ContactParameters mode_i_contact() { return augig_contact(PlaneCondition::strain, FractureEnergyChoice::Kind::mode_i); }
-/// A point at rest under a pressure, or closed at zero opening.
-ContactHistory pressed(const ContactLaw& law, double pressure) {
-    ContactHistory h;
-    h.motion.opening = pressure > 0 ? -pressure / law.kt : closed_at_zero;
-    return h;
-}
+/// A point at rest under a pressure.
+ContactHistory pressed(const ContactLaw& law, double pressure) { return {.motion = {-pressure / law.kt, 0}}; }
 /// z as Munjiza, Andrews & White (1999) print it.
 double printed_softening(double D) {
     const double a = 0.63;
@@ -134,9 +130,7 @@ TEST(ContactLaws, TakeTheirFractureEnergies) {
     }
     for (const Area& area : areas) {
         SCOPED_TRACE(area.row);
-        ContactHistory start;
-        start.motion.opening = area.opening;
-        ContactWalk walk(area.law, start);
+        ContactWalk walk(area.law, {.motion = {area.opening, 0}});
         const auto traction = [&](double d) {
             const ContactTraction t = walk.to(area.slides ? ContactMotion{area.opening, d} : ContactMotion{d, 0});
             return area.slides ? t.shear : t.normal;

@@ -177,9 +177,8 @@ TEST_P(EveryContactLaw, DoesNoNonConservativeWorkWhereItHasAPotential) {
     for (unsigned seed = 0; seed < n_paths; ++seed) {
         Path opening = random_path(seed);
         for (ContactMotion& m : opening) m = {std::abs(m.opening), 0};
-        ContactHistory start;
-        start.motion.opening = -1e-30;  // closed from the first step on
-        const ContactWalk pushed = led_along(law, one_sided_path(seed, -1), 200, 1, start);
+        // Closed from the first step on.
+        const ContactWalk pushed = led_along(law, one_sided_path(seed, -1), 200, 1, {.motion = {-1e-30, 0}});
         EXPECT_EQ(pushed.non_conservative(), 0);
         EXPECT_GT(pushed.work(), 0);
         const ContactWalk pulled = led_along(law, opening, 200);
@@ -244,8 +243,7 @@ TEST_P(EveryContactLaw, HasTheTractionsOfItsStoredEnergy) {
 // round-off of tractions of up to 300 MPa over d: 1e-16 · 300 MPa/(kt d) = 2e-10, of shear ten times that.
 TEST_P(EveryContactLaw, IsNowhereStifferThanTheTimeStepKnows) {
     const double d = 1e-6 * c.critical_opening;
-    ContactHistory rest;
-    rest.motion.opening = -1e-30;
+    const ContactHistory rest{.motion = {-1e-30, 0}};
     const auto shear_at = [&](double s) { return update_contact(law, {-1e-30, s}, rest).traction.shear; };
     const auto normal_at = [&](double o) { return update_contact(law, {o, 0}, rest).traction.normal; };
     verify("law: shear tangent at rest over ks", (shear_at(d) - shear_at(-d)) / (2 * d) / law.ks, 1, 3e-6, "1, to d/dct");
@@ -342,9 +340,8 @@ TEST_P(EveryContactLaw, AgreesWithItsIntactResponse) {
             for (const double left : {1.0, 0.7}) {
                 const double reach = opening < 0 ? law.dcs : law.dct;
                 const ContactMotion to{opening * law.dct, sliding * reach};
-                ContactHistory before;
-                before.motion = {opening < 0 ? -1e-12 : 1e-9, 0.4 * reach};
-                before.integrity = damages_intact ? left : 1;
+                const ContactHistory before{.motion = {opening < 0 ? -1e-12 : 1e-9, 0.4 * reach},
+                                            .integrity = damages_intact ? left : 1};
                 const IntactResponse r =
                     intact({before.motion.opening, before.motion.sliding, to.opening, to.sliding, before.integrity});
                 const ContactResponse full = update_contact(law, to, before);
@@ -425,9 +422,8 @@ TEST_P(EveryContactLaw, AgreesWithItsSofteningResponse) {
         if constexpr (requires(MovedPoint p) { Law::softening(softens, p); }) {
             int held = 0, slid = 0;
             for (int seed = 0; seed < 20; ++seed) {
-                ContactHistory pressed;
-                const double opening = pressed.motion.opening = -5 * MPa / law.kt;
-                ContactWalk walk(softens, pressed);
+                const double opening = -5 * MPa / law.kt;
+                ContactWalk walk(softens, {.motion = {opening, 0}});
                 walk.go({opening, 1.01 * peak}, 10);
                 for (int k = 1; k < 500; ++k) {
                     const ContactHistory h = walk.history();

@@ -222,12 +222,8 @@ inline void write_run(const std::string& path, const Recipe& recipe, const std::
     writer.add_frame(synthetic_frame(recipe.specimen, 1, 0.005, 0), FrameRole::kept);
     writer.add_frame(synthetic_frame(recipe.specimen, 1.25, 0.006, 0.001), FrameRole::kept);
     if (recipe.hardens_to > 0) writer.add_frame(synthetic_frame(recipe.specimen, 2.25, 0.015, 0.001), FrameRole::kept);
-    Provenance provenance;
-    provenance.tool = "synthetic";
-    provenance.command_line = {"synthetic"};
-    provenance.libraries = {"none"};
-    provenance.wall_time = 12.8;
-    writer.finish(synthetic_header(recipe), cracks, provenance);
+    writer.finish(synthetic_header(recipe), cracks,
+                  {.tool = "synthetic", .command_line = {"synthetic"}, .libraries = {"none"}, .wall_time = 12.8});
 }
 inline void write_run(const std::string& path, const Recipe& recipe) {
     write_run(path, recipe, synthetic_cracks(recipe.specimen));

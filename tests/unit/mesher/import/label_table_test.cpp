@@ -35,9 +35,7 @@ std::string lines_of(const std::vector<std::string>& lines) {
 }
 
 std::vector<LabelRow> rows_of(const std::string& bytes, const PhaseKey::OfLabels& phases = {}) {
-    LabelOptions options;
-    options.phases = phases;
-    return labels_of(bytes, options, "picture.png");
+    return labels_of(bytes, {.phases = phases}, "picture.png");
 }
 
 TEST(LabelTable, HasTheColourTheAreaAndThePiecesOfEachLabel) {
@@ -62,8 +60,7 @@ TEST(LabelTable, HasTheColoursOfPicturesWithoutAPalette) {
 }
 
 TEST(LabelTable, BecomesAKeyThatIsRead) {
-    PhaseKey::OfLabels phases;
-    phases.by_colour[0xffffff] = "feldspar";
+    const PhaseKey::OfLabels phases{.by_colour = {{0xffffff, "feldspar"}}};
     const std::string text = key_of_labels(rows_of(palette_picture(), phases), "picture.png");
     test::expect_golden(text, "colours");
     const test::TemporaryFolder folder;
@@ -76,9 +73,7 @@ TEST(LabelTable, BecomesAKeyThatIsRead) {
 }
 
 TEST(LabelTable, HasThePhaseOfTheNumberOrOfTheColour) {
-    PhaseKey::OfLabels phases;
-    phases.by_number = {{0, "quartz"}, {2, "mica"}};
-    phases.by_colour = {{0xffffff, "feldspar"}, {0x102030, "mica"}};
+    PhaseKey::OfLabels phases{{{0, "quartz"}, {2, "mica"}}, {{0xffffff, "feldspar"}, {0x102030, "mica"}}};
     test::expect_golden(lines_of(describe_labels(rows_of(palette_picture(), phases))));
     phases.by_number[2] = "clay";
     test::Refusals refused;

@@ -29,12 +29,7 @@ std::string picture(int width, int height, const LabelOf& label_of) {
     return text;
 }
 
-LabelOptions options_of(int smallest_piece = 10) {
-    LabelOptions options;
-    options.pixel_size = 1;
-    options.smallest_piece = smallest_piece;
-    return options;
-}
+LabelOptions options_of(int smallest_piece = 10) { return {.pixel_size = 1, .smallest_piece = smallest_piece}; }
 
 Point at(const ImportedMesh& mesh, int p) { return mesh.points[index(p)]; }
 
@@ -80,9 +75,8 @@ void expect_conforming(const ImportedMesh& mesh, double width, double height, co
 }
 
 TEST(Labels, StandUprightInMetres) {
-    LabelOptions options = options_of(1);
-    options.pixel_size = 5e-6;
-    options.phases.by_number = {{7, "quartz"}, {9, "mica"}, {8, "feldspar"}};
+    const LabelOptions options{
+        .pixel_size = 5e-6, .smallest_piece = 1, .phases = {{{7, "quartz"}, {9, "mica"}, {8, "feldspar"}}, {}}};
     const ImportedMesh mesh = import_labels(picture(4, 2, [](int, int row) { return row == 0 ? 7 : 8; }), options, "section");
     EXPECT_EQ(mesh.phase_of_grain, (std::vector<std::string>{"quartz", "feldspar"}));
     test::expect_golden(mesh.format + "\n" + text_of(mesh.notes));

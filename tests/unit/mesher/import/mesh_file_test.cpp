@@ -47,8 +47,7 @@ TEST(MeshFile, IsTheSameMeshInEachFormat) {
 }
 
 TEST(MeshFile, HasGrainsOfElementsEntitiesOrPhysicalGroups) {
-    ImportRequest request;
-    request.grains = GrainChoice::element;
+    ImportRequest request{.grains = GrainChoice::element};
     EXPECT_EQ(read_mesh(msh_22, request).grain_of_triangle, (std::vector<int>{0, 1, 2, 3}));
     request.grains = GrainChoice::physical;
     const std::string one_entity = std::regex_replace(msh_22, std::regex("2 2 2 9"), "2 2 2 7");
@@ -67,10 +66,8 @@ TEST(MeshFile, HasGrainsOfElementsEntitiesOrPhysicalGroups) {
 TEST(MeshFile, HasThePhasesOfAKey) {
     const test::TemporaryFolder folder;
     const auto phases = [&](const std::string& key, const std::string& bytes) {
-        ImportRequest request;
-        request.phase_key = folder.file("key.tsv");
-        std::ofstream(request.phase_key) << key;
-        return read_mesh(bytes, request).phase_of_grain;
+        std::ofstream(folder.file("key.tsv")) << key;
+        return read_mesh(bytes, {.phase_key = folder.file("key.tsv")}).phase_of_grain;
     };
     EXPECT_EQ(phases("key\tphase\nQuartz\tq\nfeld spar\tf\n", msh_22), (Names{"q", "f"}));
     EXPECT_EQ(phases("key\tphase\n1\tq\n2\tf\n", msh_41), (Names{"q", "f"}));
@@ -89,13 +86,10 @@ TEST(MeshFile, DividesQuadranglesAlongTheirShorterInnerDiagonal) {
 }
 
 TEST(MeshFile, HasGrainsOfTheElementsOfPictures) {
-    ImportRequest request;
-    request.grains = GrainChoice::element;
     const test::TemporaryFolder folder;
-    request.phase_key = folder.file("key.tsv");
+    ImportRequest request{
+        .grains = GrainChoice::element, .phase_key = folder.file("key.tsv"), .labels = {.pixel_size = 1, .smallest_piece = 1}};
     std::ofstream(request.phase_key) << "5\ta\n6\tb\n";
-    request.labels.pixel_size = 1;
-    request.labels.smallest_piece = 1;
     const ImportedMesh picture = read_mesh("5 5 5 5\n5 5 5 5\n6 6 6 6\n6 6 6 6\n", request);
     ASSERT_EQ(picture.phase_of_grain.size(), picture.triangles.size());
     for (std::size_t t = 0; t < picture.triangles.size(); ++t) {

@@ -156,10 +156,8 @@ LimitedAreas limited_areas(const Ranks& ranks) {
     list.forces.resize(3 * list.pairs.size());
     std::vector<NewContact> contacts;
     for (const CandidatePair& pair : list.pairs) {
-        NodeEdgeContact contact;
-        contact.active = pair.node % 2 == 0;
-        contact.area = 0.5 * run.assemblage.surface.tributary[pair.node];
-        contact.overlap = 1e-6;
+        const double half = 0.5 * run.assemblage.surface.tributary[pair.node];
+        const NodeEdgeContact contact{.active = pair.node % 2 == 0, .area = half, .overlap = 1e-6};
         list.contacts.push_back(contact);
         if (!contact.active) contacts.push_back({static_cast<std::int32_t>(list.contacts.size()) - 1, {}, contact.area});
     }

@@ -12,11 +12,7 @@ namespace graincrack::test {
 namespace {
 
 TEST(TimeFunction, HasTheValuesOfItsKind) {
-    TimeFunction f;
-    f.kind = TimeFunction::Kind::ramp;
-    f.from = 1;
-    f.value = 3;
-    f.duration = 2;
+    TimeFunction f{.kind = TimeFunction::Kind::ramp, .value = 3, .from = 1, .duration = 2};
     EXPECT_EQ(f(-1), 1);
     EXPECT_EQ(f(0.5), 1 + 2 * (0.0625 * 2.5));
     EXPECT_EQ(f(1), 2);
@@ -44,15 +40,11 @@ TEST(TimeFunction, HasTheValuesOfItsKind) {
     for (int i = -3000; i <= 3000; ++i) sum += f(6 + 0.01 * i) - 1;
     expect_close(0.01 * sum, 0, 1e-9, 1);
     EXPECT_LT(std::abs(f(f.end()) - 1), 1e-12);
-    f.kind = TimeFunction::Kind::table;
-    f.times = {1, 2, 4};
-    f.values = {10, 20, 0};
-    EXPECT_EQ(f(0), 10);
-    EXPECT_EQ(f(1.5), 15);
-    EXPECT_EQ(f(3), 10);
-    EXPECT_EQ(f(4), 0);
-    EXPECT_EQ(f(9), 0);
-    EXPECT_EQ(f.end(), 4);
+    const TimeFunction table{.kind = TimeFunction::Kind::table, .times = {1, 2, 4}, .values = {10, 20, 0}};
+    for (const auto& [time, value] : {std::pair(0.0, 10), {1.5, 15}, {3.0, 10}, {4.0, 0}, {9.0, 0}}) {
+        EXPECT_EQ(table(time), value) << time;
+    }
+    EXPECT_EQ(table.end(), 4);
 }
 
 }  // namespace

@@ -13,14 +13,7 @@
 namespace graincrack::test {
 namespace {
 
-Platen top() {
-    Platen platen;
-    platen.position = 0.05;
-    platen.normal_stiffness = 1e12;
-    platen.shear_stiffness = 1e11;
-    platen.tan_friction = 0.1;
-    return platen;
-}
+Platen top() { return {.position = 0.05, .normal_stiffness = 1e12, .shear_stiffness = 1e11, .tan_friction = 0.1}; }
 PlatenPoint point() { return {0, 1, 0.004, 0, 0, 0, true}; }
 
 TEST(PlatenPoint, PushesButDoesNotPull) {

@@ -8,27 +8,22 @@
 namespace graincrack::test {
 namespace {
 
-ContactHistory slipped_history() {
-    ContactHistory h;
-    h.motion = {-1e-7, 3e-6};
-    h.max_displacement = 2e-6;
-    h.largest_open = 1.5;
-    h.largest_slid = 2.5;
-    h.slip = 1e-6;
-    h.integrity = 0.25;
-    h.friction_fraction = 0.5;
-    h.bridge = 0.125;
-    h.failed_closed = true;
-    h.first_mode = CrackMode::shear;
-    return h;
-}
+const ContactHistory slipped{.motion = {-1e-7, 3e-6},
+                             .max_displacement = 2e-6,
+                             .largest_open = 1.5,
+                             .largest_slid = 2.5,
+                             .slip = 1e-6,
+                             .integrity = 0.25,
+                             .friction_fraction = 0.5,
+                             .bridge = 0.125,
+                             .failed_closed = true,
+                             .first_mode = CrackMode::shear};
 
 TEST(PointHistory, IsReadAsItWasStoredWhileOtherPointsKeepTheirs) {
     SmallRun run(jittered_grid(3, 4, 0.02, 0.03, 0.2), augig_law());
     run.state.opening[2] = 1e-8;  // the arrays of motions are those that steps write
-    ContactHistory moved;
-    moved.motion.opening = 1e-8;
-    for (const auto& [stored, is_residual] : {std::pair(slipped_history(), true), std::pair(ContactHistory{}, false)}) {
+    const ContactHistory moved{.motion = {1e-8, 0}};
+    for (const auto& [stored, is_residual] : {std::pair(slipped, true), std::pair(ContactHistory{}, false)}) {
         store_point(stored, is_residual, 3, run.state);
         EXPECT_EQ(point_history(run.state, 3), stored);
         EXPECT_EQ(run.state.failed[3], is_residual ? 1 : 0);

@@ -9,15 +9,9 @@
 namespace graincrack::test {
 namespace {
 
-/// The header of a checkpoint.
-RunHeader stopped() {
-    RunHeader header;
-    header.stop_reason = "checkpoint";
-    return header;
-}
-
 TEST(Checkpoint, ResumesWithTheSameContactParametersOnly) {
-    const RunHeader before = stopped();
+    RunHeader before;
+    before.stop_reason = "checkpoint";
     EXPECT_NO_THROW(require_same_test("run.checkpoint", before, before));
     Refusals refused;
     for (const ContactParameter& row : all_contact_parameters()) {
@@ -29,7 +23,8 @@ TEST(Checkpoint, ResumesWithTheSameContactParametersOnly) {
 }
 
 TEST(Checkpoint, ResumesWithTheSameSettingsButForTheEnd) {
-    RunHeader before = stopped();
+    RunHeader before;
+    before.stop_reason = "checkpoint";
     before.request = {{"rate_tolerance", 3e-3, Dimension::one, SettingGroup::rate},
                       {"frames", 20.0},
                       {"peak_drop", 0.3, Dimension::one, SettingGroup::end}};

@@ -14,16 +14,14 @@ namespace graincrack::test {
 namespace {
 
 ContactEvent event(std::int64_t step, std::int32_t contact, std::uint8_t point) {
-    ContactEvent e;
-    e.step = step;
-    e.contact = contact;
-    e.point = point;
-    e.mode = CrackMode::shear;
-    e.motion = {-1e-7, 2e-6};
-    e.peak_traction = {-3e6, -4e6};
-    e.tangent = {-1, 0};
-    e.position = {0.001, 0.002};
-    return e;
+    return {.step = step,
+            .contact = contact,
+            .point = point,
+            .mode = CrackMode::shear,
+            .motion = {-1e-7, 2e-6},
+            .peak_traction = {-3e6, -4e6},
+            .tangent = {-1, 0},
+            .position = {0.001, 0.002}};
 }
 
 TEST(CrackLog, SortsRowsByStepContactAndPoint) {
