@@ -33,19 +33,17 @@ void expect_events_in_their_steps(LawVariant variant, VectorTarget target) {
             if (run.state.fracture_energy[point] > released[point] || run.state.failed[point] != failed[point]) {
                 expected[point] = std::max(expected[point], count_levels_above(remaining_cohesion(run.parameters.laws[0], now)));
             }
-        }
-        for (std::size_t point = 0; point < expected.size(); ++point) {
             ASSERT_EQ(run.state.next_level[point], damage_level(expected[point])) << "step " << k;
         }
-        for (const std::vector<ContactEvent>& chunk : run.state.events) {
+        for (std::vector<ContactEvent>& chunk : run.state.events) {
             for (const ContactEvent& event : chunk) {
                 const std::size_t point = 2 * static_cast<std::size_t>(event.contact) + event.point;
                 EXPECT_EQ(event.step, run.state.step);
                 EXPECT_EQ(event.motion, (ContactMotion{run.state.opening[point], run.state.sliding[point]}));
                 passed += event.kind == ContactEventKind::broken ? 1U : 0U;
             }
+            chunk.clear();
         }
-        for (std::vector<ContactEvent>& chunk : run.state.events) chunk.clear();
     }
     EXPECT_GT(passed, 20U);
     EXPECT_EQ(passed, static_cast<std::size_t>(std::count(expected.begin(), expected.end(), damage_levels.size())));

@@ -141,9 +141,7 @@ SimulationRequest heated_test(double expansion, double others, double heat, bool
     r.material = granite_of_phases();
     for (auto& [name, phase] : r.material.fabric.phases) phase.thermal_expansion = name == "quartz" ? expansion : others;
     r.contact = augig_contact();
-    r.loading.rate = RateKind::automatic;
-    r.loading.heat = heat;
-    r.loading.cool = cool;
+    r.loading = {.rate = RateKind::automatic, .heat = heat, .cool = cool};
     r.mass_scaling = true;
     r.frames = 0;
     return r;

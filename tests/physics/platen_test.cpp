@@ -12,7 +12,6 @@
 namespace graincrack::test {
 namespace {
 
-
 // A block on a penalty floor: π √(m/k) of contact, and the same speed back. The block's own compliance, 1/3 of k over E A/L
 // here, adds 1e-4 of it.
 TEST(Platen, LetsABlockBounceAsASpring) {

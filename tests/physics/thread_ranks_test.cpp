@@ -31,10 +31,6 @@ const Specimen& phases_for_ranks() {
     static const Specimen s = varied_phases(grains_for_ranks()).specimen;
     return s;
 }
-const Specimen& crystals_for_ranks() {
-    static const Specimen s = crystals_with_flaw();
-    return s;
-}
 
 SimulationRequest request_for_ranks(TestKind test, LawVariant law, bool is_scaled) {
     SimulationRequest r = augig_request(test, is_scaled ? 3 : 10, test == TestKind::tension ? 0.008 : 0.02);
@@ -76,46 +72,35 @@ void expect_fragments(const std::string& file, std::size_t least_cracks, std::si
 
 struct RunOnRanks {
     const char* name;
-    const Specimen& (*specimen)();
+    Specimen specimen;
     SimulationRequest request;
     std::vector<int> ranks;
     std::size_t least_cracks, least_contacts;
 };
 
 std::vector<RunOnRanks> runs_on_ranks() {
-    std::vector<RunOnRanks> runs;
-    const auto add = [&](const char* name, const Specimen& (*specimen)(), const SimulationRequest& r,
-                         const std::vector<int>& ranks, std::size_t cracks, std::size_t contacts) {
-        runs.push_back({name, specimen, r, ranks, cracks, contacts});
-    };
-    add("fragments", grains_for_ranks, request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true), {2, 3, 4}, 100, 50);
+    const SimulationRequest pressed = request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true);
 
     SimulationRequest confined = request_for_ranks(TestKind::triaxial, LawVariant::cohesive_frictional, true);
     confined.material = granite_of_phases();
     confined.loading.confining_pressure = 4e6;
     confined.contact.residual_friction_angle = 0.5 * confined.contact.friction_angle;
     confined.contact.wear_slip = 5e-6;
-    add("confined phases", phases_for_ranks, confined, {2, 4}, 100, 20);
 
     SimulationRequest flawed = request_for_ranks(TestKind::uniaxial, LawVariant::coulomb_slip, false);
     flawed.material = granite_with_flaw();
-    add("crystals with a flaw", crystals_for_ranks, flawed, {3}, 100, 20);
 
     SimulationRequest torn = request_for_ranks(TestKind::tension, LawVariant::consistent, false);
     torn.peak_drop = 0.7;
     torn.contact.bridging_strength = 0.3 * torn.contact.tensile_strength;
     torn.contact.bridging_energy = 0.2 * torn.contact.fracture_energy;
     torn.threads = 2;
-    add("torn", grains_for_ranks, torn, {2, 4}, 20, 0);
 
-    add(
-        "two chunks",
-        []() -> const Specimen& {
-            static const Specimen few = jittered_grid(4, 8, 0.04, 0.08, 0.25);
-            return few;
-        },
-        request_for_ranks(TestKind::uniaxial, LawVariant::consistent, true), {4}, 10, 1);
-    return runs;
+    return {{"fragments", grains_for_ranks(), pressed, {2, 3, 4}, 100, 50},
+            {"confined phases", phases_for_ranks(), confined, {2, 4}, 100, 20},
+            {"crystals with a flaw", crystals_with_flaw(), flawed, {3}, 100, 20},
+            {"torn", grains_for_ranks(), torn, {2, 4}, 20, 0},
+            {"two chunks", jittered_grid(4, 8, 0.04, 0.08, 0.25), pressed, {4}, 10, 1}};
 }
 
 /// Runs on one rank into one.h5, which must have cracked and rubbed, and expects the same of other numbers of ranks.
@@ -134,7 +119,7 @@ void expect_the_run_of_one(const TemporaryFolder& folder, const Specimen& specim
 TEST(ThreadRanks, WriteTheRunOfOne) {
     for (const RunOnRanks& row : runs_on_ranks()) {
         SCOPED_TRACE(row.name);
-        expect_the_run_of_one({}, row.specimen(), row.request, row.ranks, row.least_cracks, row.least_contacts);
+        expect_the_run_of_one({}, row.specimen, row.request, row.ranks, row.least_cracks, row.least_contacts);
     }
 }
 

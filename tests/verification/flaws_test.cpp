@@ -416,10 +416,7 @@ TEST(Flaws, GiveJointedRockItsModulus) {
         }
         std::erase_if(region.edges, [&](const mesher::PrescribedEdge& edge) { return mesher::clip(region, edge).empty(); });
         SimulationRequest request = JointedTest{}.request();
-        request.loading.test = TestKind::uniaxial;
-        request.loading.confining_pressure = 0;
-        request.loading.max_strain = 2e-4;
-        request.loading.platen_friction = 0;
+        request.loading = {.rate = RateKind::automatic, .max_strain = 2e-4};
         request.plane = plane_of_flaws;
         request.mass_scaling = true;
         ContactParameters stiffness = contact_parameters(request.material, plane_of_flaws, {});

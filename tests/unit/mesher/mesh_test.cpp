@@ -249,10 +249,7 @@ TEST(Mesh, IsValidInManyProportionsAndSizes) {
 
 /// A rectangle with a notch.
 Request notched(double length, int elements_per_edge = 1) {
-    Request request = rectangle_of(1122);
-    request.fabric.elements_per_edge = elements_per_edge;
-    request.notch = length;
-    return request;
+    return {.region = rectangle(0.08, 0.16), .notch = length, .fabric = {.grains = 1122, .elements_per_edge = elements_per_edge}};
 }
 
 TEST(Mesh, RefusesBadRequests) {

@@ -29,9 +29,7 @@ Specimen specimen_of(const PlaneMesh& mesh) {
 }
 
 Request small_rectangle(int elements_per_edge) {
-    Request request = request_of(rectangle(0.04, 0.06), 200);
-    request.fabric.elements_per_edge = elements_per_edge;
-    return request;
+    return {.region = rectangle(0.04, 0.06), .fabric = {.grains = 200, .elements_per_edge = elements_per_edge}};
 }
 
 TEST(SeparateBodies, MakesOneContactBetweenTwoGrains) {

@@ -19,10 +19,7 @@ namespace graincrack::mesher {
 namespace {
 
 Request crystals_of(const Region& region, std::int64_t n, Tessellation tessellation = Tessellation::voronoi) {
-    Request request = request_of(region, n);
-    request.fabric.tessellation = tessellation;
-    request.fabric.spread = 0.3;
-    return request;
+    return {.region = region, .fabric = {.tessellation = tessellation, .grains = n, .spread = 0.3}};
 }
 
 TEST(Crystals, BecomeValidSpecimens) {
