@@ -152,10 +152,9 @@ TEST(Bridge, CountsForTheLastDamageLevelAlone) {
             };
             const double range = c.ultimate_opening - c.critical_opening;
             const double broken = last_bridged_opening(c) * (1 - 0.1 / share);
-            EXPECT_EQ(level(c.critical_opening + 0.099 * range), 0U);
-            EXPECT_EQ(level(c.critical_opening + 0.101 * range), 1U);
-            EXPECT_EQ(level(c.critical_opening + 0.499 * range), 1U);
-            EXPECT_EQ(level(c.critical_opening + 0.501 * range), 2U);
+            for (const auto& [lost, levels] : {std::pair(0.099, 0U), {0.101, 1U}, {0.499, 1U}, {0.501, 2U}}) {
+                EXPECT_EQ(level(c.critical_opening + lost * range), levels);
+            }
             EXPECT_EQ(level(0.999 * broken), 2U);
             EXPECT_EQ(level(1.001 * broken), 3U);
         }

@@ -3,19 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "mesher/fabric/crystals.hpp"
+#include "tests/support/augig_granite.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/unit/mesher/test_requests.hpp"
 
 namespace graincrack::mesher {
 namespace {
-
-Material augig_granite() {
-    Material material;
-    material.name = "Augig granite";
-    material.rock = {25.8e9, 0.23, 2650, 1.5e6, 3.0e6, 8.8e6};
-    material.contact.tensile_strength = 24.15e6;
-    return material;
-}
 
 /// Triangles with contacts of 1 to 1.41 mm, of two phases.
 Specimen two_phases() {
@@ -26,14 +19,14 @@ Specimen two_phases() {
 }
 
 TEST(ContactZones, AreThoseOfTheMaterial) {
-    Material material = augig_granite();
+    Material material = test::augig_granite();
     test::expect_golden(text_of(describe_zones(material, two_phases())), "(9 pi/32) (K_IC/tc)² of 87 J/m²");
     material.contact.fracture_energy = 20;
     test::expect_golden(text_of(describe_zones(material, two_phases())), "20 J/m²");
 }
 
 TEST(ContactZones, AreOfThePairAndOfTheCrystalsThatHaveTheShortest) {
-    Material material = augig_granite();
+    Material material = test::augig_granite();
     material.fabric.phases["quartz"].fraction = material.fabric.phases["mica"].fraction = 0.5;
     material.fabric.pairs["quartz-mica"].fracture_energy = 10;
     material.fabric.within.fracture_energy = 0.2;
