@@ -4,14 +4,12 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <sstream>
 
 #include "post/cracks/crack_network.hpp"
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_table.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -43,20 +41,15 @@ std::vector<Crack> split(const Specimen& s, int facets) {
 }
 
 Recipe disc() {
-    Recipe recipe;
-    recipe.test = "brazilian";
-    recipe.plane = PlaneCondition::stress;
-    recipe.peak = 10e6;
+    Recipe recipe{.test = "brazilian", .plane = PlaneCondition::stress, .peak = 10e6};
     recipe.specimen = test::grid_specimen(6, rows_of_disc, 0.08, 0.08);
     recipe.specimen.loading_arc = 0.1;
     return recipe;
 }
 
 RunData run_of(const Recipe& recipe) {
-    RunData run{"run.h5", test::synthetic_header(recipe), test::synthetic_history(recipe), {}, 1};
-    run.specimen.width = recipe.specimen.width;
-    run.specimen.height = recipe.specimen.height;
-    return run;
+    const Specimen& s = recipe.specimen;
+    return {"run.h5", test::synthetic_header(recipe), test::synthetic_history(recipe), {s.width, s.height}, 1};
 }
 
 TEST(CrackNetwork, HasOneCornerForNodesAtOnePlace) {
@@ -98,15 +91,14 @@ TEST(Brazilian, HasTheLoadOfTheTimeOfTheSpan) {
     test::TemporaryFolder folder;
     const auto table_of = [&](int facets) {
         test::write_run(folder.file("run.h5"), recipe, split(recipe.specimen, facets));
-        std::ostringstream out;
-        std::ostringstream notes;
+        std::ostringstream out, notes;
         write_strength_table(out, {folder.file("run.h5")}, TableFormat::tsv, notes);
         return out.str();
     };
     // The curve rises evenly to 10 MPa at 1 s. Eight facets hang together at 0.4 s.
-    EXPECT_NEAR(std::stod(field(table_of(8), "spanning_strength_MPa")), 4, 1e-3);
+    EXPECT_NEAR(test::number_in(table_of(8), "spanning_strength_MPa"), 4, 1e-3);
     EXPECT_EQ(field(table_of(6), "spanning_strength_MPa"), "");
-    EXPECT_NEAR(std::stod(field(table_of(8), "loading_arc_deg")), 90, 1e-5);
+    EXPECT_NEAR(test::number_in(table_of(8), "loading_arc_deg"), 90, 1e-5);
     test::expect_golden(field(table_of(8), "warning") + "\n" + field(table_of(6), "warning"));
 }
 

@@ -11,10 +11,12 @@
 namespace graincrack {
 namespace {
 
+using Points = std::vector<std::pair<double, double>>;
+
 /// A test from straight pieces through points of strain (%) and stress (MPa), a row every 0.0005 % strain. Contacts fail from
 /// `cracks_from` (%) on.
 struct MadeTest {
-    MadeTest(const std::vector<std::pair<double, double>>& points, double cracks_from = 0.1) {
+    MadeTest(const Points& points, double cracks_from = 0.1) {
         for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
             const auto [from, low] = points[piece];
             const auto [to, high] = points[piece + 1];
@@ -31,9 +33,7 @@ struct MadeTest {
         const auto peak = find_first_peak(curve, confining_pressure);
         return peak ? std::optional(with_residual(*peak, curve, confining_pressure)) : std::nullopt;
     }
-    std::vector<double> strain;
-    std::vector<double> stress;
-    std::vector<double> failed;
+    std::vector<double> strain, stress, failed;
 };
 
 TEST(FirstPeak, HasAResidualStrengthAndRehardening) {
@@ -53,7 +53,6 @@ TEST(FirstPeak, HasAResidualStrengthAndRehardening) {
 }
 
 TEST(FirstPeak, NeedsAFallOfMoreThanFivePerCentOfTheDeviator) {
-    using Points = std::vector<std::pair<double, double>>;
     for (const Points& points : {Points{{0, 0}, {0.4, 100}, {1.5, 180}}, Points{{0, 0}, {0.4, 100}, {1.5, 100}},
                                  Points{{0, 0}, {0.4, 100}, {0.45, 96}, {1.5, 180}}}) {
         EXPECT_FALSE(MadeTest(points).first_peak().has_value());
@@ -68,15 +67,12 @@ TEST(FirstPeak, NeedsAFallOfMoreThanFivePerCentOfTheDeviator) {
     EXPECT_TRUE(test.first_peak(20e6).has_value());
 }
 
+// Of two; two dips that add up to a fall where the maximum before was never exceeded; a fall within a tenth of the window, which
+// ends the test.
 TEST(FirstPeak, IsTheFirstMaximumThatTheStressHasFallenFrom) {
-    using Points = std::vector<std::pair<double, double>>;
     for (const Points& points :
-         {Points{{0, 0}, {0.4, 100}, {0.45, 80}, {0.9, 140}, {0.95, 60}, {1.5, 60}},  // of two
-                                                                                      // Two dips add up to a fall where the
-                                                                                      // maximum before was never exceeded.
-          Points{{0, 0}, {0.4, 100}, {0.45, 96}, {0.5, 98}, {0.55, 94}, {1.5, 94}},
-          // A fall within a tenth of the window, which ends the test.
-          Points{{0, 0}, {0.4, 100}, {0.4005, 70}}}) {
+         {Points{{0, 0}, {0.4, 100}, {0.45, 80}, {0.9, 140}, {0.95, 60}, {1.5, 60}},
+          Points{{0, 0}, {0.4, 100}, {0.45, 96}, {0.5, 98}, {0.55, 94}, {1.5, 94}}, Points{{0, 0}, {0.4, 100}, {0.4005, 70}}}) {
         const auto peak = MadeTest(points).first_peak();
         ASSERT_TRUE(peak.has_value());
         EXPECT_NEAR(peak->strain, 0.004, smoothing_strain);
@@ -98,7 +94,7 @@ TEST(FirstPeak, IgnoresNoiseNarrowerThanTheWindow) {
 }
 
 TEST(FirstPeak, IgnoresFallsBeforeAnyContactHasFailed) {
-    const std::vector<std::pair<double, double>> points{{0, 0}, {0.05, 10}, {0.08, 5}, {0.4, 100}, {1.5, 180}};
+    const Points points{{0, 0}, {0.05, 10}, {0.08, 5}, {0.4, 100}, {1.5, 180}};
     EXPECT_FALSE(MadeTest(points).first_peak().has_value());
     EXPECT_TRUE(MadeTest(points, 0.01).first_peak().has_value());
 }
@@ -125,9 +121,7 @@ TEST(FirstPeak, HasRehardeningOfTheStrainThatWasReached) {
 }
 
 TEST(FirstPeak, IsThatOfTheAxialLoadingOfARun) {
-    test::Recipe recipe;
-    recipe.test = "triaxial";
-    recipe.confining_pressure = 8e6;
+    const test::Recipe recipe{.test = "triaxial", .confining_pressure = 8e6};
     RunData run{"run.h5", test::synthetic_header(recipe), test::synthetic_history(recipe), {0.08, 0.16, 7, 256, 0.005}};
     const auto peak = measure_first_peak(run, load_curve(run));
     ASSERT_TRUE(peak.has_value());

@@ -2,17 +2,14 @@
 // fall ended.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "post/cracks/crack_counts.hpp"
 #include "post/measure/moduli.hpp"
 #include "post/measure/strength.hpp"
-#include "post/measure/strength_summary.hpp"
 #include "post/measure/strength_table.hpp"
 #include "post/measure/thresholds.hpp"
 #include "post/run/run_state.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -29,18 +26,12 @@ protected:
         recipe_.stop_reason = "strain limit";
         test::write_run(hardens_, recipe_);
     }
-    template <class Write>
-    static std::string text(const Write& write) {
-        std::ostringstream out;
-        write(out);
-        return out.str();
-    }
     std::string strength_of(const std::string& file, TableFormat format = TableFormat::tsv,
                             StrengthKind kind = StrengthKind::first_peak) {
-        return text([&](std::ostream& out) { write_strength_table(out, {file}, format, notes_, kind); });
+        return test::written([&](std::ostream& out) { write_strength_table(out, {file}, format, notes_, kind); });
     }
     std::string moduli_of(const std::string& file) {
-        return text([&](std::ostream& out) { write_moduli_table(out, {file}, TableFormat::tsv, notes_); });
+        return test::written([&](std::ostream& out) { write_moduli_table(out, {file}, TableFormat::tsv, notes_); });
     }
     test::TemporaryFolder folder_;
     test::Recipe recipe_;

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/golden_refusals.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -36,26 +36,22 @@ TEST(HistoryFollow, WritesRowsOfARunInWorkOnceEach) {
     grow(whole.size());
     writer.finish(test::synthetic_header(recipe), {}, Provenance{});
     follower.join();
-    std::ostringstream finished;
-    write_history(finished, RunReader(name), TableFormat::tsv);
-    EXPECT_EQ(out.str(), finished.str());
+    EXPECT_EQ(out.str(), test::written(write_history, RunReader(name), TableFormat::tsv));
     EXPECT_EQ(test::parse_tsv(out.str()).size(), whole.size() + 1);
 }
 
 TEST(HistoryFollow, WritesAFinishedRunAtOnce) {
     const test::TemporaryFolder folder;
     test::write_run(folder.file("run.h5"), {});
-    std::ostringstream out;
-    follow_history(out, folder.file("run.h5"), TableFormat::tsv, 1ms);
-    EXPECT_EQ(test::parse_tsv(out.str()).size(), 112U);
+    const std::string followed = test::written(follow_history, folder.file("run.h5"), TableFormat::tsv, 1ms);
+    EXPECT_EQ(test::parse_tsv(followed).size(), 112U);
 }
 
 TEST(HistoryFollow, RefusesMissingAndAbandonedRuns) {
     const test::TemporaryFolder folder;
-    std::ostringstream out;
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     const auto add = [&](const std::string& name) {
-        refused.add<InputError>(name, [&] { follow_history(out, folder.file(name), TableFormat::tsv, 5ms); });
+        refused.add<InputError>(name, [&] { test::written(follow_history, folder.file(name), TableFormat::tsv, 5ms); });
     };
     add("none.h5");
     std::ofstream(folder.file("dead.h5.part")) << "unfinished";
@@ -65,7 +61,6 @@ TEST(HistoryFollow, RefusesMissingAndAbandonedRuns) {
     });
     add("dead.h5");
     killer.join();
-    test::expect_golden(refused.text());
 }
 
 }  // namespace

@@ -4,107 +4,82 @@
 
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
 
 using test::field;
+using test::number_in;
 using test::Recipe;
 
-std::string table_of(const Recipe& recipe, ColumnChoice columns = ColumnChoice::all) {
+std::string table_of(const Recipe& recipe, ColumnChoice columns = ColumnChoice::all, TableFormat format = TableFormat::tsv) {
     const test::TemporaryFolder folder;
     std::ostringstream notes;
     test::write_run(folder.file("run.h5"), recipe);
-    std::ostringstream out;
-    write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv, notes, columns);
-    return out.str();
+    return test::written(write_moduli_table, std::vector{folder.file("run.h5")}, format, notes, columns);
 }
-double value(const std::string& table, const std::string& column) { return std::stod(field(table, column)); }
 
 TEST(Moduli, HaveColumnsForScriptsAndATableForTheTerminal) {
     const std::string usual = table_of({}, ColumnChoice::usual);
     test::expect_golden(usual.substr(0, usual.find('\n')), "columns");
-    const test::TemporaryFolder folder;
-    test::write_run(folder.file("run.h5"), {});
-    std::ostringstream out;
-    write_moduli_table(out, {folder.file("run.h5")}, TableFormat::aligned, out);
-    test::expect_golden(test::narrow(out.str()));  // 24.62 is 26 (1 − (0.3/1.3)²)
+    test::expect_golden(test::narrow(table_of({}, ColumnChoice::all, TableFormat::aligned)));  // 24.62 is 26 (1 − (0.3/1.3)²)
     EXPECT_EQ(field(table_of({}), "plane"), "strain");
 }
 
 TEST(Moduli, AreConvertedFromPlaneStrain) {
-    Recipe recipe;
-    recipe.yield_share = 0.6;  // what happens beyond half the peak does not matter
-    const std::string table = table_of(recipe);
-    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5);
-    EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6);
-    EXPECT_NEAR(value(table, "poisson_ratio"), 0.3 / 1.3, 1e-6);                              // ν = ν'/(1+ν')
-    EXPECT_NEAR(value(table, "young_modulus_GPa"), 26 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);  // E = E'(1−ν²)
-    EXPECT_NEAR(value(table, "platen_young_modulus_GPa"), 26 / 1.02 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);
+    const std::string table = table_of({.yield_share = 0.6});  // what happens beyond half the peak does not matter
+    EXPECT_NEAR(number_in(table, "plane_young_modulus_GPa"), 26, 1e-5);
+    EXPECT_NEAR(number_in(table, "plane_poisson_ratio"), 0.3, 1e-6);
+    EXPECT_NEAR(number_in(table, "poisson_ratio"), 0.3 / 1.3, 1e-6);                              // ν = ν'/(1+ν')
+    EXPECT_NEAR(number_in(table, "young_modulus_GPa"), 26 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);  // E = E'(1−ν²)
+    EXPECT_NEAR(number_in(table, "platen_young_modulus_GPa"), 26 / 1.02 * (1 - std::pow(0.3 / 1.3, 2)), 1e-5);
 }
 
 TEST(Moduli, HaveCaveatsInTheirRow) {
-    Recipe recipe;
-    EXPECT_EQ(field(table_of(recipe), "warning"), "");  // the platens see 2 % more strain
-    recipe.platen_compliance = 1.1;
-    recipe.drop = 0;
-    recipe.stop_reason = "strain limit";
+    EXPECT_EQ(field(table_of({}), "warning"), "");  // the platens see 2 % more strain
+    Recipe recipe{.platen_compliance = 1.1, .drop = 0, .stop_reason = "strain limit"};
     test::expect_golden(field(table_of(recipe), "warning"));
     recipe.test = "brazilian";
     EXPECT_EQ(field(table_of(recipe), "warning"), "");  // no moduli
 }
 
 TEST(Moduli, AreOfThePartOfTheCurveOfTheirConvention) {
-    Recipe recipe;
-    recipe.rows = 1001;
-    recipe.yield_share = 0.5;  // beyond half the peak the tangent is half of 26 GPa
-    const std::string table = table_of(recipe);
-    EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-4);
+    const std::string table = table_of({.yield_share = 0.5, .rows = 1001});  // beyond half the peak the tangent is half of 26 GPa
+    EXPECT_NEAR(number_in(table, "plane_young_modulus_GPa"), 26, 1e-4);
     // Rows are even in stress y ∈ [−1, 1] about the bend, strain x = y before and 2y after it: cov(x, y) = 1/2,
     // var(x) = 5/6 − 1/16.
     const double expected = 26 * 0.5 / (5.0 / 6 - 1.0 / 16);
-    EXPECT_NEAR(value(table, "plane_tangent_young_modulus_GPa"), expected, 0.05);
-    EXPECT_NEAR(value(table, "plane_average_young_modulus_GPa"), expected, 0.05);
-    EXPECT_NEAR(value(table, "plane_secant_young_modulus_GPa"), 26 / 1.5, 1e-3);
-    EXPECT_NEAR(value(table, "plane_secant_poisson_ratio"), 0.3, 1e-6);
-    EXPECT_NEAR(value(table, "secant_young_modulus_GPa"), 26 / 1.5 * (1 - std::pow(0.3 / 1.3, 2)), 1e-3);
+    EXPECT_NEAR(number_in(table, "plane_tangent_young_modulus_GPa"), expected, 0.05);
+    EXPECT_NEAR(number_in(table, "plane_average_young_modulus_GPa"), expected, 0.05);
+    EXPECT_NEAR(number_in(table, "plane_secant_young_modulus_GPa"), 26 / 1.5, 1e-3);
+    EXPECT_NEAR(number_in(table, "plane_secant_poisson_ratio"), 0.3, 1e-6);
+    EXPECT_NEAR(number_in(table, "secant_young_modulus_GPa"), 26 / 1.5 * (1 - std::pow(0.3 / 1.3, 2)), 1e-3);
 }
 
 TEST(Brittleness, IsTheFallOverTheChord) {
-    const Recipe recipe;  // falls by half its 125 MPa while the strain grows by 0.2 of that at the peak
-    const std::string table = table_of(recipe);
+    const std::string table = table_of({});  // falls by half its 125 MPa while the strain grows by 0.2 of that at the peak
     EXPECT_EQ(field(table, "peak_kind"), "drop");
     // Both slopes are by the platens: (0.5 · 125)/(0.2 · ε_peak) over 125/ε_peak
-    EXPECT_NEAR(value(table, "post_peak_slope_over_young_modulus"), 2.5, 1e-6);
-    Recipe at_strain_limit;
-    at_strain_limit.drop = 0.1;
-    at_strain_limit.stop_reason = "strain limit";
-    EXPECT_EQ(field(table_of(at_strain_limit), "post_peak_slope_over_young_modulus"), "");
+    EXPECT_NEAR(number_in(table, "post_peak_slope_over_young_modulus"), 2.5, 1e-6);
+    EXPECT_EQ(field(table_of({.drop = 0.1, .stop_reason = "strain limit"}), "post_peak_slope_over_young_modulus"), "");
 }
 
 TEST(Moduli, AreThoseOfOtherTestsAndPlanes) {
-    Recipe stress;
-    stress.plane = PlaneCondition::stress;
-    Recipe triaxial;
-    triaxial.test = "triaxial";
-    triaxial.confining_pressure = 20e6;  // its isotropic stage has another slope: 20 MPa over 1e-4
-    Recipe tension;
-    tension.test = "tension";
-    tension.peak = 6e6;
-    for (const Recipe& recipe : {stress, triaxial, tension}) {
+    const Recipe stress{.plane = PlaneCondition::stress};
+    // Its isotropic stage has another slope: 20 MPa over 1e-4.
+    const Recipe triaxial{.test = "triaxial", .confining_pressure = 20e6};
+    for (const Recipe& recipe : {stress, triaxial, Recipe{.test = "tension", .peak = 6e6}}) {
         const std::string table = table_of(recipe);
-        EXPECT_NEAR(value(table, "plane_young_modulus_GPa"), 26, 1e-5) << recipe.test;
-        EXPECT_NEAR(value(table, "plane_poisson_ratio"), 0.3, 1e-6) << recipe.test;
+        EXPECT_NEAR(number_in(table, "plane_young_modulus_GPa"), 26, 1e-5) << recipe.test;
+        EXPECT_NEAR(number_in(table, "plane_poisson_ratio"), 0.3, 1e-6) << recipe.test;
     }
     const std::string unconverted = table_of(stress);
     EXPECT_EQ(field(unconverted, "young_modulus_GPa"), field(unconverted, "plane_young_modulus_GPa"));
     EXPECT_EQ(field(unconverted, "poisson_ratio"), field(unconverted, "plane_poisson_ratio"));
-    tension.test = "brazilian";  // has none but a prediction
-    const std::string brazilian = table_of(tension);
+    const std::string brazilian = table_of({.test = "brazilian", .peak = 6e6});  // has none but a prediction
     EXPECT_EQ(field(brazilian, "young_modulus_GPa") + field(brazilian, "platen_young_modulus_GPa"), "");
     EXPECT_NE(field(brazilian, "predicted_young_modulus_GPa"), "");
 }
@@ -127,8 +102,8 @@ TEST(GrainModuli, AreMeansByAreaOfThePhases) {
     for (ContactParameters& contact : header.fabric.contacts) contact.normal_stiffness = contact.shear_stiffness = 1e30;
     EXPECT_NEAR(predict_moduli(header, specimen).young_modulus, 0.5 * (26.574e9 + 23.54305e9), 1e4);
     const std::string table = table_of({});  // one phase
-    EXPECT_DOUBLE_EQ(value(table, "voigt_young_modulus_GPa"), 25.8);
-    EXPECT_DOUBLE_EQ(value(table, "reuss_young_modulus_GPa"), 25.8);
+    EXPECT_DOUBLE_EQ(number_in(table, "voigt_young_modulus_GPa"), 25.8);
+    EXPECT_DOUBLE_EQ(number_in(table, "reuss_young_modulus_GPa"), 25.8);
 }
 
 TEST(Moduli, ArePredictedByTheContactLengthOfTheSpecimen) {
@@ -136,9 +111,7 @@ TEST(Moduli, ArePredictedByTheContactLengthOfTheSpecimen) {
     // 3 inner lines each way of 0.04 m, and 16 diagonals of √2 cm
     const double density = (6 * 0.04 + 16 * std::sqrt(2) * 0.01) / (0.04 * 0.04);
     EXPECT_NEAR(contact_length_per_area(specimen), density, 1e-9 * density);
-    Recipe recipe;
-    recipe.plane = PlaneCondition::stress;
-    const RunHeader header = test::synthetic_header(recipe);
+    const RunHeader header = test::synthetic_header({.plane = PlaneCondition::stress});
     const fpz::AssemblageModuli moduli = predict_moduli(header, specimen);
     const double kn = header.contact.normal_stiffness;
     const double ks = header.contact.shear_stiffness;

@@ -5,28 +5,33 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <sstream>
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/measure/strength_summary.hpp"
 #include "post/run/comparability.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/golden_refusals.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
 
 using test::field;
+using test::number_in;
 using test::Recipe;
 
 class StrengthTable : public ::testing::Test {
 protected:
+    std::string run(const std::string& name, const Recipe& recipe = {}) {
+        test::write_run(folder_.file(name), recipe);
+        return folder_.file(name);
+    }
+    std::string table_of(const std::vector<std::string>& files, TableFormat format, StrengthKind kind = StrengthKind::first_peak,
+                         ColumnChoice columns = ColumnChoice::all, const std::vector<std::string>& options = {}) {
+        return test::written(write_strength_table, files, format, notes_, kind, columns, options);
+    }
     std::string table_of(const Recipe& recipe, StrengthKind kind = StrengthKind::first_peak) {
-        test::write_run(folder_.file("run.h5"), recipe);
-        std::ostringstream out;
-        write_strength_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_, kind);
-        return out.str();
+        return table_of({run("run.h5", recipe)}, TableFormat::tsv, kind);
     }
     /// The cells of the row that are not empty, a line each, without the file.
     static std::string row_of(const std::string& table) {
@@ -44,35 +49,27 @@ protected:
 TEST_F(StrengthTable, HasTheColumnsScriptsRelyOnAndRowsOfTests) {
     const std::string uniaxial = table_of({});
     test::expect_golden(row_of(uniaxial), "uniaxial");
-    EXPECT_NEAR(std::stod(field(uniaxial, "strain_at_peak")), 1.02 * 125e6 / 26e9, 1e-9);
-    EXPECT_NEAR(std::stod(field(uniaxial, "ns_per_grain_step")), 12.8e9 / (200000.0 * 256), 1e-4);
+    EXPECT_NEAR(number_in(uniaxial, "strain_at_peak"), 1.02 * 125e6 / 26e9, 1e-9);
+    EXPECT_NEAR(number_in(uniaxial, "ns_per_grain_step"), 12.8e9 / (200000.0 * 256), 1e-4);
     const ModeCounts at_peak = count_modes(test::synthetic_cracks(test::Recipe{}.specimen), {}, 1);  // s
     EXPECT_EQ(field(uniaxial, "tensile_cracks"), count_cell(at_peak.tensile).text());
     EXPECT_EQ(field(uniaxial, "shear_cracks"), count_cell(at_peak.shear).text());
     EXPECT_GT(at_peak.tensile * at_peak.shear, 0);
-    std::ostringstream usual;
-    write_strength_table(usual, {folder_.file("run.h5")}, TableFormat::tsv, notes_, {}, ColumnChoice::usual);
-    test::expect_golden(usual.str().substr(0, usual.str().find('\n')), "columns");
-    Recipe recipe;
-    recipe.stop_reason = "checkpoint";
-    test::expect_golden(row_of(table_of(recipe)), "checkpoint");  // without the checks of an end
-    recipe = {};
-    recipe.test = "tension";
-    recipe.peak = 6e6;
-    test::expect_golden(row_of(table_of(recipe)), "tension");  // without a first peak
+    const std::string usual = table_of({folder_.file("run.h5")}, TableFormat::tsv, {}, ColumnChoice::usual);
+    test::expect_golden(usual.substr(0, usual.find('\n')), "columns");
+    // Without the checks of an end; without a first peak.
+    test::expect_golden(row_of(table_of({.stop_reason = "checkpoint"})), "checkpoint");
+    test::expect_golden(row_of(table_of({.test = "tension", .peak = 6e6})), "tension");
 }
 
 // 2 kN/m on rollers at 80 mm: 3 F S/(2 H²) = 0.6 MPa for H = 20 mm. A notch makes it a nominal stress, no strength.
 TEST_F(StrengthTable, HasTheLoadOfBendingAndTheFlexuralStrengthOfABeam) {
-    Recipe recipe;
-    recipe.test = "bend";
-    recipe.span = 0.08;
-    recipe.specimen = test::grid_specimen(18, 4, 0.09, 0.02);
+    // The peak is load over length.
+    Recipe recipe{.test = "bend", .peak = 2e3 / 0.09, .specimen = test::grid_specimen(18, 4, 0.09, 0.02), .span = 0.08};
     recipe.specimen.shape = "beam";
-    recipe.peak = 2e3 / 0.09;  // load over length
     const std::string beam = table_of(recipe);
-    EXPECT_NEAR(std::stod(field(beam, "peak_load_kN/m")), 2, 1e-4);
-    EXPECT_NEAR(std::stod(field(beam, "flexural_strength_MPa")), 0.6, 1e-5);
+    EXPECT_NEAR(number_in(beam, "peak_load_kN/m"), 2, 1e-4);
+    EXPECT_NEAR(number_in(beam, "flexural_strength_MPa"), 0.6, 1e-5);
     EXPECT_EQ(field(beam, "span_mm"), "80");
     EXPECT_EQ(field(beam, "tensile_strength_MPa") + field(beam, "peak_compressive_stress_MPa"), "");
     recipe.specimen.contact_kind[0] = 1;
@@ -81,52 +78,37 @@ TEST_F(StrengthTable, HasTheLoadOfBendingAndTheFlexuralStrengthOfABeam) {
 }
 
 TEST_F(StrengthTable, InterpolatesStressesAtEqualStrainsUpToTheEnd) {
-    Recipe recipe;
-    recipe.plane_young_modulus = 10e9;
-    recipe.platen_compliance = 1;  // peak of 125 MPa at 1.25 %, end at 1.5 % and 62.5 MPa
-    const std::string table = table_of(recipe);
-    EXPECT_NEAR(std::stod(field(table, "stress_at_1_percent_MPa")), 100, 1e-5);
+    // Peak of 125 MPa at 1.25 %, end at 1.5 % and 62.5 MPa.
+    const std::string table = table_of({.plane_young_modulus = 10e9, .platen_compliance = 1});
+    EXPECT_NEAR(number_in(table, "stress_at_1_percent_MPa"), 100, 1e-5);
     EXPECT_EQ(field(table, "stress_at_2_percent_MPa"), "");
-    recipe.plane_young_modulus = 5e9;  // peak at 2.5 %, end at 3 % and 62.5 MPa; 0.5 % below it the fall is linear
-    const std::string softer = table_of(recipe);
-    EXPECT_NEAR(std::stod(field(softer, "stress_at_2_percent_MPa")), 100, 1e-5);
-    EXPECT_NEAR(std::stod(field(softer, "stress_at_3_percent_MPa")), 62.5, 1e-5);
+    // Peak at 2.5 %, end at 3 % and 62.5 MPa; 0.5 % below it the fall is linear.
+    const std::string softer = table_of({.plane_young_modulus = 5e9, .platen_compliance = 1});
+    EXPECT_NEAR(number_in(softer, "stress_at_2_percent_MPa"), 100, 1e-5);
+    EXPECT_NEAR(number_in(softer, "stress_at_3_percent_MPa"), 62.5, 1e-5);
 }
 
 TEST_F(StrengthTable, IncludesTheConfinementInFirstPeakAndResidualStrength) {
-    Recipe recipe;
-    recipe.test = "triaxial";
-    recipe.confining_pressure = 5e6;
-    recipe.plane_young_modulus = 3e9;  // peak of 125 MPa at 4 % of the gauges, then a fall by 6.25 MPa every 2 % of that strain
-    recipe.platen_compliance = 1;
-    recipe.rows = 1001;
-    const std::string table = table_of(recipe);
-    const double first_peak = std::stod(field(table, "first_peak_MPa"));
+    // Peak of 125 MPa at 4 % of the gauges, then a fall by 6.25 MPa every 2 % of that strain.
+    const std::string table = table_of(
+        {.test = "triaxial", .plane_young_modulus = 3e9, .platen_compliance = 1, .confining_pressure = 5e6, .rows = 1001});
+    const double first_peak = number_in(table, "first_peak_MPa");
     EXPECT_NEAR(first_peak, 125, 0.2);
     EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "125");
     const double slope = 6.25 / (0.02 * (120e6 / 3e9 + 1e-4));  // MPa
-    EXPECT_NEAR(std::stod(field(table, "residual_MPa")), 125 - 0.004 * slope, 0.5);
-    EXPECT_NEAR(std::stod(field(table, "drop_percent")),
-                100 * (first_peak - std::stod(field(table, "residual_MPa"))) / (first_peak - 5), 1e-3);
-    EXPECT_NEAR(std::stod(field(table, "rehardening_GPa")), -1e-3 * slope, 1e-3 * slope * 0.01);
+    EXPECT_NEAR(number_in(table, "residual_MPa"), 125 - 0.004 * slope, 0.5);
+    EXPECT_NEAR(number_in(table, "drop_percent"), 100 * (first_peak - number_in(table, "residual_MPa")) / (first_peak - 5), 1e-3);
+    EXPECT_NEAR(number_in(table, "rehardening_GPa"), -1e-3 * slope, 1e-3 * slope * 0.01);
 }
 
 // Elastic to a fifth of its strength, and stopped there.
 TEST_F(StrengthTable, HasNoStrengthOfATestThatDidNotFail) {
-    Recipe recipe;
-    std::vector<std::string> files{folder_.file("whole.h5"), folder_.file("short.h5")};
-    test::write_run(files[0], recipe);
-    recipe.peak = 25e6;
-    recipe.drop = 0;
-    recipe.stop_reason = "strain limit";
-    test::write_run(files[1], recipe);
-    std::ostringstream out;
-    write_strength_table(out, files, TableFormat::aligned, notes_);
-    test::expect_golden(test::narrow(out.str()));  // no mean, since one has a strength
-    std::ostringstream summary;
-    write_strength_summary(summary, files, TableFormat::tsv, notes_);
-    EXPECT_EQ(field(summary.str(), "runs") + field(summary.str(), "runs_without_peak"), "21");
-    EXPECT_NEAR(std::stod(field(summary.str(), "strength_MPa")), 125, 1);
+    Recipe recipe{.peak = 25e6, .drop = 0, .stop_reason = "strain limit"};
+    const std::vector files{run("whole.h5"), run("short.h5", recipe)};
+    test::expect_golden(test::narrow(table_of(files, TableFormat::aligned)));  // no mean, since one has a strength
+    const std::string summary = test::written(write_strength_summary, files, TableFormat::tsv, notes_, StrengthKind::first_peak);
+    EXPECT_EQ(field(summary, "runs") + field(summary, "runs_without_peak"), "21");
+    EXPECT_NEAR(number_in(summary, "strength_MPa"), 125, 1);
     test::expect_golden(notes_.str(), "notes");
     for (const char* test : {"brazilian", "tension"}) {
         recipe.test = test;
@@ -135,16 +117,11 @@ TEST_F(StrengthTable, HasNoStrengthOfATestThatDidNotFail) {
 }
 
 TEST_F(StrengthTable, HasColumnsOfTheOptionsThatAStudyVaried) {
-    const std::vector<std::string> files{folder_.file("a.h5"), folder_.file("b.h5")};
     Recipe recipe;
     recipe.specimen.settings = {{"edge", 0.004, Dimension::length}, {"tessellation", std::string("delaunay")}};
-    test::write_run(files[0], recipe);
-    recipe.specimen.settings.clear();
-    test::write_run(files[1], recipe);
+    const std::vector files{run("a.h5", recipe), run("b.h5")};
     const auto table_with = [&](const std::vector<std::string>& options, TableFormat format) {
-        std::ostringstream out;
-        write_strength_table(out, files, format, notes_, {}, ColumnChoice::usual, options);
-        return out.str();
+        return table_of(files, format, {}, ColumnChoice::usual, options);
     };
     const std::string table = table_with({"contact-cohesion,edge", "tessellation", "seed"}, TableFormat::tsv);
     EXPECT_EQ(field(table, "contact_cohesion_MPa", 1), "74.57");
@@ -153,16 +130,11 @@ TEST_F(StrengthTable, HasColumnsOfTheOptionsThatAStudyVaried) {
     EXPECT_EQ(field(table, "tessellation"), "delaunay");
     EXPECT_EQ(table.find("seed"), table.rfind("seed", table.find('\n')));  // once
     test::expect_golden(test::narrow(table_with({"edge"}, TableFormat::aligned)));
-    test::Refusals refused;
-    refused.add<UsageError>("grain-size", [&] { (void)table_with({"grain-size"}, TableFormat::tsv); });
-    test::expect_golden(refused.text(), "refusals");
+    test::GoldenRefusals("refusals").add<UsageError>("grain-size", [&] { (void)table_with({"grain-size"}, TableFormat::tsv); });
 }
 
 TEST_F(StrengthTable, HasEquation18OfTheForcesOfADisc) {
-    Recipe recipe;
-    recipe.test = "brazilian";
-    recipe.peak = 8.7e6;
-    recipe.specimen = test::grid_specimen(6, 6, 0.08, 0.08);
+    const Recipe recipe{.test = "brazilian", .peak = 8.7e6, .specimen = test::grid_specimen(6, 6, 0.08, 0.08)};
     const std::string table = table_of(recipe);
     EXPECT_EQ(field(table, "peak_compressive_stress_MPa"), "");
     EXPECT_EQ(field(table, "tensile_strength_MPa"), "8.7");
@@ -172,18 +144,14 @@ TEST_F(StrengthTable, HasEquation18OfTheForcesOfADisc) {
     for (std::size_t i = 0; i < history.size(); ++i) {
         largest = std::max(largest, -(history[HistoryColumn::force_top][i] + history[HistoryColumn::force_bottom][i]) / 2);
     }
-    EXPECT_NEAR(std::stod(field(table, "tensile_strength_MPa")), 2 * largest / (std::numbers::pi * 0.08) * 1e-6, 1e-5);
+    EXPECT_NEAR(number_in(table, "tensile_strength_MPa"), 2 * largest / (std::numbers::pi * 0.08) * 1e-6, 1e-5);
 }
 
 TEST_F(StrengthTable, HasOneRowARunOrIsNotWritten) {
-    test::write_run(folder_.file("a.h5"), {});
-    test::write_run(folder_.file("b.h5"), {});
-    std::ostringstream out;
-    write_strength_table(out, {folder_.file("a.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes_);
-    EXPECT_EQ(test::parse_tsv(out.str()).size(), 3U);
+    const std::string first = run("a.h5");
+    EXPECT_EQ(test::parse_tsv(table_of({first, run("b.h5")}, TableFormat::tsv)).size(), 3U);
     std::ostringstream nothing;
-    EXPECT_THROW(write_strength_table(nothing, {folder_.file("a.h5"), folder_.file("missing.h5")}, TableFormat::tsv, notes_),
-                 InputError);
+    EXPECT_THROW(write_strength_table(nothing, {first, folder_.file("missing.h5")}, TableFormat::tsv, notes_), InputError);
     EXPECT_EQ(nothing.str(), "");
 }
 
@@ -193,8 +161,7 @@ TEST_F(StrengthTable, HasGroupsUnitsAndMeansInATerminalAndCountsATestOnce) {
     const auto add = [&](const std::string& name, double peak) {
         recipe.peak = peak;
         recipe.specimen.seed = static_cast<std::int64_t>(files.size() + 1);
-        files.push_back(folder_.file(name));
-        test::write_run(files.back(), recipe);
+        files.push_back(run(name, recipe));
     };
     add("first.h5", 125e6);  // 124.4 of the smoothed curve
     add("second.h5", 135e6);
@@ -205,16 +172,12 @@ TEST_F(StrengthTable, HasGroupsUnitsAndMeansInATerminalAndCountsATestOnce) {
     add("third.h5", 200e6);
     files.push_back(folder_.file("again.h5"));
     std::filesystem::copy(files[0], files.back());
-    std::ostringstream out;
-    write_strength_table(out, files, TableFormat::aligned, notes_);
-    test::expect_golden(test::narrow(out.str()) + notes_.str());
+    const std::string table = test::narrow(table_of(files, TableFormat::aligned));
+    test::expect_golden(table + notes_.str());
 }
 
 TEST_F(StrengthTable, HasStrainCracksAndEndOfTheStrengthAskedFor) {
-    Recipe recipe;
-    recipe.drop = 0.2;
-    recipe.hardens_to = 150e6;
-    recipe.stop_reason = "strain limit";
+    const Recipe recipe{.drop = 0.2, .hardens_to = 150e6, .stop_reason = "strain limit"};
     const std::string of_first_peak = table_of(recipe);
     const std::string of_largest = table_of(recipe, StrengthKind::largest);
     const auto both = [&](const char* column) { return std::pair(field(of_first_peak, column), field(of_largest, column)); };
@@ -232,80 +195,56 @@ TEST_F(StrengthTable, HasStrainCracksAndEndOfTheStrengthAskedFor) {
 TEST_F(StrengthTable, HasNotesOfCaveats) {
     table_of({});
     EXPECT_EQ(notes_.str(), "");
-    Recipe at_strain_limit;
-    at_strain_limit.drop = 0;
-    at_strain_limit.stop_reason = "strain limit";
-    table_of(at_strain_limit);
+    table_of({.drop = 0, .stop_reason = "strain limit"});
     // In rock direct tension is 0.7 to 0.9 times the Brazilian strength.
     for (const double tension : {7e6, 12e6}) {
-        Recipe recipe;
-        recipe.test = "tension";
-        recipe.peak = tension;
-        test::write_run(folder_.file("t.h5"), recipe);
-        recipe.test = "brazilian";
-        recipe.peak = 8e6;
-        test::write_run(folder_.file("b.h5"), recipe);
         notes_ << "tension " << tension << " Pa:\n";
-        std::ostringstream out;
-        write_strength_table(out, {folder_.file("t.h5"), folder_.file("b.h5")}, TableFormat::tsv, notes_);
+        table_of({run("t.h5", {.test = "tension", .peak = tension}), run("b.h5", {.test = "brazilian", .peak = 8e6})},
+                 TableFormat::tsv);
     }
     test::expect_golden(notes_.str());
 }
 
-struct Peak {
-    std::string test;
-    double stress = 0;
-    double confining_pressure = 0;
-};
-/// `strength --summary` of runs with these peaks, as TSV.
-std::string summary_of(const std::vector<Peak>& peaks) {
-    test::TemporaryFolder folder;
+/// `strength --summary` of runs in files 0, 1, …, as TSV.
+std::string summary_of(const std::vector<Recipe>& recipes, std::ostream& notes) {
+    const test::TemporaryFolder folder;
     std::vector<std::string> files;
-    for (const Peak& peak : peaks) {
-        Recipe recipe;
-        recipe.test = peak.test;
-        recipe.peak = peak.stress;
-        recipe.confining_pressure = peak.confining_pressure;
-        if (peak.test == "brazilian") recipe.plane = PlaneCondition::stress;
+    for (const Recipe& recipe : recipes) {
         files.push_back(folder.file(std::to_string(files.size())));
         test::write_run(files.back(), recipe);
     }
-    std::ostringstream out;
-    std::ostringstream notes;
-    write_strength_summary(out, files, TableFormat::tsv, notes);
-    return out.str();
+    return test::written(write_strength_summary, files, TableFormat::tsv, notes, StrengthKind::first_peak);
 }
 
 TEST(StrengthSummary, HasMeansDeviationsAndRatiosByTest) {
-    const std::string table = summary_of({{"uniaxial", 120e6},
-                                          {"uniaxial", 130e6},
-                                          {"brazilian", 8e6},
-                                          {"brazilian", 9e6},
-                                          {"brazilian", 13e6},
-                                          {"tension", 6e6},
-                                          {"triaxial", 200e6, 8e6},
-                                          {"triaxial", 150e6, 4e6}});
+    std::ostringstream notes;
+    const std::string table = summary_of({{.test = "uniaxial", .peak = 120e6},
+                                          {.test = "uniaxial", .peak = 130e6},
+                                          {.test = "brazilian", .plane = PlaneCondition::stress, .peak = 8e6},
+                                          {.test = "brazilian", .plane = PlaneCondition::stress, .peak = 9e6},
+                                          {.test = "brazilian", .plane = PlaneCondition::stress, .peak = 13e6},
+                                          {.test = "tension", .peak = 6e6},
+                                          {.test = "triaxial", .confining_pressure = 8e6, .peak = 200e6},
+                                          {.test = "triaxial", .confining_pressure = 4e6, .peak = 150e6}},
+                                         notes);
     EXPECT_EQ(test::parse_tsv(table).size(), 6U);
     EXPECT_EQ(field(table, "strength_MPa", 0), "10");
     // s = √7 MPa; t(0.975, 2) = 4.302653
-    EXPECT_NEAR(std::stod(field(table, "strength_deviation_MPa", 0)), std::sqrt(7.0), 1e-6);
-    EXPECT_NEAR(std::stod(field(table, "strength_high_MPa", 0)), 10 + 4.302653 * std::sqrt(7.0 / 3), 1e-4);
+    EXPECT_NEAR(number_in(table, "strength_deviation_MPa", 0), std::sqrt(7.0), 1e-6);
+    EXPECT_NEAR(number_in(table, "strength_high_MPa", 0), 10 + 4.302653 * std::sqrt(7.0 / 3), 1e-4);
     EXPECT_EQ(field(table, "ratio_to_brazilian", 0), "");
     EXPECT_EQ(field(table, "test", 1), "tension");
     EXPECT_EQ(field(table, "ratio_to_brazilian", 1), "0.6");
     EXPECT_EQ(field(table, "strength_deviation_MPa", 1), "");
-    EXPECT_NEAR(std::stod(field(table, "ratio_to_brazilian", 2)), 12.5, 0.1);
+    EXPECT_NEAR(number_in(table, "ratio_to_brazilian", 2), 12.5, 0.1);
     EXPECT_EQ(field(table, "confining_pressure_MPa", 3), "4");
     EXPECT_EQ(field(table, "confining_pressure_MPa", 4), "8");
 }
 
 RunData run_of(const std::string& test, double diameter, double peak) {
     const test::TemporaryFolder folder;
-    test::Recipe recipe;
-    recipe.test = test;
-    recipe.peak = peak;
-    if (test == "brazilian") recipe.plane = PlaneCondition::stress;
-    test::write_run(folder.file("run.h5"), recipe);
+    const PlaneCondition plane = test == "brazilian" ? PlaneCondition::stress : PlaneCondition::strain;
+    test::write_run(folder.file("run.h5"), {.test = test, .plane = plane, .peak = peak});
     RunData run = read_run_data(folder.file("run.h5"));
     run.specimen.grain_diameter = diameter;
     return run;
@@ -338,18 +277,12 @@ TEST(StrengthGroups, HaveNamesOfTheirDifferences) {
 }
 
 TEST(StrengthSummary, HasARowForEachGroupAndCountsATestOnce) {
-    const test::TemporaryFolder folder;
-    test::Recipe recipe;
-    test::write_run(folder.file("a.h5"), recipe);
-    test::write_run(folder.file("same.h5"), recipe);
-    recipe.specimen = test::grid_specimen(16, 16, 0.16, 0.16);
-    test::write_run(folder.file("wide.h5"), recipe);
-    std::ostringstream out, notes;
-    write_strength_summary(out, {folder.file("a.h5"), folder.file("same.h5"), folder.file("wide.h5")}, TableFormat::tsv, notes);
-    EXPECT_EQ(test::parse_tsv(out.str()).size(), 3U) << out.str();
-    EXPECT_EQ(test::field(out.str(), "runs"), "1");
-    EXPECT_EQ(test::field(out.str(), "differs_in"), "width 80 mm");
-    EXPECT_EQ(test::field(out.str(), "differs_in", 1), "width 160 mm");
+    std::ostringstream notes;
+    const std::string table = summary_of({{}, {}, {.specimen = test::grid_specimen(16, 16, 0.16, 0.16)}}, notes);
+    EXPECT_EQ(test::parse_tsv(table).size(), 3U) << table;
+    EXPECT_EQ(field(table, "runs"), "1");
+    EXPECT_EQ(field(table, "differs_in"), "width 80 mm");
+    EXPECT_EQ(field(table, "differs_in", 1), "width 160 mm");
     test::expect_golden(notes.str());
 }
 

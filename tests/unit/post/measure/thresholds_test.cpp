@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "post/measure/moduli.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -95,11 +93,10 @@ TEST(CrackStrain, IsTheVolumetricStrainBesideTheElasticLine) {
     EXPECT_NEAR(cracks[700], -2 * extra * 400, 1e-12);  // (70 − 50)² MPa²
 }
 
+RunData synthetic_run() { return {"", test::synthetic_header({}), test::synthetic_history({}), {}}; }
+
 TEST(Thresholds, HaveInitiationAtOnePercentOfTheCountAtThePeak) {
-    test::Recipe recipe;  // 25 contacts at the peak, the first tensile one at (0.5 + 1/40) of the way
-    RunData run;
-    run.header = test::synthetic_header(recipe);
-    run.history = test::synthetic_history(recipe);
+    RunData run = synthetic_run();  // 25 contacts at the peak, the first tensile one at (0.5 + 1/40) of the way
     const LoadCurve curve = load_curve(run);
     EXPECT_NEAR(*initiation_by_count(run, curve) * 1e-6, 0.53 * 125, 1e-6);
     EXPECT_NEAR(*initiation_by_count(run, curve, 0.5) * 1e-6, 0.8 * 125, 1e-6);  // 12 tensile and 1 in shear of 25
@@ -111,10 +108,7 @@ TEST(Thresholds, HaveInitiationAtOnePercentOfTheCountAtThePeak) {
 
 // The points of a log that are damaged as the history counts them, or later.
 TEST(Thresholds, HaveInitiationByDamagedPoints) {
-    test::Recipe recipe;
-    RunData run;
-    run.header = test::synthetic_header(recipe);
-    run.history = test::synthetic_history(recipe);
+    const RunData run = synthetic_run();
     const LoadCurve curve = load_curve(run);
     const auto& times = run.history[HistoryColumn::time];
     std::vector<Crack> cracks;
@@ -139,24 +133,17 @@ TEST(Thresholds, CountTheCrackEventOfTheRun) {
         std::vector<Crack> cracks = test::synthetic_cracks(recipe.specimen);
         for (Crack& crack : cracks) crack.damaged_50 = {crack.time + delay, 1e-6, 1e-6};
         test::write_run(folder.file("run.h5"), recipe, cracks);
-        std::ostringstream out;
-        write_moduli_table(out, {folder.file("run.h5")}, TableFormat::tsv, std::clog);
-        return out.str();
+        const std::vector files{folder.file("run.h5")};
+        return test::written(write_moduli_table, files, TableFormat::tsv, std::clog, ColumnChoice::all);
     };
     const std::string table = table_of({});
-    EXPECT_NEAR(std::stod(test::field(table, "crack_initiation_count_MPa")), 0.5 * 125, 1e-5);
+    EXPECT_NEAR(test::number_in(table, "crack_initiation_count_MPa"), 0.5 * 125, 1e-5);
     EXPECT_EQ(test::field(table, "crack_initiation_MPa"), test::field(table, "crack_initiation_crack_strain_pseudo_3d_MPa"));
     EXPECT_EQ(test::field(table, "crack_damage_MPa"), test::field(table, "crack_damage_pseudo_3d_MPa"));
-    test::Recipe half_damaged;
-    half_damaged.crack_event = CrackEvent::half_damaged;
-    EXPECT_NEAR(std::stod(test::field(table_of(half_damaged, 0.2), "crack_initiation_count_MPa")), 0.7 * 125, 1e-5);
-    test::Recipe tension;
-    tension.test = "tension";
-    tension.peak = 6e6;
-    test::Recipe stopped;
-    stopped.stop_reason = "signal";
-    stopped.drop = 0;
-    for (const test::Recipe& recipe : {tension, stopped}) {
+    const std::string half_damaged = table_of({.crack_event = CrackEvent::half_damaged}, 0.2);
+    EXPECT_NEAR(test::number_in(half_damaged, "crack_initiation_count_MPa"), 0.7 * 125, 1e-5);
+    for (const test::Recipe& recipe :
+         {test::Recipe{.test = "tension", .peak = 6e6}, test::Recipe{.drop = 0, .stop_reason = "signal"}}) {
         EXPECT_EQ(test::field(table_of(recipe), "crack_initiation_count_MPa"), "") << recipe.test;
     }
 }

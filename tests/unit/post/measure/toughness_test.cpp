@@ -6,24 +6,22 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/specimens.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
 
 using test::field;
+using test::number_in;
 using test::Recipe;
 
 /// Tension of a plate of 80 mm × 160 mm with its contacts along y = 0 broken between two places.
 Recipe notched_tension(double left, double right) {
-    Recipe recipe;
-    recipe.test = "tension";
-    recipe.peak = 6e6;
+    Recipe recipe{.test = "tension", .peak = 6e6};
     test::break_contacts(recipe.specimen,
                          [&](double x, double y) { return std::abs(y) < 1e-9 && x > left - 1e-9 && x < right + 1e-9; });
     return recipe;
@@ -31,38 +29,34 @@ Recipe notched_tension(double left, double right) {
 
 class ToughnessTable : public ::testing::Test {
 protected:
-    std::string table_of(const Recipe& recipe) {
+    std::string table_of(const Recipe& recipe, TableFormat format = TableFormat::tsv) {
         test::write_run(folder_.file("run.h5"), recipe);
-        std::ostringstream out;
-        write_toughness_table(out, {folder_.file("run.h5")}, TableFormat::tsv, notes_);
-        return out.str();
+        return test::written(write_toughness_table, std::vector{folder_.file("run.h5")}, format, notes_);
     }
     test::TemporaryFolder folder_;
     std::ostringstream notes_;
 };
 
 TEST_F(ToughnessTable, HasTheIntensityOfANotchThroughTheMiddle) {
-    const std::string table = table_of(notched_tension(-0.02, 0.02));
-    EXPECT_NEAR(std::stod(field(table, "notch_mm")), 40, 1e-4);
-    EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 6, 1e-5);
+    const Recipe recipe = notched_tension(-0.02, 0.02);
+    const std::string table = table_of(recipe);
+    EXPECT_NEAR(number_in(table, "notch_mm"), 40, 1e-4);
+    EXPECT_NEAR(number_in(table, "strength_MPa"), 6, 1e-5);
     // 6 MPa √(π 20 mm) √sec 45°
-    EXPECT_NEAR(std::stod(field(table, "mode_i_toughness_MPa.m^0.5")), 6 * std::sqrt(std::numbers::pi * 0.02 * std::sqrt(2.0)),
-                1e-5);
-    std::ostringstream terminal;
-    write_toughness_table(terminal, {folder_.file("run.h5")}, TableFormat::aligned, notes_);
-    test::expect_golden(test::narrow(terminal.str()));
+    EXPECT_NEAR(number_in(table, "mode_i_toughness_MPa.m^0.5"), 6 * std::sqrt(std::numbers::pi * 0.02 * std::sqrt(2.0)), 1e-5);
+    test::expect_golden(test::narrow(table_of(recipe, TableFormat::aligned)));
 }
 
 // l_ch = E' Gf/tc² = (predicted/tc)², with Gf = 82.6 J/m² and tc = 24.15 MPa of the synthetic run.
 TEST_F(ToughnessTable, WarnsOfAProcessZoneThatIsNoSmallPartOfTheNotch) {
     const std::string table = table_of(notched_tension(-0.02, 0.02));
-    const double length = std::stod(field(table, "characteristic_length_mm"));
-    EXPECT_NEAR(length, 1e3 * std::pow(std::stod(field(table, "predicted_mode_i_toughness_MPa.m^0.5")) / 24.15, 2), 1e-5);
-    EXPECT_NEAR(std::stod(field(table, "half_notch_over_characteristic_length")), 20 / length, 1e-5);
+    const double length = number_in(table, "characteristic_length_mm");
+    EXPECT_NEAR(length, 1e3 * std::pow(number_in(table, "predicted_mode_i_toughness_MPa.m^0.5") / 24.15, 2), 1e-5);
+    EXPECT_NEAR(number_in(table, "half_notch_over_characteristic_length"), 20 / length, 1e-5);
     EXPECT_EQ(field(table, "warning"), "");
     EXPECT_EQ(notes_.str(), "");
     const std::string shorter = table_of(notched_tension(-0.01, 0.01));
-    EXPECT_LT(std::stod(field(shorter, "half_notch_over_characteristic_length")), 5);
+    EXPECT_LT(number_in(shorter, "half_notch_over_characteristic_length"), 5);
     test::expect_golden(notes_.str());
 }
 
@@ -74,11 +68,8 @@ TEST(CentreCrackIntensity, IsThatOfFiniteElements) {
 
 /// Bending of 90 mm × 20 mm on rollers at 80 mm; the contacts at x = 0 up to a height are broken. The largest load is 2 kN/m.
 Recipe bent(const std::string& shape, double notch) {
-    Recipe recipe;
-    recipe.test = "bend";
-    recipe.span = 0.08;
-    recipe.specimen = test::grid_specimen(18, 10, 0.09, 0.02);
-    recipe.peak = 2e3 / 0.09;  // load over length
+    // The peak is load over length.
+    Recipe recipe{.test = "bend", .peak = 2e3 / 0.09, .specimen = test::grid_specimen(18, 10, 0.09, 0.02), .span = 0.08};
     recipe.specimen.shape = shape;
     test::break_contacts(recipe.specimen, [&](double x, double y) { return std::abs(x) < 1e-9 && y < notch - 0.01 + 1e-9; });
     return recipe;
@@ -86,15 +77,15 @@ Recipe bent(const std::string& shape, double notch) {
 
 TEST_F(ToughnessTable, HasTheIntensityOfANotchedBeam) {
     const std::string table = table_of(bent("beam", 0.01));
-    EXPECT_NEAR(std::stod(field(table, "notch_mm")), 10, 1e-4);
-    EXPECT_NEAR(std::stod(field(table, "peak_load_kN/m")), 2, 1e-4);
-    EXPECT_NEAR(std::stod(field(table, "strength_MPa")), 0.6, 1e-5);  // 3 F S/(2 H²)
+    EXPECT_NEAR(number_in(table, "notch_mm"), 10, 1e-4);
+    EXPECT_NEAR(number_in(table, "peak_load_kN/m"), 2, 1e-4);
+    EXPECT_NEAR(number_in(table, "strength_MPa"), 0.6, 1e-5);  // 3 F S/(2 H²)
     // ASTM E399: F S/H^1.5 f(1/2), f = 2.6625; the formula of any span is 0.15 % lower
-    EXPECT_NEAR(std::stod(field(table, "mode_i_toughness_MPa.m^0.5")), 1e-6 * 2e3 * 0.08 / std::pow(0.02, 1.5) * 2.6625, 3e-4);
+    EXPECT_NEAR(number_in(table, "mode_i_toughness_MPa.m^0.5"), 1e-6 * 2e3 * 0.08 / std::pow(0.02, 1.5) * 2.6625, 3e-4);
     Recipe squat = bent("beam", 0.01);
     squat.span = 0.04;
     const std::string half_disc = table_of(bent("half-disc", 0.01));
-    EXPECT_NEAR(std::stod(field(half_disc, "strength_MPa")), 2e-3 / 0.09, 1e-6);
+    EXPECT_NEAR(number_in(half_disc, "strength_MPa"), 2e-3 / 0.09, 1e-6);
     test::expect_golden("beam: " + field(table, "warning") + "\nsquat beam: " + field(table_of(squat), "warning") +
                         "\nhalf-disc: " + field(half_disc, "warning"));
 }
@@ -147,14 +138,14 @@ TEST(TotalFractureEnergy, IsThatUnderTheHigherOfTwoSoftenings) {
 
 TEST_F(ToughnessTable, HasTheSizeAndTheStripYieldLaw) {
     const std::string table = table_of(bent("beam", 0.01));
-    const double shown = std::stod(field(table, "mode_i_toughness_MPa.m^0.5"));
-    EXPECT_NEAR(std::stod(field(table, "size_mm")), 20, 1e-4);
-    EXPECT_NEAR(std::stod(field(table, "zone_mm")), 1e3 * strip_yield_zone(shown, 24.15), 1e-6);  // tc of the run
-    EXPECT_GT(std::stod(field(table, "mode_i_toughness_at_infinite_size_MPa.m^0.5")), shown);
-    EXPECT_LT(std::stod(field(table, "strip_yield_mode_i_toughness_MPa.m^0.5")),
-              std::stod(field(table, "predicted_mode_i_toughness_MPa.m^0.5")));
-    EXPECT_NEAR(std::stod(field(table_of(bent("half-disc", 0.01)), "size_mm")), 90, 1e-4);
-    EXPECT_NEAR(std::stod(field(table_of(notched_tension(-0.02, 0.02)), "size_mm")), 80, 1e-4);
+    const double shown = number_in(table, "mode_i_toughness_MPa.m^0.5");
+    EXPECT_NEAR(number_in(table, "size_mm"), 20, 1e-4);
+    EXPECT_NEAR(number_in(table, "zone_mm"), 1e3 * strip_yield_zone(shown, 24.15), 1e-6);  // tc of the run
+    EXPECT_GT(number_in(table, "mode_i_toughness_at_infinite_size_MPa.m^0.5"), shown);
+    EXPECT_LT(number_in(table, "strip_yield_mode_i_toughness_MPa.m^0.5"),
+              number_in(table, "predicted_mode_i_toughness_MPa.m^0.5"));
+    EXPECT_NEAR(number_in(table_of(bent("half-disc", 0.01)), "size_mm"), 90, 1e-4);
+    EXPECT_NEAR(number_in(table_of(notched_tension(-0.02, 0.02)), "size_mm"), 80, 1e-4);
     const RunReader reader(folder_.file("run.h5"));
     RunData run = run_data(reader);
     const double brittle = measure_toughness(run, reader.specimen()).predicted;
@@ -177,7 +168,7 @@ TEST_F(ToughnessTable, HasNotchesWithoutOpenBoundaries) {
 }
 
 TEST_F(ToughnessTable, RefusesOtherRuns) {
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     const auto add = [&](const std::string& what, const Recipe& recipe) {
         refused.add<InputError>(what, [&] { table_of(recipe); });
     };
@@ -192,7 +183,6 @@ TEST_F(ToughnessTable, RefusesOtherRuns) {
     at_strain_limit.drop = 0;
     at_strain_limit.stop_reason = "strain limit";
     add("no peak", at_strain_limit);
-    test::expect_golden(refused.text());
 }
 
 TEST(NominalBendingStress, IsThatOfABeam) {
