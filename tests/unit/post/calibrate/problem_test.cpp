@@ -5,7 +5,7 @@
 
 #include "post/calibrate/folder.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/rows.hpp"
 #include "tests/unit/post/calibrate/material_folder.hpp"
 
@@ -72,12 +72,11 @@ direct_tension = {use = "predict"}
     add_problem("laboratory, with the line from UCS = 122 MPa to 222 MPa at 10 MPa");
     test::expect_golden(text_);
 
-    test::Refusals refused;
+    test::GoldenRefusals refused("refusals");
     write(stone + "confined_strength = \"100 MPa\"\n");
     refused.add<InputError>("a confined strength below UCS", [&] { problem(); });
     write(stone.erase(stone.find("confining_pressure")) + "confined_strength = \"222 MPa\"\n");
     refused.add<InputError>("no line", [&] { problem(); });
-    test::expect_golden(refused.text(), "refusals");
 }
 
 TEST_F(CalibrationProblem, RefusesWrongTables) {
@@ -132,12 +131,7 @@ TEST_F(CalibrationProblem, HasAStudyWithSettings) {
     EXPECT_EQ(set.specimens.width, 0.04);
     EXPECT_EQ(set.predicted_pressures, (std::vector<double>{3e6, 5e6}));
     EXPECT_EQ(set.max_strain, 0.01);  // of the file
-    test::Refusals refused;
-    for (const char* setting : {"disks=3", "discs", "width=-1mm"}) {
-        const auto read = [&] { problem({setting}); };
-        refused.add<UsageError>(setting, read);
-    }
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add_each<UsageError>({"disks=3", "discs", "width=-1mm"}, [&](const char* wrong) { problem({wrong}); });
     write(granite());
     EXPECT_EQ(problem().study.max_strain, 0.015);  // UCS/E as of Augig granite
 }

@@ -11,7 +11,7 @@
 #include "post/ccd/tables.hpp"
 #include "post/fit/mohr_coulomb.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/normal.hpp"
 #include "tests/support/synthetic_run.hpp"
 #include "tests/support/verify.hpp"
@@ -283,7 +283,7 @@ TEST(CcdRuns, CodeColumnsByGivenFactors) {
     const TableFile table(folder.file("t.tsv"));
     const Runs runs = read_runs(table, {parse_factor("cc=30:90"), parse_factor("phi=45:61")});
     EXPECT_EQ(runs.coded, (std::vector<std::vector<double>>{{-1, -1}, {1, 1}, {0, 0}}));
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     refused.add<InputError>("no factors", [&] { (void)read_runs(table, {}); });
     refused.add<UsageError>("a lower edge above the upper", [] { (void)parse_factor("cc=90:30"); });
     const auto fit_few = [] {
@@ -292,12 +292,10 @@ TEST(CcdRuns, CodeColumnsByGivenFactors) {
         (void)fit_quadratic(few, std::vector<double>(5, 1.0));
     };
     refused.add<InputError>("too few runs", fit_few);
-    for (const char* bad : {"y", "=3", "y=", "y=1:2", "y=3:2:1", "y=a", "y=1:2:3:4", "y=1;2"}) {
-        refused.add<UsageError>(bad, [&] { (void)parse_goal(bad, Goal::Kind::target, "--target"); });
-    }
+    const auto target = [](const char* text) { (void)parse_goal(text, Goal::Kind::target, "--target"); };
+    refused.add_each<UsageError>({"y", "=3", "y=", "y=1:2", "y=3:2:1", "y=a", "y=1:2:3:4", "y=1;2"}, target);
     Goal outside = parse_goal("y=99", Goal::Kind::target, "--target");
     refused.add<UsageError>("outside of 1 to 3", [&] { set_limits(outside, {1, 2, 3}); });
-    test::expect_golden(refused.text());
 }
 
 }  // namespace

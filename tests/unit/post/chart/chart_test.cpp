@@ -13,7 +13,7 @@
 #include "post/chart/picture_style.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/drawing_shapes.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 
 namespace graincrack {
 namespace {
@@ -243,12 +243,9 @@ TEST(PictureStyle, HasLimitsOfTwoNumbersInTheUnitOfTheAxis) {
         (void)chart.finish();
     };
     EXPECT_NO_THROW(draw("0.5,3"));
-    test::Refusals refused;
-    for (const char* wrong : {"0.4", "0,", "a,b", "0,inf", "0,4mm", "0.4,0.4", "5,6"}) {
-        refused.add<UsageError>(wrong, [&] { draw(wrong); });
-    }
+    test::GoldenRefusals refused;
+    refused.add_each<UsageError>({"0.4", "0,", "a,b", "0,inf", "0,4mm", "0.4,0.4", "5,6"}, draw);
     refused.add<UsageError>("of a logarithm", [] { (void)Axis({"n", 1, 9, true}).limited(parse_limits("0,4", "--y-limits")); });
-    test::expect_golden(refused.text());
 }
 
 TEST(PictureStyle, LabelsFilesOfThePicture) {
@@ -257,12 +254,9 @@ TEST(PictureStyle, LabelsFilesOfThePicture) {
     EXPECT_EQ(style.label_of("runs/uniaxial.h5"), "dry, 5 mm/s");
     EXPECT_EQ(style.label_of("runs/wet.h5"), "wet = slow");
     EXPECT_EQ(style.label_of("other.h5"), "");
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     refused.add<UsageError>("another file", [&] { style.require_labels_of({"uniaxial.h5", "dry.h5"}); });
-    for (const char* wrong : {"uniaxial.h5", "=dry", "uniaxial.h5="}) {
-        refused.add<UsageError>(wrong, [&] { (void)parse_run_label(wrong); });
-    }
-    test::expect_golden(refused.text());
+    refused.add_each<UsageError>({"uniaxial.h5", "=dry", "uniaxial.h5="}, parse_run_label);
 }
 
 TEST(ColourScale, HoldsAllButAHundredthOnEachSideAndIsWhiteAtZero) {

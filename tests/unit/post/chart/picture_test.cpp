@@ -14,7 +14,7 @@
 #include "post/plot/plots.hpp"
 #include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -61,7 +61,7 @@ protected:
         return svg.substr(0, svg.find("</desc>")).substr(svg.find("<desc>") + 6);
     }
     test::Recipe recipe_;
-    test::Refusals refused_;
+    test::GoldenRefusals refused_{"refused"};
     test::TemporaryFolder folder_;
 };
 
@@ -91,10 +91,7 @@ TEST_F(Picture, IsOfFramesByWordNumberOrTime) {
     for (const char* const frame : {"peak", "before", "after"}) EXPECT_EQ(to_svg(cracks(frame)), to_svg(cracks("1"))) << frame;
     EXPECT_EQ(to_svg(cracks("last")), to_svg(cracks("2")));
     EXPECT_EQ(to_svg(draw_cracks(RunReader(path("run.h5")), {"last", 0.9, 1})), to_svg(cracks("1")));
-    for (const char* const frame : {"3", "middle", "before,noon", ""}) {
-        refused_.add<UsageError>(frame, [&] { (void)cracks(frame); });
-    }
-    test::expect_golden(refused_.text());
+    refused_.add_each<UsageError>({"3", "middle", "before,noon", ""}, [&](const char* frame) { (void)cracks(frame); });
 }
 
 TEST_F(Picture, SaysWhatItIsAbout) {
@@ -119,7 +116,6 @@ TEST_F(Picture, SaysWhatItIsAbout) {
     for (const auto& [name, picture] : pictures) test::expect_golden(picture.words(), name);
     refused_.add<UsageError>("a law", [&] { (void)draw_laws(data.header.contact, "", {{"newton"}}); });
     refused_.add<InputError>("no cracks", [&] { (void)draw_rosette({}, "title", "run.h5", ""); });
-    test::expect_golden(refused_.text(), "refused");
 }
 
 TEST_F(Picture, NotesWhatSpeaksAgainstAStrength) {
@@ -146,15 +142,13 @@ TEST_F(Picture, TakesATitleLabelsAndLimits) {
     test::expect_golden(plotted({"curve", run, "--label", "run.h5=dry", "--x-limits", "-0.1,0.2", "--y-limits", "0,500"}));
     refused_.add<UsageError>("a label", [&] { plotted({"curve", run, "--label", "wet.h5=wet"}); });
     refused_.add<UsageError>("limits", [&] { plotted({"energy", run, "--x-limits", "1e6,2e6"}); });
-    test::expect_golden(refused_.text(), "refused");
 }
 
 TEST_F(Picture, IsOfTheColumnsOfATable) {
     std::ofstream(path("t.tsv")) << "edge_mm\tstrength_MPa\tnote\n1\t5\ta\n2\t\tb\n4\t9\tc\n";
     const auto draw = [&](const char* column) { return draw_tables({path("t.tsv")}, {"edge_mm", {column}, true}); };
     test::expect_golden(draw("strength_MPa").words());
-    for (const char* const column : {"weight", "note"}) refused_.add<InputError>(column, [&] { (void)draw(column); });
-    test::expect_golden(refused_.text(), "refused");
+    refused_.add_each<InputError>({"weight", "note"}, draw);
 }
 
 TEST_F(Picture, MarksTheFirstPeakIfItIsNotTheLargestStressAndTheResidualStrength) {
@@ -183,7 +177,6 @@ TEST_F(Picture, NamesSeveralMaterialsAndHasTestsOfOneKind) {
     test::write_run(path("brazilian.h5"), {.test = "brazilian", .peak = 8e6});
     runs[1] = read_run_data(path("brazilian.h5"));
     refused_.add<InputError>("another test", [&] { (void)draw_curves(runs, ""); });
-    test::expect_golden(refused_.text(), "refused");
 }
 
 TEST_F(Picture, HasCirclesAndBothCurvesOfAnEnvelope) {
@@ -249,7 +242,6 @@ TEST_F(Picture, NeedsAResolutionANameAndAPlaceThatCanBe) {
     for (const char* const name : {"no/such/folder.png", "no/such/folder.svg"}) {
         refused_.add<OutputError>("no folder", [&] { write_picture(drawing, path(name)); });
     }
-    test::expect_golden(refused_.text());
 }
 
 TEST_F(Picture, HasFewMarksOfGrainsTooSmallForItsPage) {

@@ -20,7 +20,7 @@
 
 #include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -267,10 +267,9 @@ TEST_F(CrackMap, NeedsContactsThatAreThereAndAFolder) {
     std::vector<Crack> cracks = test::synthetic_cracks(recipe_.specimen);
     cracks[3].contact = static_cast<std::int32_t>(recipe_.specimen.n_contacts());
     test::write_run(folder_.file("bad.h5"), recipe_, cracks);
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     refused.add<InputError>("a contact that is not there", [&] { export_run("bad.h5", "bad"); });
     refused.add<OutputError>("a file in place of the folder", [&] { export_run("run.h5", "run.h5"); });
-    test::expect_golden(refused.text());
 }
 
 }  // namespace

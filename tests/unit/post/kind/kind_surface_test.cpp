@@ -10,7 +10,7 @@
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/synthetic_kind.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -55,9 +55,7 @@ TEST(KindSurface, FindsWhatWasPlanted) {
         EXPECT_EQ(surface.model(first_peak, 0), nullptr);
         EXPECT_EQ(surface.model(property_named("drop"), 5e6), nullptr);
     }
-    test::Refusals refused;
-    refused.add<InputError>("8 rows", [&] { KindSurface(planted.rows(8), "granite"); });
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add<InputError>("8 rows", [&] { KindSurface(planted.rows(8), "granite"); });
 }
 
 TEST(KindSurface, HasIntervalsThatHoldNewSpecimens) {
@@ -232,7 +230,7 @@ TEST(KindTable, IsOfMaterialsOfItsFabricAlone) {
 TEST(KindTable, RefusesWrongRows) {
     const test::KindFolder folder(granite_and_gabbro({}));
     const std::string text = text_of_file(folder.table());
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     const auto add = [&](const std::string& what, const std::string& row) {
         std::ofstream(folder.table()) << text << row << '\n';
         refused.add<InputError>(what, [] { (void)KindSurface::of(read_material("granite-crystals")); });
@@ -241,7 +239,6 @@ TEST(KindTable, RefusesWrongRows) {
     add("unknown property", "granite\ta\t0\t5\t44\t26\t0.7\t80\t0\t0\t0\tstrength\t18\t1");
     add("uniaxial test under pressure", "granite\ta\t0\t5\t44\t26\t0.7\t80\t0\t0\t2\tuniaxial\t18\t1");
     add("bridges without energy", "granite\ta\t0\t5\t44\t26\t0.7\t80\t0.4\t0\t0\tuniaxial\t18\t1");
-    test::expect_golden(refused.text());
 }
 
 TEST(KindTable, HasTermsAndRocks) {

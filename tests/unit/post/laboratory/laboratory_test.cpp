@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -56,9 +56,7 @@ TEST(LaboratoryProperties, NeedNoTargetToFitButKnownKeys) {
     };
     test::expect_golden(text_of(with("crack_damage = {value = \"99 MPa\", use = \"predict\"}")), "predicted");
     test::expect_golden(text_of(with("uniaxial = {value = \"99 MPa\"}")), "fitted");
-    test::Refusals refused;
-    refused.add<InputError>("wrong key", [&] { with("crack_damage = {vale = \"99 MPa\"}"); });
-    test::expect_golden(refused.text(), "refusals");
+    test::GoldenRefusals("refusals").add<InputError>("wrong key", [&] { with("crack_damage = {vale = \"99 MPa\"}"); });
 }
 
 TEST(LaboratoryProperties, AreOfTheMaterialThatARunNames) {

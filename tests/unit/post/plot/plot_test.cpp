@@ -11,7 +11,7 @@
 #include "post/plot/plots.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/drawing_shapes.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -125,9 +125,7 @@ TEST_F(Plot, WritesAllFramesAsNumberedPicturesOfOneSize) {
     }
     EXPECT_EQ(pictures, run.frame_times().size());
     EXPECT_EQ(sizes.size(), 1U);
-    test::Refusals refused;
-    refused.add<UsageError>("a film", [&] { write(path("frames.mp4")); });
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add<UsageError>("a film", [&] { write(path("frames.mp4")); });
 }
 
 }  // namespace

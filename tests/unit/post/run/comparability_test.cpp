@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
@@ -47,7 +47,7 @@ std::vector<std::vector<std::size_t>> members_of(const std::vector<RunData>& run
 
 TEST(Comparability, NeedsTheSameOfAllButTheSeed) {
     const RunData first = run_of("a.h5");
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     const auto refuse = [&](auto change) {
         RunData other = run_of("b.h5");
         change(other);
@@ -72,7 +72,6 @@ TEST(Comparability, NeedsTheSameOfAllButTheSeed) {
                                            {"phase_fractions", std::vector{0.3, 0.7}, Dimension::one, material}}) {
         refuse([&](RunData& r) { set(r.specimen.settings, setting); });
     }
-    test::expect_golden(refused.text());
 }
 
 // What decides a heated test: expansions along and across axes, curves over the temperature.
@@ -116,9 +115,7 @@ TEST(Comparability, HoldsOverAWholeGroup) {
         runs.back().specimen.grain_diameter = size;
     }
     EXPECT_EQ(members_of(runs), (std::vector<std::vector<std::size_t>>{{1, 3}, {2, 5}, {0, 4}}));
-    test::Refusals refused;
-    refused.add<InputError>("all", [&] { require_comparable(runs, "a mean"); });
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add<InputError>("all", [&] { require_comparable(runs, "a mean"); });
 }
 
 TEST(Comparability, TellsInWhatGroupsOfATestDiffer) {
@@ -155,9 +152,7 @@ TEST(Comparability, AllowsOtherTestsAndWhatAnAutomaticRateGave) {
     std::vector<RunData> runs{run_of("u.h5"), slow, automatic[0], automatic[1]};
     EXPECT_NO_THROW(require_comparable(runs, "a mean"));
     runs[1].specimen.grain_diameter *= 1.5;
-    test::Refusals refused;
-    refused.add<InputError>("another grain size", [&] { require_comparable(runs, "a mean"); });
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add<InputError>("another grain size", [&] { require_comparable(runs, "a mean"); });
 }
 
 TEST(Comparability, ReadsProgramsByTheirMeaning) {
@@ -166,9 +161,7 @@ TEST(Comparability, ReadsProgramsByTheirMeaning) {
     runs[1].program = "# the same\nstage.fail = { speed = 5e-1 }\n";
     EXPECT_NO_THROW(require_comparable(runs, "a mean"));
     runs[1].program = "[stage.fail]\nspeed = 0.6\n";
-    test::Refusals refused;
-    refused.add<InputError>("another speed", [&] { require_comparable(runs, "a mean"); });
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add<InputError>("another speed", [&] { require_comparable(runs, "a mean"); });
 }
 
 /// In what a run is of another material after a change.

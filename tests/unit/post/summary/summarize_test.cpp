@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/rows.hpp"
 #include "tests/support/synthetic_run.hpp"
 
@@ -52,7 +52,7 @@ protected:
         for (const auto& [expression, expected] : numbers) EXPECT_NEAR(number(expression), expected, 1e-5) << expression;
     }
     test::TemporaryFolder folder_;
-    test::Refusals refused_;
+    test::GoldenRefusals refused_{"refused"};
     std::string first_ = folder_.file("first.tsv");
     std::string second_ = folder_.file("second-table.tsv");
 };
@@ -138,7 +138,6 @@ TEST_F(Summarize, JoinsFilesOfOneName) {
         summary_of(files, {.sql = "SELECT source, count(*) AS n FROM rows GROUP BY source ORDER BY n", .label = "source"}),
         "labelled");
     refused_.add<InputError>("a label that is a column", [&] { std::ignore = summary_of(files, {.label = "run"}); });
-    test::expect_golden(refused_.text(), "refused");
 }
 
 TEST_F(Summarize, GivesSettingsToAQuery) {
@@ -152,7 +151,6 @@ TEST_F(Summarize, GivesSettingsToAQuery) {
         options.settings = wrong;
         refuse<UsageError>(wrong.back(), options);
     }
-    test::expect_golden(refused_.text());
 }
 
 TEST_F(Summarize, TurnsNamesIntoColumns) {
@@ -162,7 +160,6 @@ TEST_F(Summarize, TurnsNamesIntoColumns) {
         summary(options("SELECT run, stress FROM first WHERE level = 9")));
     refuse<UsageError>("a name twice", options("SELECT test, level, stress FROM first"));
     refuse<UsageError>("no value", options("SELECT run FROM first"));
-    test::expect_golden(refused_.text(), "refused");
 }
 
 TEST_F(Summarize, ReadsTheQueryFromAFile) {
@@ -172,17 +169,14 @@ TEST_F(Summarize, ReadsTheQueryFromAFile) {
     std::ofstream(file) << "SELECT run FORM first";
     refuse<UsageError>("no SQL", {.sql = file});
     refuse<InputError>("no file", {.sql = folder_.file("no.sql")});
-    test::expect_golden(refused_.text(), "refused");
 }
 
 TEST_F(Summarize, RefusesWhatIsNoQueryOfTheTables) {
     EXPECT_EQ(test::expect_refused<UsageError>("post/summary/query.toml",
                                                [this](const std::string& sql) { std::ignore = summary({.sql = sql}); }),
               22U);
-    for (const char* const column : {"mean(run)", "text('{:.1f}', run)"}) {
-        refuse<InputError>(column, {.sql = std::string("SELECT ") + column + " FROM first"});
-    }
-    test::expect_golden(refused_.text());
+    const auto ask = [&](const std::string& column) { std::ignore = summary({.sql = "SELECT " + column + " FROM first"}); };
+    refused_.add_each<InputError>({"mean(run)", "text('{:.1f}', run)"}, ask);
 }
 
 TEST_F(Summarize, RefusesTablesThatCannotBeNamed) {
@@ -191,7 +185,6 @@ TEST_F(Summarize, RefusesTablesThatCannotBeNamed) {
         refuse<InputError>(name, {});
     }
     refused_.add<InputError>("no file", [] { std::ignore = summary_of({"rows=none.tsv"}, {}); });
-    test::expect_golden(refused_.text());
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -58,15 +58,12 @@ TEST(Events, AreLinesOfJsonBesideThoseOfStderr) {
 }
 
 TEST(Events, NeedADescriptorThatIsOpenForWriting) {
-    test::Refusals refused;
-    for (const std::string number : {"987", "99999999999999999999"}) {
-        refused.add<UsageError>(number, [&] { open_events(number); });
-    }
+    test::GoldenRefusals refused;
+    refused.add_each<UsageError>({"987", "99999999999999999999"}, open_events);
     const int reading = ::open("/dev/null", O_RDONLY);
     EXPECT_THROW(open_events(std::to_string(reading)), UsageError);
     ::close(reading);
     refused.add<OutputError>("no folder", [] { open_events("/no/such/folder/events"); });
-    test::expect_golden(refused.text());
 }
 
 TEST(Events, WithoutAReaderStopTheWorkAsAHangUp) {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -26,9 +26,8 @@ TEST(Split, GivesPartsBetweenSeparators) {
 TEST(KeyAndValue, AreDividedByTheFirstEqualsSign) {
     EXPECT_EQ(key_and_value("a=b=c", "--set", "KEY=VALUE"), (std::pair<std::string, std::string>("a", "b=c")));
     EXPECT_EQ(key_and_value("a=", "--set", "KEY=VALUE").second, "");
-    test::Refusals refused;
-    for (const char* bad : {"", "a", "=b"}) refused.add<UsageError>(bad, [&] { key_and_value(bad, "--set", "KEY=VALUE"); });
-    test::expect_golden(refused.text());
+    const auto read = [](const std::string& text) { key_and_value(text, "--set", "KEY=VALUE"); };
+    test::GoldenRefusals().add_each<UsageError>({"", "a", "=b"}, read);
 }
 
 TEST(TextOfFile, IsThatOfAPipeAtEachCallAndHasAnEnd) {
@@ -39,9 +38,7 @@ TEST(TextOfFile, IsThatOfAPipeAtEachCallAndHasAnEnd) {
     EXPECT_EQ(text_of_file(pipe), "a = 1\n");
     writer.join();
     EXPECT_EQ(text_of_toml(pipe), "a = 1\n");
-    test::Refusals refused;
-    refused.add<InputError>("no end", [] { text_of_toml("/dev/zero"); });
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add<InputError>("no end", [] { text_of_toml("/dev/zero"); });
 }
 
 }  // namespace

@@ -13,12 +13,10 @@
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "share/rock/contact_parameters.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 
 namespace graincrack {
 namespace {
-
-using test::expect_golden;
 
 const Quantity& of(ContactValue value) { return contact_parameter(value).quantity; }
 
@@ -62,7 +60,7 @@ TEST(Units, AreReadAndGivenBack) {
 }
 
 TEST(Units, RefuseWithOptionFaultAndRemedyInOneLine) {
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     const auto refuse = [&](const Quantity& quantity, const std::vector<std::string>& texts) {
         for (const std::string& text : texts) {
             const auto parse = [&] { parse_quantity(text, quantity, "--edge"); };
@@ -81,7 +79,6 @@ TEST(Units, RefuseWithOptionFaultAndRemedyInOneLine) {
         const auto parse = [&] { parse_quantity_or(text, "none", 0, quantity::damping, "--damping"); };
         refused.add<UsageError>(fmt::format("damping \"{}\"", text), parse);
     }
-    expect_golden(refused.text());
 }
 
 TEST(Units, TakeAWordForAValue) {
@@ -97,7 +94,7 @@ TEST(Units, WriteNumbersThatReadBackAsTheSameDouble) {
     std::string text;
     for (const double value : {0.004, 4.0, std::nan(""), -std::nan(""), -double{INFINITY}}) text += format_number(value) + "\n";
     for (const double value : {24.1534, std::nan("")}) text += format_number(value, 4) + "\n";
-    expect_golden(text);
+    test::expect_golden(text);
 }
 
 TEST(Units, ShowQuantitiesInAReadableUnit) {
@@ -114,7 +111,7 @@ TEST(Units, ShowQuantitiesInAReadableUnit) {
     add(1e-9, Dimension::time);
     add(0.0008, Dimension::length, 2);
     for (const double value : {0.0008, 0.9996e-3}) add(value, Dimension::length, 3);
-    expect_golden(text);
+    test::expect_golden(text);
 }
 
 /// A locale with decimal comma and grouped thousands, on any machine.

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "share/base/error.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/rows.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -17,7 +17,6 @@
 namespace graincrack {
 namespace {
 
-using test::expect_golden;
 using test::TemporaryFolder;
 
 const std::string granite_text = R"(name = "granite"
@@ -166,7 +165,7 @@ correlation = "10 mm"
         values +=
             fmt::format("{}.{} = {}\n", value.table, value.key, value.number ? fmt::format("{:.6g}", *value.number) : value.word);
     }
-    expect_golden(values);
+    test::expect_golden(values);
     const Fabric a = fabric_of(granite, PlaneCondition::strain, std::nullopt, phase_names);
     EXPECT_EQ(a.phases[0].along, (TemperatureCurve{{0, 8e-6}, {300, 1e-5}}));
     EXPECT_TRUE(a.phases[1].has_axis());
@@ -185,9 +184,7 @@ TEST(Fabric, GivesAClassOfFlawsTheContactOfTheRockAndItsOwnValues) {
     EXPECT_EQ(joint.shear_stiffness, base.shear_stiffness);
     EXPECT_EQ(joint.friction_angle, base.friction_angle);
     EXPECT_NEAR(joint.critical_opening / base.critical_opening, base.normal_stiffness / 50e9, 1e-9) << "derived anew";
-    test::Refusals refused;
-    refused.add<InputError>("fault", [&] { flaw(table, "fault"); });
-    expect_golden(refused.text());
+    test::GoldenRefusals().add<InputError>("fault", [&] { flaw(table, "fault"); });
     const std::string bridges = "bridging_strength = \"5 MPa\"\nbridging_energy = \"80 J/m2\"\n";
     EXPECT_EQ(flaw(bridges + "[flaws.joint]\ncohesion = \"1 MPa\"\n").bridging_strength, 0);
     EXPECT_EQ(flaw(bridges + "[flaws.joint]\n" + bridges).bridging_strength, 5e6);
@@ -331,7 +328,7 @@ TEST(Fabric, IsRefusedIfItDoesNotFitTogether) {
     const Material granite = material_of(granite_text + phases);
     refuse("other phases", [&] { fabric_of(granite, PlaneCondition::strain, std::nullopt, {"rock"}); });
     refuse("no phases", [&] { require_same_phases(material_of(granite_text), phase_names); });
-    expect_golden(std::regex_replace(refused.text(), std::regex("qqq+"), "qqq"));
+    test::expect_golden(std::regex_replace(refused.text(), std::regex("qqq+"), "qqq"));
     EXPECT_NO_THROW(require_same_phases(material_of(granite_text), {"rock"}));
 }
 

@@ -17,14 +17,13 @@
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
 namespace {
 
 namespace fs = std::filesystem;
-using test::expect_golden;
 using test::TemporaryFolder;
 
 /// A file in a folder of its own.
@@ -96,11 +95,8 @@ TEST(H5File, GivesBackAttributesOfEveryType) {
     EXPECT_TRUE(in.attribute<std::vector<std::string>>("/g", "no_texts").empty());
     EXPECT_EQ(in.attribute<std::string>("/g", "edge_unit"), "m");
     EXPECT_EQ(in.attribute_or<double>("/g", "missing", 4.0), 4.0);
-    test::Refusals refused;
-    for (const char* name : {"missing", "text", "reals"}) {
-        refused.add<InputError>(name, [&] { static_cast<void>(in.attribute<double>("/g", name)); });
-    }
-    expect_golden(refused.text());
+    const auto number = [&](const char* name) { static_cast<void>(in.attribute<double>("/g", name)); };
+    test::GoldenRefusals().add_each<InputError>({"missing", "text", "reals"}, number);
 }
 
 TEST(H5File, MakesDatasetsOfAttributesAboveTheLimitOfTheLibrary) {
@@ -172,10 +168,9 @@ TEST(H5File, ConvertsNumbersAndRefusesWhatIsMissing) {
     write_column<std::int32_t>(out, "/step", {1, 2});
     const H5Input in = out.read();
     EXPECT_EQ(in.read<double>("/step"), (std::vector<double>{1, 2}));
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     refused.add<InputError>("read", [&] { static_cast<void>(in.read<double>("/nothing")); });
     refused.add<InputError>("extents", [&] { static_cast<void>(in.extents("/a/b")); });
-    expect_golden(refused.text());
 }
 
 // --- whole or not at all ---------------------------------------------------------------------------------------------
@@ -211,9 +206,8 @@ TEST(H5File, IsAnOutputErrorAndLeavesNoPartIfItCannotBeWritten) {
         EXPECT_THROW(out.commit(), OutputError);
     }
     EXPECT_FALSE(fs::exists(folder.file("a.h5.part")));
-    test::Refusals refused;
-    for (const char* name : {"a.h5", "no/a.h5"}) refused.add<OutputError>(name, [&] { H5Output(folder.file(name), "run"); });
-    expect_golden(refused.text());
+    test::GoldenRefusals().add_each<OutputError>({"a.h5", "no/a.h5"},
+                                                 [&](const char* name) { H5Output(folder.file(name), "run"); });
 }
 
 TEST(H5File, GoesThroughAPipe) {
@@ -240,9 +234,7 @@ TEST(H5File, GoesThroughAPipe) {
         EXPECT_EQ(in.read<double>("/x"), (std::vector<double>{1, 2, 3}));
     }
     // After it was read to its end, the stream is empty, as when the program before wrote nothing.
-    test::Refusals refused;
-    refused.add<InputError>("read again", [] { H5Input("-"); });
-    expect_golden(refused.text());
+    test::GoldenRefusals().add<InputError>("read again", [] { H5Input("-"); });
     ::dup2(saved_in, STDIN_FILENO);
     ::close(saved_in);
     ::close(image);
@@ -269,7 +261,7 @@ TEST(H5File, IsRefusedWithALineOfItsOwnForEachFault) {
     const std::string bytes = large_file();
     EXPECT_LT(bytes.size(), 400000U) << "compressed to half";
     write_bytes(good, bytes);
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     const auto read = [&](const std::string& name, const std::string& content) {
         write_bytes(folder.file(name), content);
         refused.add<InputError>(name, [&] { H5Input(folder.file(name)); });
@@ -296,7 +288,6 @@ TEST(H5File, IsRefusedWithALineOfItsOwnForEachFault) {
     write("older.h5", "graincrack", schema_version - 1);
     write("same.h5", "graincrack", schema_version);
     EXPECT_NO_THROW(H5Input(folder.file("same.h5")));
-    expect_golden(refused.text());
     const H5Input in(good, "specimen");
     EXPECT_NO_THROW(in.check());
     EXPECT_EQ(in.read<double>("/x"), large());
@@ -340,10 +331,9 @@ TEST(H5File, NamesTheObjectOfAnAttributeThatCannotBeDecoded) {
     write_bytes(folder.file("a.h5"), bytes);
     const H5Input in(folder.file("a.h5"), "run");
     EXPECT_EQ(in.attribute<double>("/run", "good0"), 1.5);
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     refused.add<InputError>("check", [&] { in.check(); });
     refused.add<InputError>("digest", [&] { static_cast<void>(in.digest()); });
-    expect_golden(refused.text());
 }
 
 TEST(H5File, HasADigestOfItsContent) {

@@ -11,14 +11,13 @@
 #include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 #include "share/file/schema.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
 namespace {
 
-using test::expect_golden;
 using test::TemporaryFolder;
 
 /// Two cells, two grains of two triangles each, one contact: 0.2 × 0.1 m.
@@ -89,7 +88,7 @@ TEST(Specimen, HasNodesOfGrains) {
 }
 
 TEST(Specimen, HasTheDeclaredSize) {
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     for (const double factor : {0.5, 0.985, 1.009, 1.015, 2.0}) {
         for (double Specimen::*size : {&Specimen::height, &Specimen::width}) {
             Specimen s = two_squares();
@@ -98,7 +97,6 @@ TEST(Specimen, HasTheDeclaredSize) {
             factor == 1.009 ? check() : refused.add<InputError>("size", check);
         }
     }
-    expect_golden(refused.text());
 }
 
 /// The first grain again, as the last.
@@ -247,13 +245,12 @@ const std::vector<Offence>& offences() {
 }
 
 TEST(Specimen, IsRefusedForEveryBrokenConvention) {
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     for (const auto& [what, commit] : offences()) {
         Specimen s = two_squares();
         commit(s);
         refused.add<InputError>(what, [&] { validate(s, "broken.h5"); });
     }
-    expect_golden(refused.text());
 }
 
 /// Reads two squares back from a file that `change` has damaged.
@@ -289,11 +286,10 @@ TEST(Specimen, IsComparedWithWhatItsFileSaysTwiceAsItIsRead) {
             out.remove("/contacts/kind");
             out.write<std::uint8_t>("/contacts/kind", std::vector<std::uint8_t>{7}, {1}, "1", "of no kind");
         }};
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     for (std::size_t i = 0; i < changes.size(); ++i) {
         refused.add<InputError>(std::to_string(i), [&] { read_changed(changes[i]); });
     }
-    expect_golden(refused.text());
 }
 
 }  // namespace

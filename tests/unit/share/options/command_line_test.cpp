@@ -15,7 +15,7 @@
 #include "share/base/text.hpp"
 #include "share/options/option_set.hpp"
 #include "share/rock/material.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/rows.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -182,9 +182,7 @@ TEST_F(CommandLines, AreRefusedWithOptionFaultAndRemedy) {
     std::string first, second;
     const OptionSet pair = tool.line.options().add_subcommand("pair", "two options");
     add_text(pair, "--first", first, "one").needs(add_text(pair, "--second", second, "the other"));
-    test::Refusals refused;
-    for (const char* call : {"group", "pair --first 2"}) refused.add<UsageError>(call, [&] { tool.parse(call); });
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add_each<UsageError>({"group", "pair --first 2"}, [&](const char* call) { tool.parse(call); });
 }
 
 TEST_F(CommandLines, WinOverAFile) {

@@ -9,7 +9,7 @@
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "share/rock/material_edit.hpp"
-#include "tests/support/golden.hpp"
+#include "tests/support/golden_refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace graincrack {
@@ -100,13 +100,12 @@ TEST_F(Ratios, GiveWayToValuesAndChoices) {
 }
 
 TEST_F(Ratios, AreKeysOfAMaterialFile) {
-    test::Refusals refused;
+    test::GoldenRefusals refused;
     for (const std::string& text :
          {stone_ratios, std::string("[ratios]\ncohesoin = 3\n"), std::string("[ratios]\ncohesion = 0\n"),
           std::string("[ratios]\ncohesion = \"3 MPa\"\n"), std::string()}) {
         refused.add<InputError>(printable(text), [&] { std::ignore = material(stone_rock + stone_contact + text); });
     }
-    test::expect_golden(refused.text());
     std::ofstream(file_) << whole_stone;
     std::ofstream changed(folder_.file("changed.toml"));
     changed << material_with(file_, {{"ratios.process_zone", "0.5"}, {"contact.tensile_strength", "4 MPa"}});
@@ -128,10 +127,8 @@ TEST_F(Ratios, CompleteAMaterialOfLaboratoryValues) {
     EXPECT_TRUE(stone.notes.empty());  // `material init` says once what K_IC is unless it was measured
     EXPECT_EQ(material(laboratory + "mode_i_toughness = \"1.2 MPa.m^0.5\"\n" + rest).rock.mode_i_toughness, 1.2e6);
     // A [rock] that says its tensile strength needs its toughness, and triangles by default are of no size.
-    test::Refusals refused;
-    refused.add<InputError>("rock",
-                            [&] { std::ignore = material(laboratory + rest + "[rock]\ntensile_strength = \"7 MPa\"\n"); });
-    test::expect_golden(refused.text());
+    test::GoldenRefusals().add<InputError>(
+        "rock", [&] { std::ignore = material(laboratory + rest + "[rock]\ntensile_strength = \"7 MPa\"\n"); });
     EXPECT_EQ(material(laboratory + rest + "[rock]\nyoung_modulus = \"60 GPa\"\n").rock.young_modulus, 60e9);
     EXPECT_FALSE(
         material(stone_rock + stone_contact + "cohesion = 1e7\n[laboratory]\ngrain_size = \"2 mm\"\n").grains.grain_size);
