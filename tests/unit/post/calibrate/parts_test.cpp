@@ -99,14 +99,14 @@ TEST(LocalSurface, LeavesOutPointsWithoutAValue) {
     EXPECT_FALSE(LocalSurface::fit(unit, {points.begin(), points.begin() + 4}, {1, 2, 3, 4}).has_value());
 }
 
+/// The plane x + c y.
+LocalSurface plane_with(double c) {
+    const std::vector<DesignPoint> points = sobol_points(unit, 0, 20);
+    const auto plane = [c](double x, double y) { return x + c * y; };
+    return *LocalSurface::fit(unit, points, values_at(points, plane, 1e-9));
+}
 struct Planes {
-    std::vector<DesignPoint> points = sobol_points(unit, 0, 20);
-    LocalSurface first = *LocalSurface::fit(unit, points,
-                                            values_at(
-                                                points, [](double x, double y) { return x + y; }, 1e-9));
-    LocalSurface second = *LocalSurface::fit(unit, points,
-                                             values_at(
-                                                 points, [](double x, double y) { return x - y; }, 1e-9));
+    LocalSurface first = plane_with(1), second = plane_with(-1);
 };
 
 constexpr double nothing_known = 1e3;  // beforehand
@@ -153,9 +153,7 @@ TEST(Draws, HaveTheCovarianceOfTheOptimum) {
     const Optimum optimum = find_optimum(unit, point(0, 0), residuals, {}, 0.2);
     const Box wide{point(0, 0), point(10, 10)};
     const auto draws = draw(wide, optimum, residuals, {&planes.first, nullptr, &planes.second}, 4000);
-    std::vector<double> x;
-    std::vector<double> sum;
-    std::vector<double> difference;
+    std::vector<double> x, sum, difference;
     for (std::size_t i = 0; i < draws.points.size(); ++i) {
         x.push_back(draws.points[i](0));
         sum.push_back(draws.logs[i][0]);
@@ -172,8 +170,7 @@ TEST(Draws, HaveTheCovarianceOfTheOptimum) {
 TEST(Draws, CorrelateQuantitiesOfTheSameSpecimens) {
     test::Normal normal(5);
     std::vector<std::vector<double>> factors;
-    std::vector<double> first;
-    std::vector<double> second;
+    std::vector<double> first, second;
     for (const DesignPoint& at : sobol_points(unit, 0, 12)) {
         factors.push_back({at(0), at(1)});
         const double of_specimen = normal();
@@ -182,11 +179,8 @@ TEST(Draws, CorrelateQuantitiesOfTheSameSpecimens) {
     }
     const std::vector<SurfaceTerm> terms{{{0, 0}}, {{1, 0}}, {{0, 1}}};
     const auto surface = [&](const std::vector<double>& response) {
-        return LocalSurface(
-            [](const DesignPoint& at) {
-                return calibrate::Located{{at(0), at(1)}};
-            },
-            *LinearModel::fit(terms, factors, response), true);
+        const auto located = [](const DesignPoint& at) { return calibrate::Located{{at(0), at(1)}}; };
+        return LocalSurface(located, *LinearModel::fit(terms, factors, response), true);
     };
     const LocalSurface a = surface(first);
     const LocalSurface b = surface(second);
@@ -194,8 +188,7 @@ TEST(Draws, CorrelateQuantitiesOfTheSameSpecimens) {
     EXPECT_GT(together, 0.5);
     const std::vector<Residual> residuals{{&a, 0, 0.1}};
     const Optimum optimum = find_optimum(unit, point(0, 0), residuals, {}, 1e-6);
-    std::vector<double> of_a;
-    std::vector<double> of_b;
+    std::vector<double> of_a, of_b;
     for (const auto& logs : draw(unit, optimum, residuals, {&a, &b}, 8000).logs) {
         of_a.push_back(logs[0]);
         of_b.push_back(logs[1]);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "post/ccd/design.hpp"
 #include "post/ccd/solve.hpp"
@@ -13,7 +12,7 @@
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
 #include "tests/support/normal.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 #include "tests/support/verify.hpp"
 
 namespace graincrack::ccd {
@@ -121,8 +120,7 @@ TEST(CcdFit, GivesEquation19OfTable7) {
 TEST(CcdFit, GivesTheUnroundedSurfaceOfTheStrengthsOfTable7) {
     const Table7 paper;
     const std::vector<double> confining{0, 4, 8};
-    std::vector<double> cohesion;
-    std::vector<double> friction;
+    std::vector<double> cohesion, friction;
     const auto s0 = paper.table.numbers("s1_at_0");
     const auto s4 = paper.table.numbers("s1_at_4");
     const auto s8 = paper.table.numbers("s1_at_8");
@@ -226,8 +224,7 @@ TEST(Desirability, IsThatOfDerringerAndSuich) {
 
 TEST(CcdSolve, GivesTheNearestToTheCentreOfFewerTargetsThanFactors) {
     const auto runs = coded_runs(3, Star::rotatable, 3);
-    std::vector<double> plane;
-    std::vector<double> sphere;
+    std::vector<double> plane, sphere;
     for (const auto& x : runs) {
         plane.push_back(x[0] + 2 * x[1] + 2 * x[2]);
         sphere.push_back(std::pow(x[0] - 2, 2) + x[1] * x[1] + x[2] * x[2]);
@@ -272,9 +269,9 @@ TEST(CcdSolve, WritesEachColumnOfCodedFactorsOnce) {
         file << x[0] << '\t' << x[1] << '\t' << x[0] + 2 * x[1] * x[1] << '\n';
     }
     file.close();
-    std::ostringstream out;
-    write_solution(out, folder.file("t.tsv"), {{}, {{"y=1"}, {}, {}}}, TableFormat::tsv);
-    test::expect_golden(out.str().substr(0, out.str().find('\n')));
+    const SolveOptions options{{}, {{"y=1"}, {}, {}}};
+    const std::string table = test::written(write_solution, folder.file("t.tsv"), options, TableFormat::tsv);
+    test::expect_golden(table.substr(0, table.find('\n')));
 }
 
 TEST(CcdRuns, CodeColumnsByGivenFactors) {

@@ -4,11 +4,10 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -117,9 +116,7 @@ protected:
     std::vector<std::string> three_runs() { return {run("0", planted(0)), run("4", planted(4e6)), run("8", planted(8e6))}; }
     std::string table(const std::vector<std::string>& runs, const EnvelopeOptions& options,
                       TableFormat format = TableFormat::tsv) {
-        std::ostringstream out;
-        write_envelope_table(out, runs, format, options, notes_);
-        return out.str();
+        return test::written(write_envelope_table, runs, format, options, notes_);
     }
     void refuse(const std::string& what, const std::vector<std::string>& runs, const EnvelopeOptions& options) {
         refused_.add<InputError>(what, [&] { table(runs, options); });

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <sstream>
 
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/emission.hpp"
 #include "post/cracks/fragments.hpp"
 #include "post/cracks/rosette.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -43,9 +42,7 @@ TEST(Fragments, AreTwoBehindACutThrough) {
     EXPECT_NEAR(two.all[1].centre[0], 0, 1e-12);
     EXPECT_NEAR(two.all[0].diameter(), 2 * std::sqrt(0.0012 / std::numbers::pi), 1e-12);
     EXPECT_EQ(two.single_grains(), 0U);
-    std::ostringstream out;
-    write_fragments(out, two, TableFormat::tsv);
-    EXPECT_EQ(test::field(out.str(), "share_of_area"), "0.75");
+    EXPECT_EQ(test::field(test::written(write_fragments, two, TableFormat::tsv), "share_of_area"), "0.75");
     for (std::size_t g = 0; g < s.n_grains(); ++g) EXPECT_EQ(two.of_grain[g], g >= 24 ? 1U : 0U);
 }
 
@@ -184,11 +181,11 @@ TEST(Rosette, CountsAsAlongTheLoadWhatIsWithin30Degrees) {
 }
 
 TEST(Rosette, HasNoSharesWithoutCracks) {
-    std::ostringstream out;
-    write_rosette(out, crack_rosette({}, test::grid_specimen(4, 4, 0.04, 0.04)), TableFormat::tsv);
-    EXPECT_EQ(test::parse_tsv(out.str()).size(), 19U);
-    EXPECT_EQ(test::field(out.str(), "tensile_share"), "");
-    EXPECT_NE(test::field(out.str(), "facet_share"), "");
+    const Rosette rosette = crack_rosette({}, test::grid_specimen(4, 4, 0.04, 0.04));
+    const std::string table = test::written(write_rosette, rosette, TableFormat::tsv);
+    EXPECT_EQ(test::parse_tsv(table).size(), 19U);
+    EXPECT_EQ(test::field(table, "tensile_share"), "");
+    EXPECT_NE(test::field(table, "facet_share"), "");
 }
 
 /// A cell of two grains is a crystal: two crystals side by side.
@@ -239,9 +236,7 @@ TEST(CrackedCrystals, HaveCracksWithinOrAround) {
     EXPECT_EQ(fragments.all[1].crystals, 1U);
     // A tensile crack in the first, half a crack in shear around both. One half of the first has lost the other, and is alone:
     // the other half hangs on the neighbour.
-    std::ostringstream out;
-    write_crystals(out, crystals, TableFormat::tsv);
-    test::expect_golden(out.str());
+    test::expect_golden(test::written(write_crystals, crystals, TableFormat::tsv));
 }
 
 TEST(CrackedCrystals, AreCountedOnceForEachMode) {

@@ -4,12 +4,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "post/plot/plots.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -17,22 +16,12 @@ namespace {
 const std::vector<double> edges{2e-3, 3e-3, 5e-3, 7.5e-3};
 
 RunData run_of(double edge, double strength, const std::string& test = "brazilian") {
-    test::Recipe recipe;
-    recipe.test = test;
-    recipe.plane = PlaneCondition::stress;
-    recipe.peak = strength;
-    RunData run;
-    run.name = "run.h5";
-    run.header = test::synthetic_header(recipe);
-    run.history = test::synthetic_history(recipe);
-    run.specimen = {0.08, 0.08, 1, 100, edge};
-    return run;
+    const test::Recipe recipe{.test = test, .plane = PlaneCondition::stress, .peak = strength};
+    return {"run.h5", test::synthetic_header(recipe), test::synthetic_history(recipe), {0.08, 0.08, 1, 100, edge}};
 }
 
 std::string table_of(const std::vector<RunData>& runs, const EnvelopeOptions& options, std::ostream& notes) {
-    std::ostringstream out;
-    write_size_effect_table(out, runs, TableFormat::tsv, options, notes);
-    return out.str();
+    return test::written(write_size_effect_table, runs, TableFormat::tsv, options, notes);
 }
 
 TEST(SizeEffect, FindsAnExactPowerLaw) {
@@ -71,8 +60,8 @@ TEST(SizeEffect, HasASeriesForEachTestWithTheZone) {
     // (9π/32) E Gf/tc² over the edge, plane stress
     const double energy = test::synthetic_header({.plane = PlaneCondition::stress}).contact.fracture_energy;
     const double zone = 9 * std::numbers::pi / 32 * 25.8e9 * energy / (24.15e6 * 24.15e6);
-    EXPECT_NEAR(std::stod(test::field(table, "zone_over_smallest_edge")), zone / 2e-3, 1e-5);
-    EXPECT_NEAR(std::stod(test::field(table, "exponent", 1)), 0, 1e-9);
+    EXPECT_NEAR(test::number_in(table, "zone_over_smallest_edge"), zone / 2e-3, 1e-5);
+    EXPECT_NEAR(test::number_in(table, "exponent", 1), 0, 1e-9);
     EXPECT_EQ(test::field(table, "paper_exponent", 1), "");
     test::expect_golden(draw_size_effect(collect_sizes(runs, EnvelopeOptions{})).words());
 }
@@ -111,10 +100,7 @@ TEST(SizeEffect, NeedsTwoSizesOfRunsThatFailed) {
     add("one size", {run_of(1.99e-3, 8e6), run_of(2e-3, 9e6)}, StrengthKind::first_peak);
     std::vector<RunData> at_strain_limit{run_of(2e-3, 8e6), run_of(4e-3, 9e6)};
     at_strain_limit[1].header.stop_reason = "strain limit";
-    test::Recipe without_fall;
-    without_fall.test = "brazilian";
-    without_fall.drop = 0;
-    at_strain_limit[1].history = test::synthetic_history(without_fall);
+    at_strain_limit[1].history = test::synthetic_history({.test = "brazilian", .drop = 0});
     add("one test that did not fail", at_strain_limit, StrengthKind::largest);
     add("one size without the test that did not fail", at_strain_limit, StrengthKind::first_peak);
     std::vector<RunData> three = at_strain_limit;

@@ -6,13 +6,12 @@
 
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "tests/support/golden_refusals.hpp"
 #include "tests/support/synthetic_kind.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -25,8 +24,7 @@ const Property& first_peak = property_named("first_peak");
 
 std::vector<KindRow> granite_and_gabbro(const SyntheticKind& planted) {
     std::vector<KindRow> rows = planted.rows(70);
-    const std::vector<KindRow> gabbro = planted.rows(20, 2, "gabbro");
-    for (const KindRow& row : gabbro) {
+    for (const KindRow& row : planted.rows(20, 2, "gabbro")) {
         if (row.property != "toughness") rows.push_back(row);
     }
     return rows;
@@ -60,8 +58,7 @@ TEST(KindSurface, FindsWhatWasPlanted) {
 
 TEST(KindSurface, HasIntervalsThatHoldNewSpecimens) {
     const SyntheticKind planted;
-    int n = 0;
-    int within = 0;
+    int n = 0, within = 0;
     double deviations = 0;  // of means, squared
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
         const KindSurface surface(planted.rows(60, seed), "granite");
@@ -85,12 +82,10 @@ TEST(KindSurface, HasIntervalsThatHoldNewSpecimens) {
 TEST(KindSurface, TakesRunsOfOtherKindsOnOneSpecimenForThatSpecimen) {
     const SyntheticKind exact{.scatter = 0};
     double off = 0;  // over the deviation, squared
-    double together = 0;
-    double apart = 0;
+    double together = 0, apart = 0;
     for (std::uint32_t seed = 1; seed <= 60; ++seed) {
         test::Normal normal(seed);
-        std::vector<KindRow> rows;
-        std::vector<KindRow> with_own_names;
+        std::vector<KindRow> rows, with_own_names;
         std::vector<KindCoordinates> six;
         for (const KindRow& row : exact.rows(60, seed)) {
             if (row.property != "uniaxial") continue;
@@ -125,8 +120,7 @@ TEST(KindSurface, KnowsMeansOfRocksByTheirNumber) {
     const SyntheticKind planted;
     const KindCoordinates at{1, 1, 5, 0.77, 0.45, 0.7, 80, 0, 0};
     const double mean = planted.log_of("uniaxial", at, 0);
-    int within = 0;
-    int within_normal = 0;
+    int within = 0, within_normal = 0;
     for (std::uint32_t seed = 1; seed <= 400; ++seed) {
         test::Normal normal(seed);
         std::vector<KindRow> rows = planted.rows(20, seed);
@@ -244,22 +238,20 @@ TEST(KindTable, RefusesWrongRows) {
 TEST(KindTable, HasTermsAndRocks) {
     std::vector<KindRow> rows = SyntheticKind{}.rows(70);
     const KindSurface surface(rows, "granite");
-    std::ostringstream terms;
-    write_kind_terms(terms, surface, TableFormat::tsv);
-    EXPECT_NE(terms.str().find("\nuniaxial\tln(cohesion/5)^2\t"), std::string::npos);
-    EXPECT_NE(terms.str().find("\nfirst_peak\tln(cohesion/5) ln(confining_pressure/1.5)\t"), std::string::npos);
+    const std::string terms = test::written(write_kind_terms, surface, TableFormat::tsv);
+    EXPECT_NE(terms.find("\nuniaxial\tln(cohesion/5)^2\t"), std::string::npos);
+    EXPECT_NE(terms.find("\nfirst_peak\tln(cohesion/5) ln(confining_pressure/1.5)\t"), std::string::npos);
     rows.resize(2);
     rows[0].is_rock = rows[1].is_rock = true;
     rows[0].point = "Augig granite";
     rows[0].value = 1.1 * surface.predict(rows[0].at, uniaxial, 0)->value;
     rows[0].specimens = 9;
     rows[1].at.cohesion = 30;
-    std::ostringstream rocks;
-    write_kind_rocks(rocks, surface, rows, TableFormat::tsv);
-    EXPECT_EQ(test::field(rocks.str(), "rock", 0), "Augig granite");
-    EXPECT_NEAR(std::stod(test::field(rocks.str(), "off_percent", 0)), 100 / 1.1 - 100, 1e-4);
-    EXPECT_LT(std::stod(test::field(rocks.str(), "low_percent", 0)), 100 / 1.1 - 103);
-    EXPECT_EQ(test::field(rocks.str(), "predicted", 1), "");
+    const std::string rocks = test::written(write_kind_rocks, surface, rows, TableFormat::tsv);
+    EXPECT_EQ(test::field(rocks, "rock", 0), "Augig granite");
+    EXPECT_NEAR(test::number_in(rocks, "off_percent", 0), 100 / 1.1 - 100, 1e-4);
+    EXPECT_LT(test::number_in(rocks, "low_percent", 0), 100 / 1.1 - 103);
+    EXPECT_EQ(test::field(rocks, "predicted", 1), "");
 }
 
 }  // namespace

@@ -8,14 +8,13 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <sstream>
 
 #include "post/calibrate/predicted.hpp"
 #include "share/base/error.hpp"
 #include "share/rock/material_edit.hpp"
 #include "tests/support/golden_refusals.hpp"
 #include "tests/support/synthetic_kind.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -38,10 +37,7 @@ std::string cells(const std::string& table, const std::vector<std::string>& colu
 class Properties : public ::testing::Test {
 protected:
     void add(const std::string& test, std::int64_t seed, double peak, double confining = 0) {
-        Recipe recipe;
-        recipe.test = test;
-        recipe.peak = peak;
-        recipe.confining_pressure = confining;
+        Recipe recipe{.test = test, .confining_pressure = confining, .peak = peak};
         recipe.specimen.seed = seed;
         if (test == "brazilian") recipe.specimen.shape = "disc";
         files_.push_back(folder_.file(std::to_string(files_.size()) + ".h5"));
@@ -51,9 +47,7 @@ protected:
         return property_rows(runs, {material_, {}, {}}, {.strength = kind}, why_);
     }
     [[nodiscard]] std::string table(const std::vector<RunData>& runs) {
-        std::ostringstream out;
-        write_properties(out, rows(runs), TableFormat::tsv);
-        return out.str();
+        return test::written(write_properties, rows(runs), TableFormat::tsv);
     }
     [[nodiscard]] std::map<std::string, ComparisonRow> measured() {
         std::map<std::string, ComparisonRow> by_name;
@@ -89,10 +83,8 @@ TEST_F(Properties, AreOfComparableRunsOfTheMaterialAlone) {
     refused.add<InputError>("another material", require);
     material_.name = "Augig granite";
     refused.add<InputError>("another cohesion", require);
-    Recipe recipe;
-    recipe.specimen = test::grid_specimen(16, 32, 0.08, 0.16);
     files_.push_back(folder_.file("fine.h5"));
-    test::write_run(files_.back(), recipe);
+    test::write_run(files_.back(), {.specimen = test::grid_specimen(16, 32, 0.08, 0.16)});
     refused.add<InputError>("finer grains", [&] { (void)measured(); });
 }
 
@@ -166,19 +158,14 @@ TEST_F(Properties, AreADatasheetInATerminal) {
     add("uniaxial", 1, 120e6);
     add("brazilian", 1, 8e6);
     add("brazilian", 2, 12e6);
-    std::ostringstream out;
-    write_properties(out, rows(read_runs(files_), StrengthKind::first_peak), TableFormat::aligned);
-    test::expect_golden(out.str());
+    test::expect_golden(test::written(write_properties, rows(read_runs(files_), StrengthKind::first_peak), TableFormat::aligned));
 }
 
 TEST_F(Properties, LeaveOutTestsThatDidNotFail) {
     add("uniaxial", 1, 120e6);
     add("uniaxial", 2, 26e6);
     std::vector<RunData> runs = read_runs(files_);
-    Recipe short_test;
-    short_test.peak = 26e6;
-    short_test.drop = 0;
-    runs[1].history = test::synthetic_history(short_test);
+    runs[1].history = test::synthetic_history({.peak = 26e6, .drop = 0});
     runs[1].header.stop_reason = "strain limit";
     for (const ComparisonRow& row : rows(runs, StrengthKind::first_peak)) {
         if (row.column != "s1_at_0_MPa") continue;
@@ -203,14 +190,13 @@ TEST_F(Properties, HaveValuesOfTheKindOfRockWithoutRunsToo) {
     const Material whole = read_material(file);
     const double ucs = KindSurface::of(whole)->predict(whole, property_named("uniaxial"), 0)->value * 1e-6;
     const auto predicted = [&](const IncompleteMaterial& of) { return property_rows(read_runs(files_), of, {}, why_); };
-    std::ostringstream out;
-    write_properties(out, predicted(rock), TableFormat::tsv);
+    const std::string values = test::written(write_properties, predicted(rock), TableFormat::tsv);
     EXPECT_EQ(why_, "");
-    test::expect_golden(cells(out.str(), {"property", "ours", "laboratory"}));  // at the pressures of its [targets]
-    EXPECT_NEAR(std::stod(field(out.str(), "kind_median", 2)), ucs, 1e-4 * ucs);
+    test::expect_golden(cells(values, {"property", "ours", "laboratory"}));  // at the pressures of its [targets]
+    EXPECT_NEAR(test::number_in(values, "kind_median", 2), ucs, 1e-4 * ucs);
     double last = 0;
     for (const char* column : {"kind_95_low", "kind_50_low", "kind_median", "kind_50_high", "kind_95_high"}) {
-        const double value = std::stod(field(out.str(), column, 2));
+        const double value = test::number_in(values, column, 2);
         EXPECT_GT(value, last) << column;
         last = value;
     }
@@ -262,11 +248,11 @@ TEST_F(Properties, CompareHeatedSpecimensWithNeitherLaboratoryNorKind) {
     std::vector<RunData> runs = read_runs(files_);
     for (RunData& run : runs) run.header.heat = 300;
     for (const std::string rock : {"augig-granite", "wausau-granite-calibrated"}) {
-        std::ostringstream out;
-        write_properties(out, property_rows(runs, read_incomplete_material(rock), {}, why_), TableFormat::tsv);
+        const auto compared = property_rows(runs, read_incomplete_material(rock), {}, why_);
+        const std::string values = test::written(write_properties, compared, TableFormat::tsv);
         const std::string heated =
-            cells(out.str(), {"property", "specimens", "laboratory", "off_laboratory_percent", "kind_median", "kind_95_high"}, 7);
-        test::expect_golden(heated + "\n" + cells(out.str(), {"property"}), rock);
+            cells(values, {"property", "specimens", "laboratory", "off_laboratory_percent", "kind_median", "kind_95_high"}, 7);
+        test::expect_golden(heated + "\n" + cells(values, {"property"}), rock);
     }
 }
 

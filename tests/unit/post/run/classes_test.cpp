@@ -3,14 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <sstream>
-
 #include "post/cracks/crack_counts.hpp"
 #include "post/cracks/export.hpp"
 #include "post/plot/plots.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -83,20 +80,13 @@ TEST_F(Classes, CountTheirOwnCracksAlone) {
 
 TEST_F(Classes, HaveATableWithARowEachAndForPeopleTheirSum) {
     const std::vector<RunClasses> runs{read_classes(RunReader(path("run.h5")), {})};
-    for (const TableFormat format : {TableFormat::tsv, TableFormat::aligned}) {
-        std::ostringstream table;
-        write_class_counts(table, runs, format);
-        test::expect_golden(table.str(), format == TableFormat::tsv ? "scripts" : "people");
-    }
+    test::expect_golden(test::written(write_class_counts, runs, TableFormat::tsv), "scripts");
+    test::expect_golden(test::written(write_class_counts, runs, TableFormat::aligned), "people");
 }
 
 TEST_F(Classes, AreNamedInTheCrackLogWhereThereAreSeveralPhases) {
     const std::vector<Crack> log = test::synthetic_cracks(recipe_.specimen);
-    const auto table_of = [&](const Specimen& specimen) {
-        std::ostringstream out;
-        write_crack_table(out, log, specimen, TableFormat::tsv);
-        return out.str();
-    };
+    const auto table_of = [&](const Specimen& s) { return test::written(write_crack_table, log, s, TableFormat::tsv); };
     const ContactClasses classes = classes_of(recipe_.specimen);
     const std::string table = table_of(recipe_.specimen);
     for (std::size_t i = 0; i < log.size(); ++i) EXPECT_EQ(test::field(table, "class", i), classes.name_of(log[i]));

@@ -13,13 +13,9 @@ namespace graincrack {
 namespace {
 
 RunData data_of(const test::Recipe& recipe) {
-    RunData run;
-    run.name = "run.h5";
-    run.header = test::synthetic_header(recipe);
-    run.history = test::synthetic_history(recipe);
-    run.specimen = {recipe.specimen.width, recipe.specimen.height, 7, static_cast<std::int64_t>(recipe.specimen.n_grains()),
-                    0.005};
-    return run;
+    const Specimen& s = recipe.specimen;
+    const SpecimenSummary specimen{s.width, s.height, 7, static_cast<std::int64_t>(s.n_grains()), 0.005};
+    return {"run.h5", test::synthetic_header(recipe), test::synthetic_history(recipe), specimen};
 }
 
 TEST(LoadCurve, IsPositiveInCompressionAndPeaksWherePlanted) {

@@ -5,13 +5,12 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <tuple>
 
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
 #include "tests/support/rows.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/table_text.hpp"
 
 namespace graincrack::summary {
 namespace {
@@ -33,9 +32,7 @@ protected:
     }
     [[nodiscard]] static std::string summary_of(const std::vector<std::string>& files, const SummaryOptions& options,
                                                 TableFormat format = TableFormat::tsv) {
-        std::ostringstream out;
-        write_summary(out, files, options, format);
-        return out.str();
+        return test::written(write_summary, files, options, format);
     }
     /// One entry, of the four discs at level 10.
     [[nodiscard]] std::string entry(const std::string& expression) const {

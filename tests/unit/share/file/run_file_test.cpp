@@ -3,11 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <set>
 
 #include "share/base/error.hpp"
@@ -39,35 +36,16 @@ RunHeader header() {
     h.mass_scaling = "selective";
     h.stop_reason = "peak drop";
     h.steps = 5000000000;
-    double value = 0.5;
-    for (double* member : {&h.rock.young_modulus,
-                           &h.rock.poisson_ratio,
-                           &h.rock.density,
-                           &h.rock.mode_i_toughness,
-                           &h.rock.mode_ii_toughness,
-                           &h.rock.tensile_strength,
-                           &h.contact.critical_opening,
-                           &h.contact.critical_sliding,
-                           &h.contact.ultimate_opening,
-                           &h.platen_friction,
-                           &h.confining_pressure,
-                           &h.rate_tolerance,
-                           &h.platen_speed,
-                           &h.damping,
-                           &h.peak_drop,
-                           &h.max_strain,
-                           &h.stable_time_step,
-                           &h.time_step,
-                           &h.isotropic_end_time,
-                           &h.peak_axial_stress,
-                           &h.energy_scale,
-                           &h.energy_balance_error,
-                           &h.platen_force_difference,
-                           &h.confinement_mean,
-                           &h.confinement_deviation,
-                           &h.damping_share}) {
-        *member = ++value;
-    }
+    h.rock = {1.5, 2.5, 3.5, 4.5, 5.5, 6.5};
+    double value = 6.5;
+    const auto number = [&](std::initializer_list<double*> members) {
+        for (double* member : members) *member = ++value;
+    };
+    number({&h.contact.critical_opening, &h.contact.critical_sliding, &h.contact.ultimate_opening});
+    number({&h.platen_friction, &h.confining_pressure, &h.rate_tolerance, &h.platen_speed, &h.damping, &h.peak_drop,
+            &h.max_strain, &h.stable_time_step, &h.time_step, &h.isotropic_end_time});
+    number({&h.peak_axial_stress, &h.energy_scale, &h.energy_balance_error, &h.platen_force_difference, &h.confinement_mean,
+            &h.confinement_deviation, &h.damping_share});
     for (const ContactParameter& row : all_contact_parameters()) h.contact.*row.value = ++value;
     return h;
 }
@@ -111,23 +89,12 @@ Frame frame_at(double time) {
 }
 
 std::vector<Crack> cracks() {
-    return {{0.5, 500, 3, 1, CrackMode::tensile, 0.1, {0.001, -0.002}, 1.2, 0.005, 1e-6, -2e-6, 0.75},
-            {0.6,
-             6000000000,
-             2,
-             0,
-             CrackMode::shear,
-             2.2,
-             {-0.003, 0.004},
-             0.0,
-             0.0025,
-             -1e-7,
-             3e-6,
-             0.25,
-             {0.65, 1e-7, 1e-6},
-             {0.7, 2e-7, 2e-6},
-             {0.8, 2e-6, -4e-6},
-             {0.9, 3e-6, 5e-6}}};
+    Crack failed_in_shear{0.6, 6000000000, 2, 0, CrackMode::shear, 2.2, {-0.003, 0.004}, 0.0, 0.0025, -1e-7, 3e-6, 0.25};
+    failed_in_shear.damaged_10 = {0.65, 1e-7, 1e-6};
+    failed_in_shear.damaged_50 = {0.7, 2e-7, 2e-6};
+    failed_in_shear.broken = {0.8, 2e-6, -4e-6};
+    failed_in_shear.separated = {0.9, 3e-6, 5e-6};
+    return {{0.5, 500, 3, 1, CrackMode::tensile, 0.1, {0.001, -0.002}, 1.2, 0.005, 1e-6, -2e-6, 0.75}, failed_in_shear};
 }
 
 /// Writes a run, to which `write` may add data before the file is finished.

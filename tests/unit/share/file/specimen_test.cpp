@@ -99,6 +99,21 @@ TEST(Specimen, HasTheDeclaredSize) {
     }
 }
 
+void add_boundary_edge(Specimen& s, std::int32_t from, std::int32_t to, std::uint8_t part) {
+    s.boundary_edges.push_back({from, to});
+    s.boundary_part.push_back(part);
+}
+
+/// The first contact with some of its nodes.
+void take_nodes(Specimen& s, std::size_t a1, std::size_t a2, std::size_t b1, std::size_t b2) {
+    const auto nodes = s.contact_nodes[0];
+    s.contact_nodes[0] = {nodes[a1], nodes[a2], nodes[b1], nodes[b2]};
+}
+
+void move_nodes(Specimen& s, std::size_t axis, double by) {
+    for (auto& p : s.node_position) p[axis] += by;
+}
+
 /// The first grain again, as the last.
 void repeat_grain(Specimen& s) {
     const auto first_node = static_cast<std::int32_t>(s.n_nodes());
@@ -109,8 +124,7 @@ void repeat_grain(Specimen& s) {
         s.element_nodes.push_back({next - 3, next - 2, next - 1});
         s.element_grain.push_back(static_cast<std::int32_t>(s.n_grains()));
     }
-    s.boundary_edges.push_back({first_node, first_node + 1});
-    s.boundary_part.push_back(0);
+    add_boundary_edge(s, first_node, first_node + 1, 0);
     s.grain_phase.push_back(0);
     s.grain_area.push_back(s.grain_area[0]);
 }
@@ -187,14 +201,8 @@ const std::vector<Offence>& offences() {
         {"negative arc", [](Specimen& s) { s.loading_arc = -0.1; }},
         {"arc in degrees", [](Specimen& s) { s.loading_arc = 8; }},
         {"arc of another side", [](Specimen& s) { s.loading_arc = 1.02 * 2 * std::atan2(s.width, s.height); }},
-        {"middle off the origin",
-         [](Specimen& s) {
-             for (auto& p : s.node_position) p[1] += 0.0011 * s.height;
-         }},
-        {"middle off the origin along x",
-         [](Specimen& s) {
-             for (auto& p : s.node_position) p[0] -= 0.0011 * s.width;
-         }},
+        {"middle off the origin", [](Specimen& s) { move_nodes(s, 1, 0.0011 * s.height); }},
+        {"middle off the origin along x", [](Specimen& s) { move_nodes(s, 0, -0.0011 * s.width); }},
         {"contact twice",
          [](Specimen& s) {
              s.contact_nodes.push_back(s.contact_nodes[0]);
@@ -202,39 +210,22 @@ const std::vector<Offence>& offences() {
              s.contact_kind.push_back(0);
          }},
         {"boundary edge twice",
-         [](Specimen& s) {
-             s.boundary_edges.push_back(s.boundary_edges[2]);
-             s.boundary_part.push_back(s.boundary_part[2]);
-         }},
+         [](Specimen& s) { add_boundary_edge(s, s.boundary_edges[2][0], s.boundary_edges[2][1], s.boundary_part[2]); }},
         {"contact in the boundary too",
-         [](Specimen& s) {
-             s.boundary_edges.push_back({s.contact_nodes[0][0], s.contact_nodes[0][1]});
-             s.boundary_part.push_back(4);
-         }},
+         [](Specimen& s) { add_boundary_edge(s, s.contact_nodes[0][0], s.contact_nodes[0][1], 4); }},
         {"inside of a grain as boundary",
-         [](Specimen& s) {
-             s.boundary_edges.push_back({s.element_nodes[0][2], s.element_nodes[0][0]});
-             s.boundary_part.push_back(4);
-         }},
+         [](Specimen& s) { add_boundary_edge(s, s.element_nodes[0][2], s.element_nodes[0][0], 4); }},
         {"unknown phase", [](Specimen& s) { s.grain_phase[1] = 1; }},
         {"contact with a node that is not there", [](Specimen& s) { s.contact_nodes[0][3] = 99; }},
-        {"grain a above grain b", [](Specimen& s) { std::reverse(s.contact_nodes[0].begin(), s.contact_nodes[0].end()); }},
-        {"contact within a grain", [](Specimen& s) { s.contact_nodes[0][2] = s.contact_nodes[0][0]; }},
-        {"contact turned about: a1→a2 clockwise around a",
-         [](Specimen& s) {
-             auto& c = s.contact_nodes[0];
-             c = {c[1], c[0], c[3], c[2]};
-         }},
-        {"contact of crossed edges", [](Specimen& s) { std::swap(s.contact_nodes[0][2], s.contact_nodes[0][3]); }},
+        {"grain a above grain b", [](Specimen& s) { take_nodes(s, 3, 2, 1, 0); }},
+        {"contact within a grain", [](Specimen& s) { take_nodes(s, 0, 1, 0, 3); }},
+        {"contact turned about: a1→a2 clockwise around a", [](Specimen& s) { take_nodes(s, 1, 0, 3, 2); }},
+        {"contact of crossed edges", [](Specimen& s) { take_nodes(s, 0, 1, 3, 2); }},
         {"contact with a gap",
          [](Specimen& s) {
              for (const std::size_t k : {2U, 3U}) s.node_position[s.contact_nodes[0][k]][0] += 1e-8 * s.width;
          }},
-        {"contact without length",
-         [](Specimen& s) {
-             auto& c = s.contact_nodes[0];
-             c = {c[0], c[0], c[2], c[2]};
-         }},
+        {"contact without length", [](Specimen& s) { take_nodes(s, 0, 0, 2, 2); }},
         {"unknown kind of contact", [](Specimen& s) { s.contact_kind[0] = 4; }},
         {"boundary node that is not there", [](Specimen& s) { s.boundary_edges[4][1] = -2; }},
         {"boundary edge with the solid on its right",
