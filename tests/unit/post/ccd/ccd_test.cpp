@@ -12,7 +12,7 @@
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
 #include "tests/support/normal.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/verify.hpp"
 
 namespace graincrack::ccd {

@@ -6,24 +6,21 @@
 #include "post/chart/font.hpp"
 #include "post/chart/page.hpp"
 #include "post/plot/plots.hpp"
-#include "post/run/run_state.hpp"
 #include "tests/support/drawing_shapes.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
 
-class Layout : public ::testing::TestWithParam<double> {
+class Layout : public test::RunFolder, public ::testing::WithParamInterface<double> {
 protected:
     void SetUp() override {
         style_.page_width = page_width_on_paper(GetParam());
-        test::write_run(path("run.h5"), recipe_);
+        run("run.h5", recipe_);
     }
-    std::string path(const std::string& name) const { return folder_.file(name); }
     RunData run_of(const std::string& test, double peak, double confining, const std::string& name) const {
         const PlaneCondition plane = test == "brazilian" ? PlaneCondition::stress : PlaneCondition::strain;
-        test::write_run(path(name), {.test = test, .plane = plane, .confining_pressure = confining, .peak = peak});
-        return read_run_data(path(name));
+        return read_run_data(run(name, {.test = test, .plane = plane, .confining_pressure = confining, .peak = peak}));
     }
     void expect_fit_to_print(const Drawing& drawing, const std::string& what) const {
         const std::vector<Text> texts = test::texts_of(drawing);
@@ -42,7 +39,6 @@ protected:
         }
     }
     test::Recipe recipe_;
-    test::TemporaryFolder folder_;
     PictureStyle style_;
 };
 

@@ -7,15 +7,12 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
-#include <sstream>
 
-#include "post/chart/font.hpp"
 #include "post/command_line.hpp"
 #include "post/plot/plots.hpp"
-#include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
@@ -38,14 +35,13 @@ int pixels_of(const std::string& path, Colour colour) {
     return count;
 }
 
-class Picture : public ::testing::Test {
+class Picture : public test::RunFolder {
 protected:
     void SetUp() override {
         ::unsetenv("DISPLAY");
         ::unsetenv("WAYLAND_DISPLAY");
         test::write_run(path("run.h5"), recipe_);
     }
-    std::string path(const std::string& name) const { return folder_.file(name); }
     Drawing cracks(const std::string& frame, const std::string& run = "run.h5") const {
         return draw_cracks(RunReader(path(run)), {frame, std::nullopt, 1});
     }
@@ -62,7 +58,6 @@ protected:
     }
     test::Recipe recipe_;
     test::GoldenRefusals refused_{"refused"};
-    test::TemporaryFolder folder_;
 };
 
 TEST_F(Picture, CoversEarlierShapesByLaterOnesAtTheirPlace) {

@@ -7,7 +7,7 @@
 
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
@@ -99,12 +99,8 @@ TEST(Envelope, HasNoIntervalOfWhatIsNotDetermined) {
     EXPECT_NEAR(upwards.friction_angle.value * degrees, 69.8, 0.05);
 }
 
-class EnvelopeTable : public ::testing::Test {
+class EnvelopeTable : public test::RunFolder {
 protected:
-    std::string run(const std::string& name, const Recipe& recipe) {
-        test::write_run(folder_.file(name), recipe);
-        return folder_.file(name);
-    }
     /// Of a compression test of the planted cohesion and friction.
     static Recipe planted(double confining, double drop = 0.5, const std::string& stop = "peak drop") {
         return {.test = confining > 0 ? "triaxial" : "uniaxial",
@@ -125,7 +121,6 @@ protected:
     const EnvelopeOptions accepted_{StrainLimitRuns::accept, StrengthKind::largest};
     std::ostringstream notes_;
     test::GoldenRefusals refused_;
-    test::TemporaryFolder folder_;
 };
 
 TEST_F(EnvelopeTable, HasRunsEndedByTheStrainCapIfTheyAreAccepted) {

@@ -13,7 +13,6 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -21,7 +20,7 @@
 #include "post/run/run_state.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
@@ -38,10 +37,10 @@ double data_of(vtkPolyData* lines, const char* name, std::size_t cell) {
     return lines->GetCellData()->GetArray(name)->GetComponent(static_cast<vtkIdType>(cell), 0);
 }
 
-class CrackMap : public ::testing::Test {
+class CrackMap : public test::RunFolder {
 protected:
     void SetUp() override {
-        test::write_run(folder_.file("run.h5"), recipe_);
+        run("run.h5", recipe_);
         export_run("run.h5", "map");
     }
     std::string map(const std::string& name) const { return folder_.file("map/" + name); }
@@ -49,7 +48,6 @@ protected:
         export_cracks(RunReader(folder_.file(run)), folder_.file(folder), options, Verbosity::quiet);
     }
     test::Recipe recipe_;
-    test::TemporaryFolder folder_;
 };
 
 TEST_F(CrackMap, NamesEveryFrameOfASeriesWithItsTime) {

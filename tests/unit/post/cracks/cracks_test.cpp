@@ -10,7 +10,7 @@
 #include "post/cracks/fragments.hpp"
 #include "post/cracks/rosette.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {

@@ -8,7 +8,7 @@
 #include "post/plot/plots.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {

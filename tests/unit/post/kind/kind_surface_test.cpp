@@ -10,8 +10,8 @@
 #include "share/base/error.hpp"
 #include "share/base/text.hpp"
 #include "tests/support/golden_refusals.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/synthetic_kind.hpp"
-#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {

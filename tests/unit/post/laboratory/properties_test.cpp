@@ -13,8 +13,8 @@
 #include "share/base/error.hpp"
 #include "share/rock/material_edit.hpp"
 #include "tests/support/golden_refusals.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/synthetic_kind.hpp"
-#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -34,14 +34,13 @@ std::string cells(const std::string& table, const std::vector<std::string>& colu
     return text;
 }
 
-class Properties : public ::testing::Test {
+class Properties : public test::RunFolder {
 protected:
     void add(const std::string& test, std::int64_t seed, double peak, double confining = 0) {
         Recipe recipe{.test = test, .confining_pressure = confining, .peak = peak};
         recipe.specimen.seed = seed;
         if (test == "brazilian") recipe.specimen.shape = "disc";
-        files_.push_back(folder_.file(std::to_string(files_.size()) + ".h5"));
-        test::write_run(files_.back(), recipe);
+        files_.push_back(run(std::to_string(files_.size()) + ".h5", recipe));
     }
     [[nodiscard]] std::vector<ComparisonRow> rows(const std::vector<RunData>& runs, StrengthKind kind = StrengthKind::largest) {
         return property_rows(runs, {material_, {}, {}}, {.strength = kind}, why_);
@@ -64,7 +63,6 @@ protected:
         return NAN;
     }
     std::string why_;
-    test::TemporaryFolder folder_;
     std::vector<std::string> files_;
     Material material_ = read_material("augig-granite");
 };
@@ -83,8 +81,7 @@ TEST_F(Properties, AreOfComparableRunsOfTheMaterialAlone) {
     refused.add<InputError>("another material", require);
     material_.name = "Augig granite";
     refused.add<InputError>("another cohesion", require);
-    files_.push_back(folder_.file("fine.h5"));
-    test::write_run(files_.back(), {.specimen = test::grid_specimen(16, 32, 0.08, 0.16)});
+    files_.push_back(run("fine.h5", {.specimen = test::grid_specimen(16, 32, 0.08, 0.16)}));
     refused.add<InputError>("finer grains", [&] { (void)measured(); });
 }
 

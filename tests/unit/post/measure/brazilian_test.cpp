@@ -9,7 +9,7 @@
 #include "post/measure/strength.hpp"
 #include "post/measure/strength_table.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {

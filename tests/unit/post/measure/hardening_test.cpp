@@ -9,7 +9,7 @@
 #include "post/measure/thresholds.hpp"
 #include "post/run/run_state.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
@@ -17,14 +17,14 @@ namespace {
 using test::field;
 
 /// The peak of 125 MPa is at 1 s and 0.49 % of strain; the stress falls to 80 MPa by 1.25 s, and rises to 160 MPa.
-class Hardening : public ::testing::Test {
+class Hardening : public test::RunFolder {
 protected:
     Hardening() {
         recipe_.drop = 0.36;
-        test::write_run(ended_, recipe_);
+        run("ended.h5", recipe_);
         recipe_.hardens_to = 160e6;
         recipe_.stop_reason = "strain limit";
-        test::write_run(hardens_, recipe_);
+        run("hardens.h5", recipe_);
     }
     std::string strength_of(const std::string& file, TableFormat format = TableFormat::tsv,
                             StrengthKind kind = StrengthKind::first_peak) {
@@ -33,9 +33,8 @@ protected:
     std::string moduli_of(const std::string& file) {
         return test::written([&](std::ostream& out) { write_moduli_table(out, {file}, TableFormat::tsv, notes_); });
     }
-    test::TemporaryFolder folder_;
     test::Recipe recipe_;
-    std::string ended_ = folder_.file("ended.h5"), hardens_ = folder_.file("hardens.h5");
+    std::string ended_ = path("ended.h5"), hardens_ = path("hardens.h5");
     std::ostringstream notes_;
 };
 

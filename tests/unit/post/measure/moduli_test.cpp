@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tests/support/golden.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {

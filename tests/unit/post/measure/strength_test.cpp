@@ -11,7 +11,7 @@
 #include "post/run/comparability.hpp"
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
@@ -20,12 +20,8 @@ using test::field;
 using test::number_in;
 using test::Recipe;
 
-class StrengthTable : public ::testing::Test {
+class StrengthTable : public test::RunFolder {
 protected:
-    std::string run(const std::string& name, const Recipe& recipe = {}) {
-        test::write_run(folder_.file(name), recipe);
-        return folder_.file(name);
-    }
     std::string table_of(const std::vector<std::string>& files, TableFormat format, StrengthKind kind = StrengthKind::first_peak,
                          ColumnChoice columns = ColumnChoice::all, const std::vector<std::string>& options = {}) {
         return test::written(write_strength_table, files, format, notes_, kind, columns, options);
@@ -42,7 +38,6 @@ protected:
         }
         return text;
     }
-    test::TemporaryFolder folder_;
     std::ostringstream notes_;
 };
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "post/measure/moduli.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/specimens.hpp"
-#include "tests/support/table_text.hpp"
 
 namespace graincrack {
 namespace {
@@ -27,13 +27,11 @@ Recipe notched_tension(double left, double right) {
     return recipe;
 }
 
-class ToughnessTable : public ::testing::Test {
+class ToughnessTable : public test::RunFolder {
 protected:
     std::string table_of(const Recipe& recipe, TableFormat format = TableFormat::tsv) {
-        test::write_run(folder_.file("run.h5"), recipe);
-        return test::written(write_toughness_table, std::vector{folder_.file("run.h5")}, format, notes_);
+        return test::written(write_toughness_table, std::vector{run("run.h5", recipe)}, format, notes_);
     }
-    test::TemporaryFolder folder_;
     std::ostringstream notes_;
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -12,20 +11,18 @@
 #include "share/base/error.hpp"
 #include "tests/support/drawing_shapes.hpp"
 #include "tests/support/golden_refusals.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
 
 using test::lines_of;
 
-class Plot : public ::testing::Test {
+class Plot : public test::RunFolder {
 protected:
     void SetUp() override { test::write_run(path("run.h5"), recipe_); }
-    std::string path(const std::string& name) const { return folder_.file(name); }
     RunData run() const { return read_run_data(path("run.h5")); }
     test::Recipe recipe_;
-    test::TemporaryFolder folder_;
 };
 
 TEST_F(Plot, HasLinesAtTheDefaultThresholdsAndTurnsTheVolumeAtCrackDamage) {

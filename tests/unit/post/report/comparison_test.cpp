@@ -8,22 +8,20 @@
 #include "post/report/test_report.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/page_text.hpp"
+#include "tests/support/run_tables.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/synthetic_kind.hpp"
-#include "tests/support/synthetic_run.hpp"
 
 namespace graincrack {
 namespace {
 
-class Comparison : public ::testing::Test {
+class Comparison : public test::RunFolder {
 protected:
     TestReport& add(const std::string& test, std::int64_t seed, double peak, double confining = 0, double width = 0.08) {
         test::Recipe recipe{.test = test, .confining_pressure = confining, .peak = peak};
         recipe.specimen = test::grid_specimen(static_cast<int>(std::lround(100 * width)), 16, width, 0.16);
         recipe.specimen.seed = seed;
-        const std::string file = folder_.file(std::to_string(tests_.size()) + ".h5");
-        test::write_run(file, recipe);
-        tests_.push_back(read_test_report(RunReader(file)));
+        tests_.push_back(read_test_report(RunReader(run(std::to_string(tests_.size()) + ".h5", recipe))));
         return tests_.back();
     }
     /// A compression test whose thresholds are planted.
@@ -43,7 +41,6 @@ protected:
         const std::size_t from = text.find("\n" + property + " | ");
         return from == std::string::npos ? "" : text.substr(from + 1, text.find('\n', from + 1) - from);
     }
-    test::TemporaryFolder folder_;
     std::vector<TestReport> tests_;
 };
 
@@ -90,10 +87,7 @@ TEST_F(Comparison, TakesACountOfCracksAsATargetOfItsOwn) {
 TEST_F(Comparison, HasTheToughnessOfHalfDiscsWithASlit) {
     test::Recipe recipe{.test = "bend", .peak = 0.5e6, .specimen = test::grid_specimen(16, 8, 0.08, 0.04), .span = 0.048};
     recipe.specimen.shape = "half-disc";
-    const auto report = [&] {
-        test::write_run(folder_.file("bent.h5"), recipe);
-        return read_test_report(RunReader(folder_.file("bent.h5")));
-    };
+    const auto report = [&] { return read_test_report(RunReader(run("bent.h5", recipe))); };
     const calibrate::Target target = calibrate::target_of("toughness", "test");
     EXPECT_FALSE(value_of(report(), target));  // without a slit
     test::break_contacts(recipe.specimen, [](double x, double y) { return std::abs(x) < 1e-9 && y < 1e-9; });

@@ -8,17 +8,13 @@
 #include "post/report/test_report.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/page_text.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
 
-class Report : public ::testing::Test {
+class Report : public test::RunFolder {
 protected:
-    std::string run(const std::string& name, const test::Recipe& recipe) {
-        test::write_run(folder_.file(name), recipe);
-        return folder_.file(name);
-    }
     test::Recipe recipe(const std::string& test, double peak, double confining = 0) {
         const PlaneCondition plane = test == "brazilian" ? PlaneCondition::stress : PlaneCondition::strain;
         return {.test = test, .plane = plane, .confining_pressure = confining, .peak = peak};
@@ -40,7 +36,6 @@ protected:
             EXPECT_TRUE(value.starts_with("data:") || value.starts_with('#')) << value;
         }
     }
-    test::TemporaryFolder folder_;
     std::ostringstream diagnostics_;
 };
 

@@ -11,7 +11,7 @@
 #include "post/report/packed_array.hpp"
 #include "share/file/probe_file.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
@@ -74,21 +74,16 @@ TEST(ChosenFrames, HaveTheFirstTheKeptAndTheLast) {
     EXPECT_EQ(evenly_chosen(100, 25, 33).size(), 25U);
 }
 
-class ViewPage : public ::testing::Test {
+class ViewPage : public test::RunFolder {
 protected:
     /// The page of the run, and what it holds.
-    std::string page(const ViewOptions& options = {}) {
-        const std::string path = folder_.file("run.h5");
-        test::write_run(path, recipe_);
-        return make_view({path}, options, Verbosity::quiet);
-    }
+    std::string page(const ViewOptions& options = {}) { return make_view({run("run.h5", recipe_)}, options, Verbosity::quiet); }
     static nlohmann::json runs_of(const std::string& page) {
         const std::string begin = "id=\"runs\">";
         const std::size_t from = page.find(begin) + begin.size();
         return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
     }
     test::Recipe recipe_;
-    test::TemporaryFolder folder_;
 };
 
 TEST_F(ViewPage, HoldsTheSpecimenTheFramesAndTheCracksOfEach) {

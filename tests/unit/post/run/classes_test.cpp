@@ -7,7 +7,7 @@
 #include "post/cracks/export.hpp"
 #include "post/plot/plots.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
@@ -20,14 +20,12 @@ Specimen three_minerals() {
     return s;
 }
 
-class Classes : public ::testing::Test {
+class Classes : public test::RunFolder {
 protected:
     Classes() {
         recipe_.specimen = three_minerals();
-        test::write_run(path("run.h5"), recipe_);
+        run("run.h5", recipe_);
     }
-    [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
-    test::TemporaryFolder folder_;
     test::Recipe recipe_;
 };
 

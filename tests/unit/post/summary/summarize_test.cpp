@@ -10,7 +10,7 @@
 #include "share/base/error.hpp"
 #include "tests/support/golden_refusals.hpp"
 #include "tests/support/rows.hpp"
-#include "tests/support/table_text.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack::summary {
 namespace {

@@ -3,7 +3,6 @@
 #include "share/file/h5_file.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "share/base/error.hpp"
 #include "share/file/h5_file.hpp"
 #include "tests/support/synthetic_run.hpp"
 

@@ -1,5 +1,7 @@
-// Tables as texts, and the numbers in them.
+// Runs in a folder, and tables of them as texts.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <sstream>
 #include <string>
@@ -7,6 +9,18 @@
 #include "tests/support/synthetic_run.hpp"
 
 namespace graincrack::test {
+
+/// Tests with runs in a folder of their own.
+class RunFolder : public testing::Test {
+protected:
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
+    /// Writes a run. \return its file
+    std::string run(const std::string& name, const Recipe& recipe = {}) const {
+        write_run(path(name), recipe);
+        return path(name);
+    }
+    TemporaryFolder folder_;
+};
 
 /// What `write(stream, arguments…)` writes to a stream.
 template <class Write, class... Arguments>
