@@ -67,8 +67,7 @@ double hoek_brown(double ci, double m, double confining) { return confining + ci
 TEST(Coverage, Is95PercentForEnvelopesOverAllRuns) {
     const std::vector<double> confining{0, 0, 0, 4e6, 4e6, 4e6, 8e6, 8e6, 8e6};
     expect_coverage(20140402, [&](Normal& normal, Coverage& coverage) {
-        std::vector<double> line;
-        std::vector<double> curve;
+        std::vector<double> line, curve;
         for (const double s : confining) {
             const double noise = 3e6 * normal();
             line.push_back(mohr_coulomb(true_cohesion, friction_angle, s) + noise);
@@ -100,8 +99,7 @@ TEST(Coverage, Is95PercentForEnvelopesOverSeeds) {
 
 TEST(Coverage, Is95PercentForPowerLawsOfSize) {
     expect_coverage(20140439, [&](Normal& normal, Coverage& coverage) {
-        std::vector<double> edge;
-        std::vector<double> relative;
+        std::vector<double> edge, relative;
         for (const double e : {2e-3, 3e-3, 5e-3, 7.5e-3}) {
             for (int seed = 0; seed < 3; ++seed) {
                 edge.push_back(e);
@@ -142,8 +140,7 @@ TEST(Coverage, Is95PercentForTheJointRegionOfFactors) {
     const auto first = [](const std::vector<double>& x) { return 11 + 7 * x[0] - 5 * x[1] - 7 * x[0] * x[1]; };
     const auto second = [](const std::vector<double>& x) { return 67 - 5 * x[0] + 16 * x[1] - 8 * x[1] * x[1]; };
     expect_coverage(20140435, [&](Normal& normal, Coverage& coverage) {
-        std::vector<double> a;
-        std::vector<double> b;
+        std::vector<double> a, b;
         for (const auto& x : runs) {
             const double common = normal();  // residuals of the two are correlated, as those of C and φ are
             a.push_back(first(x) + 2 * common);

@@ -174,12 +174,11 @@ std::string material_difference(const RunData& first, const Change& change) {
 TEST(SameMaterial, HasTheSameLawAndContacts) {
     const RunData first = run_of("a.h5");
     EXPECT_EQ(material_difference(first, [](RunHeader&) {}), "");
-    EXPECT_EQ(material_difference(first,
-                                  [](RunHeader& h) {
-                                      h.plane = PlaneCondition::stress;  // stiffness and energy follow it
-                                      h.contact.fracture_energy = 1;
-                                  }),
-              "");
+    const auto in_plane_stress = [](RunHeader& h) {
+        h.plane = PlaneCondition::stress;  // stiffness and energy follow it
+        h.contact.fracture_energy = 1;
+    };
+    EXPECT_EQ(material_difference(first, in_plane_stress), "");
     test::expect_golden(material_difference(first, [](RunHeader& h) { h.contact_law = "combined"; }) + "\n" +
                         material_difference(first, [](RunHeader& h) { h.contact.cohesion = 1e6; }));
 }

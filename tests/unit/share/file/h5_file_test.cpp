@@ -305,30 +305,27 @@ TEST(H5File, FindsDamageInsideADataset) {
 // --- digest ----------------------------------------------------------------------------------------------------------
 
 std::string digest_of(const std::function<void(H5Output&)>& change) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "run");
+    TestFile out("run");
     out.write<double>("/x", std::vector<double>{1, 2, 3, 4}, {2, 2}, "m", "numbers");
     write_column<std::int32_t>(out, "/i", {1});
     out.create_group("/run");
     out.attribute("/run", "law", std::string("scaled"));
     change(out);
-    out.commit();
-    return H5Input(folder.file("a.h5")).digest();
+    return out.read().digest();
 }
 
 TEST(H5File, NamesTheObjectOfAnAttributeThatCannotBeDecoded) {
-    const TemporaryFolder folder;
-    H5Output out(folder.file("a.h5"), "run");
+    TestFile out("run");
     out.create_group("/run");
     for (int i = 0; i < 30; ++i) out.attribute("/run", "good" + std::to_string(i), 1.5);
     out.attribute("/run", "spoiled", 1.5);
     out.commit();
-    std::string bytes = text_of_file(folder.file("a.h5"));
+    std::string bytes = text_of_file(out.file("a.h5"));
     const std::size_t type = bytes.find("spoiled") + 8;  // the type of an attribute follows its name
     ASSERT_EQ(bytes.at(type), 0x11);                     // a float, described by version 1
     bytes[type] = '\xff';
-    write_bytes(folder.file("a.h5"), bytes);
-    const H5Input in(folder.file("a.h5"), "run");
+    write_bytes(out.file("a.h5"), bytes);
+    const H5Input in(out.file("a.h5"), "run");
     EXPECT_EQ(in.attribute<double>("/run", "good0"), 1.5);
     test::GoldenRefusals refused;
     refused.add<InputError>("check", [&] { in.check(); });
