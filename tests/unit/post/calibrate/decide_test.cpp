@@ -56,8 +56,7 @@ std::map<std::string, double> nothing_planted(const SyntheticRock& rock) {
 // to 98 % of them (for 95 %, three standard deviations of a count of 200 are 4.6 %).
 TEST(Calibration, HasIntervalsThatHoldThePlantedValues) {
     Normal normal(20261125);
-    std::map<std::string, int> covered;
-    std::map<std::string, int> significant;
+    std::map<std::string, int> covered, significant;
     for (std::uint32_t trial = 0; trial < 200; ++trial) {
         SyntheticRock rock = SyntheticRock::usual();
         rock.stream = trial + 1;

@@ -171,8 +171,7 @@ TEST(CalibrationOfAKind, HasIntervalsThatHoldTheTruth) {
 
 TEST(CalibrationOfAKind, DoesNotDependOnTheOrderInWhichRunsEnd) {
     const Rock rock(7);
-    std::size_t together = 0;
-    std::size_t in_turn = 0;
+    std::size_t together = 0, in_turn = 0;
     const Decision decision = decide_on(rock, false, together);
     const Decision other = decide_on(rock, true, in_turn);
     EXPECT_EQ(decision.point, other.point);

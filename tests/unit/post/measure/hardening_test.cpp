@@ -20,11 +20,8 @@ using test::field;
 class Hardening : public test::RunFolder {
 protected:
     Hardening() {
-        recipe_.drop = 0.36;
-        run("ended.h5", recipe_);
-        recipe_.hardens_to = 160e6;
-        recipe_.stop_reason = "strain limit";
-        run("hardens.h5", recipe_);
+        run("ended.h5", {.drop = 0.36});
+        run("hardens.h5", {.drop = 0.36, .hardens_to = 160e6, .stop_reason = "strain limit"});
     }
     std::string strength_of(const std::string& file, TableFormat format = TableFormat::tsv,
                             StrengthKind kind = StrengthKind::first_peak) {
@@ -33,7 +30,6 @@ protected:
     std::string moduli_of(const std::string& file) {
         return test::written([&](std::ostream& out) { write_moduli_table(out, {file}, TableFormat::tsv, notes_); });
     }
-    test::Recipe recipe_;
     std::string ended_ = path("ended.h5"), hardens_ = path("hardens.h5");
     std::ostringstream notes_;
 };

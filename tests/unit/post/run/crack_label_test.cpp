@@ -141,10 +141,9 @@ TEST(CrackLabel, IsThatOfTheRunWithoutAnEvent) {
 
 TEST(CrackLabel, CountsTheCracksOfTheHistoryOfARun) {
     const test::TemporaryFolder folder;
-    test::Recipe recipe;
-    std::vector<Crack> cracks = test::synthetic_cracks(recipe.specimen);
+    std::vector<Crack> cracks = test::synthetic_cracks(test::Recipe{}.specimen);
     for (std::size_t i = 0; i < 4; ++i) cracks[i].broken = {0.9 + 0.1 * static_cast<double>(i), i == 0 ? 1.0 : -1.0, 0};
-    test::write_run(folder.file("run.h5"), recipe, cracks);
+    test::write_run(folder.file("run.h5"), {}, cracks);
     const RunReader run(folder.file("run.h5"));
     const RunData data = run_data(run, {CrackEvent::broken, CrackModeRule::sign});
     const auto& times = data.history[HistoryColumn::time];
@@ -157,8 +156,7 @@ TEST(CrackLabel, CountsTheCracksOfTheHistoryOfARun) {
     };
     EXPECT_EQ(last(run_data(run)), 0.5 * static_cast<double>(cracks.size()));
     for (std::size_t i = 0; i < 3; ++i) cracks[i].damaged_50 = {0.8, 1, 1};
-    recipe.crack_event = CrackEvent::half_damaged;
-    test::write_run(folder.file("half.h5"), recipe, cracks);
+    test::write_run(folder.file("half.h5"), {.crack_event = CrackEvent::half_damaged}, cracks);
     EXPECT_EQ(last(run_data(RunReader(folder.file("half.h5")))), 1.5);
 }
 

@@ -10,7 +10,7 @@
 
 #include "post/table/column.hpp"
 #include "tests/support/golden.hpp"
-#include "tests/support/synthetic_run.hpp"
+#include "tests/support/run_tables.hpp"
 
 namespace graincrack {
 namespace {
@@ -87,9 +87,8 @@ const Columns<Trial> columns{{"test", unit::none, [](const Trial& t) { return t.
 const std::vector<Trial> tests{{"a", 12.345678912e6, 1}, {"b", std::nullopt, 20000000}, {"a", 1e6, 3}};
 
 TEST(Column, ScalesRealsAndEndsNamesByItsUnit) {
-    std::ostringstream out;
-    write_table(out, columns, tests, TableFormat::tsv);
-    test::expect_golden(out.str());
+    const auto write = [](std::ostream& out) { write_table(out, columns, tests, TableFormat::tsv); };
+    test::expect_golden(test::written(write));
 }
 
 TEST(Cell, IsEmptyWithoutAValue) {

@@ -304,8 +304,7 @@ TEST(Fabric, MeasuresLengthWithinCrystalsByTheAreaOfTheirPhase) {
 TEST(Fabric, TakesThePhasesOfGraniteFromTheirFile) {
     const Material granite = material_of(granite_text + "[phases]\nfrom = \"granite\"\n");
     ASSERT_EQ(granite.fabric.phases.size(), 4U);
-    double mean = 0;
-    double square = 0;
+    double mean = 0, square = 0;
     for (const auto& [name, phase] : granite.fabric.phases) {
         const double r = relative_young_modulus(phase, granite.rock);
         mean += phase.fraction * r;

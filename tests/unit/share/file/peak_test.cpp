@@ -36,8 +36,7 @@ TEST(MovingMean, KeepsAStraightCurveUpToItsEnds) {
 }
 
 TEST(MovingMean, SpreadsAStepOverItsWindowAndKeepsTheLastValue) {
-    std::vector<double> strain;
-    std::vector<double> value;
+    std::vector<double> strain, value;
     for (int i = 0; i <= 1000; ++i) {
         strain.push_back(i / 1000.0);
         value.push_back(i <= 500 ? 0 : 1);

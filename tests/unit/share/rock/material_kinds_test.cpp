@@ -55,8 +55,7 @@ TEST(RockKinds, NeedLaboratoryValuesAlone) {
         EXPECT_EQ(rock.grains.tessellation, "trigon");
         EXPECT_EQ(rock.grains.grain_size, 3e-3);
         EXPECT_EQ(rock.rock.mode_i_toughness, 1.4e6);
-        double fractions = 0;
-        double mean = 0;
+        double fractions = 0, mean = 0;
         for (const auto& [name, phase] : rock.fabric.phases) {
             fractions += phase.fraction;
             mean += phase.fraction * relative_young_modulus(phase, rock.rock);
