@@ -88,12 +88,12 @@ struct CohesiveFrictional {
     }
 
 private:
-    /// The largest integrity that a motion leaves.
+    /// The largest integrity that a motion leaves a failed point. Up to the peak load it is 1, which is more than any of them has.
     GRAINCRACK_INLINE static double integrity_at(const ContactLaw& law, double opening, double sliding) {
         const double load = cohesive_load(law, opening, sliding);
         const double open_range = softening_range(law.gf * load * load, cohesive_form(law, opening, sliding));
         const double lost = softening_damage(load, opening >= 0 ? open_range : law.s_range);
-        return load <= 1 ? exp_of_minus(load) : (1 - lost) / (std::numbers::e * load);
+        return load <= 1 ? 1 : (1 - lost) / (std::numbers::e * load);
     }
     /// 1 − D at an integrity: β = (1 − D)/(e λ) with D = (λ − 1)/`range` solved for 1 − D; 1 before the peak.
     GRAINCRACK_INLINE static double remaining_cohesion(double integrity, double range) {

@@ -8,8 +8,9 @@
 //   unbalanced ratio   Σ|unbalanced force| / Σ|element force|
 //   force difference   of the platens over their mean
 //
-// and the load that damping carries below `max_damping_load`. The first two may reach T/f, at most 0.1, where `near_failure` is
-// f. The strain rises by at most 6 % of itself in a wave transit, and by at most 1.5 % once contacts are near failure.
+// and the load that damping carries below `max_damping_load`. The first three may reach T/f, at most 0.1, where `near_failure` is
+// f. The strain rises by at most 6 % of itself in a wave transit, and by at most 1.5 % once contacts are near failure; the limit of
+// the damping load falls by the same rule.
 // Temperature ramps follow the same rules (`HeatingControl`), with the change of temperature in place of the strain.
 //
 // The control is a pure function from measures to speed: the logarithm of the speed follows the measures at a limited rate.
@@ -64,9 +65,9 @@ public:
     /// since axial loading began, in the sense of the test
     double next(const Feedback& feedback, double strain, double duration);
     /// Lower bound of the speed at a strain, m/s: a twentieth of the speed that the tolerance allows there in an elastic bar.
-    /// \param allowed limit of the first two measures
+    /// \param allowed limit of the first three measures
     [[nodiscard]] double min_speed(double strain, double allowed) const;
-    /// Limit of the first two measures at a value of `graincrack::near_failure`.
+    /// Limit of the first three measures at a value of `graincrack::near_failure`.
     [[nodiscard]] double allowed(double near_failure) const;
     /// Upper bound of the speed at a strain and a value of `graincrack::near_failure`, m/s.
     [[nodiscard]] double max_speed(double strain, double near_failure) const;
@@ -84,7 +85,7 @@ private:
     double tolerance_;
     RateScales scales_;
     double fraction_;
-    double near_failure_ = 0;  ///< the largest so far: the speed does not rise again once damage has begun
+    double near_failure_ = 0;  ///< the largest so far, with a memory of some 20 transits
     double inertia_ = 0;       ///< this and the next two: means over about a transit
     double unbalanced_ratio_ = 0;
     double force_difference_ = 0;
@@ -136,7 +137,7 @@ private:
     double tolerance_;
     HeatingScales scales_;
     double fraction_;
-    double near_failure_ = 0;      ///< the largest so far
+    double near_failure_ = 0;      ///< as in `RateControl`
     double unbalanced_ratio_ = 0;  ///< mean over about a transit
     double rate_ = 0;              ///< before the end is near, K/s
 };

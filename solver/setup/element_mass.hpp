@@ -6,7 +6,7 @@
 namespace graincrack {
 
 /// Largest mass that a run with mass scaling adds to elements, over the mass of the specimen. Chosen, not fitted.
-inline constexpr double max_added_mass = 0.02;
+inline constexpr double max_added_mass = 0.1;
 
 /// Increases the density of the elements with the highest frequencies, which are slivers and limit the step with mass scaling,
 /// until none is above a common level. The centre of mass of an element stays in place. The added mass is inertia only: gravity
