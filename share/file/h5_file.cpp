@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "share/base/error.hpp"
+#include "share/file/deflated_chunk.hpp"
 #include "share/file/h5_detail.hpp"
 #include "share/file/output_file.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 constexpr std::size_t chunk_bytes = 1 << 18;   // target size of a chunk
 constexpr std::size_t small_bytes = 1 << 12;   // smaller arrays stay contiguous
 constexpr std::size_t image_growth = 1 << 16;  // growth of a file in memory; flushing writes multiples of it
-constexpr unsigned deflate_level = 1;          // measured: higher levels cost time and save no space
+constexpr unsigned deflate_level = 1;          // of arrays that grow, as in `deflated_chunk`
 
 std::size_t product(const Extents& extents) {
     std::size_t n = 1;
@@ -44,6 +45,27 @@ Handle creation_properties(const Extents& extents, std::size_t item_bytes, bool 
     H5Pset_shuffle(properties.get());
     H5Pset_deflate(properties.get(), deflate_level);
     return properties;
+}
+
+/// Writes an array in chunks of whole rows. \return false if it cannot be written
+template <class T>
+bool write_chunks(hid_t dataset, const Handle& properties, std::span<const T> values, const Extents& extents) {
+    std::vector<hsize_t> chunk(extents.size());
+    H5Pget_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
+    const std::size_t items = values.size() / extents[0] * chunk[0];
+    std::vector<hsize_t> offset(extents.size(), 0);
+    for (std::size_t first = 0; first < values.size(); first += items, offset[0] += chunk[0]) {
+        const std::span<const T> part = values.subspan(first, std::min(items, values.size() - first));
+        std::vector<T> whole;  // the last chunk is stored in full
+        if (part.size() < items) {
+            whole.assign(part.begin(), part.end());
+            whole.resize(items);
+        }
+        const T* const begin = whole.empty() ? part.data() : whole.data();
+        const auto deflated = deflated_chunk({reinterpret_cast<const unsigned char*>(begin), items * sizeof(T)}, sizeof(T));
+        if (H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, offset.data(), deflated.size(), deflated.data()) < 0) return false;
+    }
+    return true;
 }
 
 constexpr std::size_t longest_attribute = 60'000;  // bytes; the library's limit of 65,535 includes name and type
@@ -359,8 +381,12 @@ void H5Output::write(const std::string& dataset, std::span<const T> values, cons
                      std::string_view description) {
     if (values.size() != product(extents)) throw std::logic_error("dataset " + dataset + ": values do not fill its extents");
     const Handle id = create<T>(dataset, extents, false);
-    require(values.empty() || H5Dwrite(id.get(), number_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0,
-            unwritten(dataset));
+    const Handle properties(H5Dget_create_plist(id.get()), H5Pclose);
+    const bool is_written =
+        values.empty() || (H5Pget_layout(properties.get()) == H5D_CHUNKED
+                               ? write_chunks(id.get(), properties, values, extents)
+                               : H5Dwrite(id.get(), number_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    require(is_written, unwritten(dataset));
     write_meaning(id.get(), unit, description);
 }
 

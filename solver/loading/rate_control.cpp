@@ -33,7 +33,9 @@ double fastest_rise(double near_failure) {
     return std::clamp(damage_rise * first_damage / std::max(near_failure, 1e-9), damage_rise, elastic_rise);
 }
 /// The measure of failure that counts after so many transits. \param before the one that counted before them
-double remembered(double before, double now, double transits) { return std::max(now, before * std::exp(-transits / memory_transits)); }
+double remembered(double before, double now, double transits) {
+    return std::max(now, before * std::exp(-transits / memory_transits));
+}
 /// The speed that follows `speed`. \param worst largest ratio of a measure to its limit \param follow e-folds allowed
 double followed(double speed, double worst, double follow) {
     const double change = -std::log(std::max(worst, 1e-12));  // e-folds of speed

@@ -9,9 +9,9 @@
 //   force difference   of the platens over their mean
 //
 // and the load that damping carries below `max_damping_load`. The first three may reach T/f, at most 0.1, where `near_failure` is
-// f. The strain rises by at most 6 % of itself in a wave transit, and by at most 1.5 % once contacts are near failure; the limit of
-// the damping load falls by the same rule.
-// Temperature ramps follow the same rules (`HeatingControl`), with the change of temperature in place of the strain.
+// f. The strain rises by at most 6 % of itself in a wave transit, and by at most 1.5 % once contacts are near failure; the limit
+// of the damping load falls by the same rule. Temperature ramps follow the same rules (`HeatingControl`), with the change of
+// temperature in place of the strain.
 //
 // The control is a pure function from measures to speed: the logarithm of the speed follows the measures at a limited rate.
 #pragma once

@@ -21,8 +21,8 @@ inline constexpr double most_scattered = 0.55;
 ///   they do not make failure sudden. Contacts join into a chain at common vertices of the mesh; the length of a chain is the
 ///   diagonal of its bounding rectangle in the reference positions.
 /// - The number of intact points that would fail if their jumps grew by a quarter, over 6 % of all points (below 35 grains: over
-///   half the square root of the number of points), at most `most_scattered`. They are scattered over the specimen and fail one by
-///   one.
+///   half the square root of the number of points), at most `most_scattered`. They are scattered over the specimen and fail one
+///   by one.
 /// The cost is linear in the number of contacts. \param width of the specimen, m
 double near_failure(const Assemblage& assemblage, const ContactLaws& laws, const State& state, double width, ThreadTeam& team);
 
