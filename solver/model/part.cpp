@@ -91,6 +91,23 @@ EvaluatedChunks find_evaluated(const ChunkShare& share, const ItemsOf& items_of,
     return evaluated;
 }
 
+/// Mean index of the nodes of a chunk of contacts.
+double mean_node(const Assemblage& a, std::int32_t chunk) {
+    const Range contacts = a.contact_chunks[chunk].contacts;
+    double sum = 0;
+    for (std::int32_t c = contacts.begin; c < contacts.end; ++c) sum += a.contacts[c].nodes[0] + a.contacts[c].nodes[2];
+    return sum / (2 * contacts.size());
+}
+
+/// Sorts the chunks of contacts, which lie class by class, like the nodes.
+void order_like_nodes(const Assemblage& a, EvaluatedChunks& contacts) {
+    std::vector<double> place;
+    for (std::int32_t k = 0; k < static_cast<std::int32_t>(a.contact_chunks.size()); ++k) place.push_back(mean_node(a, k));
+    for (auto* const chunks : {&contacts.inner, &contacts.outer}) {
+        std::stable_sort(chunks->begin(), chunks->end(), [&](std::int32_t k, std::int32_t l) { return place[k] < place[l]; });
+    }
+}
+
 }  // namespace
 
 Part whole_part(const Assemblage& a) {
@@ -102,6 +119,7 @@ Part whole_part(const Assemblage& a) {
     part.first_node = {0, a.n_nodes()};
     part.evaluated_elements.inner = part.elements.own;
     part.evaluated_contacts.inner = part.contacts.own;
+    order_like_nodes(a, part.evaluated_contacts);
     part.evaluates_contacts.assign(part.contacts.count, 1);
     part.loaded_chunks = part.nodes.own;
     return part;
@@ -131,6 +149,7 @@ Part make_part(const Assemblage& a, const PrescribedConditions& prescribed, cons
     part.evaluated_contacts = find_evaluated(
         part.contacts, [&](std::int32_t chunk) { return a.contact_chunks[chunk].contacts; },
         [&](std::int32_t c) { return a.contacts[c].nodes; }, part);
+    order_like_nodes(a, part.evaluated_contacts);
     part.evaluates_contacts.assign(part.contacts.count, 0);
     for_each_evaluated(part.evaluated_contacts, [&](std::int32_t chunk) { part.evaluates_contacts[chunk] = 1; });
     const EvaluatedChunks loaded = find_evaluated(

@@ -34,7 +34,9 @@ struct ChunkShare {
     [[nodiscard]] int owner_of(std::int32_t chunk) const { return owner[chunk / chunks_per_sum]; }
 };
 
-/// Chunks that a rank evaluates: those without ghosts, which need no message, and the others.
+/// Chunks that a rank evaluates: those without ghosts, which need no message, and the others. Threads work on consecutive ones.
+/// Those of contacts are in the order of their nodes, so that a thread reads few motions that others wrote, and few others read
+/// its forces.
 struct EvaluatedChunks {
     std::vector<std::int32_t> inner, outer;
 };
