@@ -20,7 +20,6 @@ constexpr double elastic_rise = 0.06;
 constexpr double first_damage = 0.1;   // from this `near_failure` on `damage_rise` holds
 constexpr double follow_transits = 4;  // transits in which the speed changes at most e-fold
 constexpr double slowest = 0.05;  // lowest speed, over the one that the tolerance allows in an elastic bar (0.25 and 0.5 before)
-constexpr double memory_transits = 20;    // transits in which the memory of a section near failure decays e-fold. PAIRS
 constexpr double smoothing_transits = 1;  // transits over which measures are averaged
 constexpr double stopping_transits = 2;   // time constant with which a change of temperature approaches its end, transits
 
@@ -31,10 +30,6 @@ double relaxed(double tolerance, double near_failure) {
 /// Largest relative rise of the strain, or of a change of temperature, in a transit.
 double fastest_rise(double near_failure) {
     return std::clamp(damage_rise * first_damage / std::max(near_failure, 1e-9), damage_rise, elastic_rise);
-}
-/// The measure of failure that counts after so many transits. \param before the one that counted before them
-double remembered(double before, double now, double transits) {
-    return std::max(now, before * std::exp(-transits / memory_transits));
 }
 /// The speed that follows `speed`. \param worst largest ratio of a measure to its limit \param follow e-folds allowed
 double followed(double speed, double worst, double follow) {
@@ -64,7 +59,7 @@ double RateControl::next(const Feedback& now, double strain, double duration) {
     inertia_ += fraction * (inertia - inertia_);
     unbalanced_ratio_ += fraction * (now.unbalanced_ratio - unbalanced_ratio_);
     force_difference_ += fraction * (now.force_difference - force_difference_);
-    near_failure_ = remembered(near_failure_, now.near_failure, duration / scales_.transit_time);
+    near_failure_ = std::max(near_failure_, now.near_failure);
     const double limit = allowed(near_failure_);
     const double most_damping = fraction_ * max_damping_load * fastest_rise(near_failure_) / damage_rise;
     const double worst =
@@ -92,7 +87,7 @@ double HeatingControl::next(const Feedback& now, double change, double left, dou
     change = std::max(change, scales_.change(now.stored_energy));
     const double transits = duration / scales_.transit_time;
     unbalanced_ratio_ += std::min(1.0, transits / smoothing_transits) * (scales_.loaded(now) - unbalanced_ratio_);
-    near_failure_ = remembered(near_failure_, now.near_failure, transits);
+    near_failure_ = std::max(near_failure_, now.near_failure);
     const double fastest = max_rate(change, near_failure_);
     const double worst = std::max(rate_ / fastest, unbalanced_ratio_ / (fraction_ * relaxed(tolerance_, near_failure_)));
     rate_ = std::clamp(followed(rate_, worst, transits / follow_transits), min_rate(change), fastest);

@@ -85,7 +85,7 @@ private:
     double tolerance_;
     RateScales scales_;
     double fraction_;
-    double near_failure_ = 0;  ///< the largest so far, with a memory of some 20 transits
+    double near_failure_ = 0;  ///< the largest so far: the speed does not rise again once damage has begun
     double inertia_ = 0;       ///< this and the next two: means over about a transit
     double unbalanced_ratio_ = 0;
     double force_difference_ = 0;
@@ -137,7 +137,7 @@ private:
     double tolerance_;
     HeatingScales scales_;
     double fraction_;
-    double near_failure_ = 0;      ///< as in `RateControl`
+    double near_failure_ = 0;      ///< the largest so far
     double unbalanced_ratio_ = 0;  ///< mean over about a transit
     double rate_ = 0;              ///< before the end is near, K/s
 };

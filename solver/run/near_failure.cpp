@@ -95,7 +95,8 @@ ChunkFailure failure_of(const Assemblage& a, const ContactLaws& laws, std::int32
 
 }  // namespace
 
-double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s, double width, ThreadTeam& team) {
+double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s, double width, double friction,
+                    ThreadTeam& team) {
     const std::vector<std::int32_t>& own = a.part.contacts.own;
     std::vector<ChunkFailure> found(own.size());
     contact_law::with_law(laws.variant(), [&](auto kind) {
@@ -125,7 +126,8 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
     for (const auto& [node, other] : a.part.ranks->concatenate(joined)) chains.join(node, other);
     const double points = 2.0 * std::max(a.n_contacts(), 1);
     const double scattered = std::max(0.5 * std::sqrt(points), scattered_fraction * points);
-    const double points_near_failure = std::min(most_scattered, static_cast<double>(intact.front()) / scattered);
+    const double most = std::lerp(most_scattered, 1.0, std::min(1.0, friction / sliding_section));
+    const double points_near_failure = std::min(most, static_cast<double>(intact.front()) / scattered);
     return std::min(1.0, std::max(points_near_failure, chains.over(involving_share * width)));
 }
 

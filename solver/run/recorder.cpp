@@ -1,5 +1,6 @@
 #include "solver/run/recorder.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "share/base/error.hpp"
@@ -9,6 +10,8 @@
 
 namespace graincrack {
 namespace {
+
+constexpr double recent_means = 2.5;  // time constants of `recent_friction`: ten wave transits. Chosen; not varied since
 
 /// Load over the specimen's width (brazilian: over its diameter), tension positive, Pa.
 double axial_stress_of(const Measurement& m, const Specimen& s) { return 0.5 * (m.force_top - m.force_bottom) / s.width; }
@@ -54,8 +57,19 @@ Feedback Recorder::record(double platen_speed, ThreadTeam& team, State& state) {
     feedback.stored_energy = m.energies.stored();
     feedback.force_difference = load > 0 ? std::abs(m.force_top + m.force_bottom) / load : 0;
     feedback.damping_load = state.damping_load.fraction();
-    feedback.near_failure = near_failure(a, setup_.parameters.laws, state, specimen_.width, team);
+    feedback.near_failure = near_failure(a, setup_.parameters.laws, state, specimen_.width, recent_friction(), team);
     return feedback;
+}
+
+double Recorder::recent_friction() const {
+    const std::vector<double>& time = history_[HistoryColumn::time];
+    const auto since = std::lower_bound(time.begin(), time.end(), time.back() - recent_means * time_constant_) - time.begin();
+    const auto rise = [&](HistoryColumn column) {
+        return history_[column].back() - history_[column][static_cast<std::size_t>(since)];
+    };
+    const double friction = rise(HistoryColumn::energy_friction);
+    const double work = rise(HistoryColumn::energy_external);
+    return friction <= 0 ? 0 : work <= friction ? 1 : friction / work;
 }
 
 void Recorder::restart(State& state) {

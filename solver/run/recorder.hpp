@@ -34,6 +34,8 @@ public:
     [[nodiscard]] bool is_at_peak() const { return is_at_peak_; }  ///< whether the last row is the highest so far
 
 private:
+    /// Fraction of the external work of the last wave transits that friction dissipated, 0 to 1; 1 if it exceeds that work.
+    [[nodiscard]] double recent_friction() const;
     void push(HistoryColumn column, double value) { history_[column].push_back(value); }
     void push_row(const Measurement& m, double strain, double speed_of_platens, const State& state);
 

@@ -28,7 +28,7 @@ TEST(NearFailure, IsTheLengthOfAJointThatSlidesOverHalfTheWidth) {
     constexpr double width = 0.06;
     ThreadTeam team(2);
     SmallRun run(jointed_rectangle(8, 2, width, 0.2, 0, Blocks::of_one_grain), augig_law());
-    const auto share = [&] { return near_failure(run.assemblage, run.parameters.laws[0], run.state, width, team); };
+    const auto share = [&] { return near_failure(run.assemblage, run.parameters.laws[0], run.state, width, 0, team); };
     const std::vector<std::int32_t>& contacts = run.assemblage.contact_of_specimen;
     ASSERT_EQ(contacts.size(), 8U);
     for (const double friction : {0.0, 0.49, 1.0}) {  // at its limit a contact bears what it can
@@ -57,11 +57,11 @@ TEST(NearFailure, CountsAContactThatLosesItsCohesionWhileItIsOpen) {
         slide(run, contact, 0.9);
         for (const std::size_t p : points_of(contact)) run.state.integrity[p] = 0.5;
     }
-    EXPECT_EQ(near_failure(run.assemblage, law, run.state, width, team), 0);  // friction takes over
+    EXPECT_EQ(near_failure(run.assemblage, law, run.state, width, 0, team), 0);  // friction takes over
     for (const std::int32_t contact : {contacts[0], contacts[1]}) {
         for (const std::size_t p : points_of(contact)) run.state.opening[p] = law.dct;
     }
-    expect_close(near_failure(run.assemblage, law, run.state, width, team), 1.0 / 3, 1e-12, 1);
+    expect_close(near_failure(run.assemblage, law, run.state, width, 0, team), 1.0 / 3, 1e-12, 1);
 }
 
 TEST(NearFailure, CountsIntactPointsOverAShareOfAll) {
@@ -71,7 +71,7 @@ TEST(NearFailure, CountsIntactPointsOverAShareOfAll) {
     const ContactLaw& law = run.parameters.laws[0];
     const double points = 2.0 * run.assemblage.n_contacts();
     ASSERT_GT(0.06 * points, 0.5 * std::sqrt(points));
-    const auto share = [&] { return near_failure(run.assemblage, law, run.state, width, team); };
+    const auto share = [&] { return near_failure(run.assemblage, law, run.state, width, 0, team); };
     const auto [first, second] = points_of(run.assemblage.contact_of_specimen[5]);
     run.state.opening[first] = 0.79 * law.dct;
     EXPECT_EQ(share(), 0);  // a quarter more is not failure yet
@@ -80,11 +80,14 @@ TEST(NearFailure, CountsIntactPointsOverAShareOfAll) {
     run.state.opening[second] = 0.81 * law.dct;
     expect_close(share(), 2 / (0.06 * points), 1e-12, 1);
     std::fill(run.state.opening.begin(), run.state.opening.end(), 0.81 * law.dct);
-    EXPECT_EQ(share(), most_scattered);
+    for (const double sliding : {0.0, 0.5, 1.0, 2.0}) {  // over what joins them to a section
+        expect_close(near_failure(run.assemblage, law, run.state, width, sliding * sliding_section, team),
+                     std::lerp(most_scattered, 1.0, std::min(sliding, 1.0)), 1e-12, 1);
+    }
     // Few points: half a line across is more than 6 % of them.
     SmallRun few(one_diagonal_grid(2, 2, width, width), augig_law());
     few.state.opening[0] = 0.81 * law.dct;
-    expect_close(near_failure(few.assemblage, law, few.state, width, team),
+    expect_close(near_failure(few.assemblage, law, few.state, width, 0, team),
                  1 / (0.5 * std::sqrt(2.0 * few.assemblage.n_contacts())), 1e-12, 1);
 }
 
