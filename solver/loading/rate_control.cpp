@@ -20,6 +20,10 @@ constexpr double elastic_rise = 0.06;
 constexpr double first_damage = 0.1;   // from this `near_failure` on `damage_rise` holds
 constexpr double follow_transits = 4;  // transits in which the speed changes at most e-fold
 constexpr double slowest = 0.05;  // lowest speed, over the one that the tolerance allows in an elastic bar (0.25 and 0.5 before)
+// Behind a peak the memory of a failing section fades: it decays e-fold in so many transits while the load is below this fraction
+// of the highest. Chosen; not varied since. PAIRS
+constexpr double memory_transits = 20;
+constexpr double behind_peak = 0.95;
 constexpr double smoothing_transits = 1;  // transits over which measures are averaged
 constexpr double stopping_transits = 2;   // time constant with which a change of temperature approaches its end, transits
 
@@ -59,6 +63,9 @@ double RateControl::next(const Feedback& now, double strain, double duration) {
     inertia_ += fraction * (inertia - inertia_);
     unbalanced_ratio_ += fraction * (now.unbalanced_ratio - unbalanced_ratio_);
     force_difference_ += fraction * (now.force_difference - force_difference_);
+    const double load = std::abs(now.axial_compression);
+    highest_load_ = std::max(highest_load_, load);
+    if (load < behind_peak * highest_load_) near_failure_ *= std::exp(-duration / (memory_transits * scales_.transit_time));
     near_failure_ = std::max(near_failure_, now.near_failure);
     const double limit = allowed(near_failure_);
     const double most_damping = fraction_ * max_damping_load * fastest_rise(near_failure_) / damage_rise;

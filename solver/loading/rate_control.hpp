@@ -75,6 +75,7 @@ public:
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit&& visit) {
         visit("rate.near_failure", self.near_failure_);
+        visit("rate.highest_load", self.highest_load_);
         visit("rate.inertia", self.inertia_);
         visit("rate.unbalanced_ratio", self.unbalanced_ratio_);
         visit("rate.force_difference", self.force_difference_);
@@ -85,7 +86,8 @@ private:
     double tolerance_;
     RateScales scales_;
     double fraction_;
-    double near_failure_ = 0;  ///< the largest so far: the speed does not rise again once damage has begun
+    double near_failure_ = 0;  ///< the largest so far; it fades behind a peak
+    double highest_load_ = 0;  ///< axial stress, absolute, Pa
     double inertia_ = 0;       ///< this and the next two: means over about a transit
     double unbalanced_ratio_ = 0;
     double force_difference_ = 0;

@@ -13,7 +13,7 @@ namespace graincrack {
 inline constexpr double most_scattered = 0.3;
 /// Fraction of the external work that friction dissipates once sliding joins scattered failures to a section. Measured: below 0.2
 /// % up to 60 % of the strength of granite of crystals, 1 % at 75 to 80 %, 2 to 4 % at 90 %, above 8 % at the peak.
-inline constexpr double sliding_section = 0.01;
+inline constexpr double sliding_section = 0.005;
 
 /// Returns how far failure involves a section of the specimen, from 0 to 1. It is the larger of two ratios:
 /// - The length of the longest chain of contacts near sliding or opening, over half the width of the specimen; both lengths less
