@@ -21,7 +21,7 @@ constexpr double first_damage = 0.1;   // from this `near_failure` on `damage_ri
 constexpr double follow_transits = 4;  // transits in which the speed changes at most e-fold
 constexpr double slowest = 0.05;  // lowest speed, over the one that the tolerance allows in an elastic bar (0.25 and 0.5 before)
 // Behind a peak the memory of a failing section fades: it decays e-fold in so many transits while the load is below this fraction
-// of the highest. Chosen; not varied since. PAIRS
+// of the highest. Chosen; not varied since.
 constexpr double memory_transits = 20;
 constexpr double behind_peak = 0.95;
 constexpr double smoothing_transits = 1;  // transits over which measures are averaged
