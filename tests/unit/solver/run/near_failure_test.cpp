@@ -87,7 +87,7 @@ TEST(NearFailure, CountsIntactPointsOverAShareOfAll) {
     // Few points: half a line across is more than 6 % of them.
     SmallRun few(one_diagonal_grid(2, 2, width, width), augig_law());
     few.state.opening[0] = 0.81 * law.dct;
-    expect_close(near_failure(few.assemblage, law, few.state, width, 0, team),
+    expect_close(near_failure(few.assemblage, law, few.state, width, sliding_section, team),
                  1 / (0.5 * std::sqrt(2.0 * few.assemblage.n_contacts())), 1e-12, 1);
 }
 

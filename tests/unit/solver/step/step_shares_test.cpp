@@ -39,9 +39,33 @@ TEST(StepShares, CoverAllOnce) {
         const Assemblage& a = grains.run.assemblage;
         EXPECT_EQ(nodes, a.part.nodes.own);
         EXPECT_EQ(loaded, a.part.nodes.own);
+        EXPECT_EQ(contacts, a.part.evaluated_contacts.inner);
+        std::sort(contacts.begin(), contacts.end());
         EXPECT_EQ(contacts, a.part.contacts.own);
         EXPECT_EQ(elements, a.part.elements.own);
     }
+}
+
+// Contacts lie class by class, each class all over the specimen. If two threads divided them so, half of the nodes of a thread's
+// contacts would be the other one's. In the order of the nodes, only chunks across the middle have both.
+TEST(StepShares, GiveAThreadTheContactsOfItsNodes) {
+    const LoadedGrains grains(48);
+    const Assemblage& a = grains.run.assemblage;
+    const StepShares shares = grains.shares(2);
+    const std::int32_t first_of_second = a.node_chunks[shares.of_threads[1].nodes.front()].nodes.begin;
+    double foreign = 0, all = 0;
+    for (std::size_t thread = 0; thread < 2; ++thread) {
+        for (const std::int32_t chunk : shares.of_threads[thread].inner_contacts) {
+            const Range contacts = a.contact_chunks[chunk].contacts;
+            for (std::int32_t c = contacts.begin; c < contacts.end; ++c) {
+                for (const std::int32_t node : a.contacts[c].nodes) {
+                    foreign += (node >= first_of_second) != (thread == 1) ? 1 : 0;
+                    ++all;
+                }
+            }
+        }
+    }
+    EXPECT_LT(foreign, 0.1 * all);
 }
 
 TEST(StepShares, AreEvenBeforeAndAfterFailure) {
