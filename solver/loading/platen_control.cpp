@@ -52,7 +52,7 @@ RateScales PlatenControl::rate_scales(bool apart) const {
         const double stress = bending_load * rock_.tensile_strength;
         const double slenderness = span_ / height_;
         return {height_, transit_time_ * slenderness, stress / rock_.young_modulus * slenderness * slenderness / 6,
-                0.5 * stress * stress / 9 / rock_.young_modulus * span_ * height_};
+                0.5 * stress * stress / 9 / rock_.young_modulus * span_ * height_, true};
     }
     const double stress = least_load(apart) * rock_.tensile_strength;
     return {height_, transit_time_, stress / rock_.young_modulus, 0.5 * stress * stress / rock_.young_modulus * area_};

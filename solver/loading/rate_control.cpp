@@ -69,8 +69,10 @@ double RateControl::next(const Feedback& now, double strain, double duration) {
     near_failure_ = std::max(near_failure_, now.near_failure);
     const double limit = allowed(near_failure_);
     const double most_damping = fraction_ * max_damping_load * fastest_rise(near_failure_) / damage_rise;
-    const double worst =
-        std::max({inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / limit, now.damping_load / most_damping});
+    const bool is_elastic_bar = near_failure_ < first_damage && !scales_.bends;
+    const double most_difference = is_elastic_bar ? limit : fraction_ * tolerance_;
+    const double worst = std::max(
+        {inertia_ / limit, unbalanced_ratio_ / limit, force_difference_ / most_difference, now.damping_load / most_damping});
     speed_ = followed(speed_, worst, duration / (follow_transits * scales_.transit_time));
     speed_ = std::min(std::max(speed_, min_speed(strain, limit)), max_speed(strain, near_failure_));
     return speed_;

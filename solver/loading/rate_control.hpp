@@ -8,10 +8,10 @@
 //   unbalanced ratio   Σ|unbalanced force| / Σ|element force|
 //   force difference   of the platens over their mean
 //
-// and the load that damping carries below `max_damping_load`. The first three may reach T/f, at most 0.1, where `near_failure` is
-// f. The strain rises by at most 6 % of itself in a wave transit, and by at most 1.5 % once contacts are near failure; the limit
-// of the damping load falls by the same rule. Temperature ramps follow the same rules (`HeatingControl`), with the change of
-// temperature in place of the strain.
+// and the load that damping carries below `max_damping_load`. The first two may reach T/f, at most 0.1, where `near_failure` is
+// f; so may the force difference while f is below 0.1, but for bending. The strain rises by at most 6 % of itself in a wave
+// transit, and by at most 1.5 % once contacts are near failure; the limit of the damping load falls by the same rule. Temperature
+// ramps follow the same rules (`HeatingControl`), with the change of temperature in place of the strain.
 //
 // The control is a pure function from measures to speed: the logarithm of the speed follows the measures at a limited rate.
 #pragma once
@@ -53,6 +53,7 @@ struct RateScales {
     double transit_time = 0;  ///< of a bar wave through it, s
     double min_strain = 0;    ///< lower bound of the strain in all rules, so that a test can start from no load
     double min_energy = 0;    ///< stored energy at `min_strain`, J
+    bool bends = false;       ///< a beam, of which a few contacts fail before the peak
 };
 
 /// The automatic rate of the platens.
@@ -65,9 +66,9 @@ public:
     /// since axial loading began, in the sense of the test
     double next(const Feedback& feedback, double strain, double duration);
     /// Lower bound of the speed at a strain, m/s: a twentieth of the speed that the tolerance allows there in an elastic bar.
-    /// \param allowed limit of the first three measures
+    /// \param allowed limit of the first two measures
     [[nodiscard]] double min_speed(double strain, double allowed) const;
-    /// Limit of the first three measures at a value of `graincrack::near_failure`.
+    /// Limit of the first two measures at a value of `graincrack::near_failure`.
     [[nodiscard]] double allowed(double near_failure) const;
     /// Upper bound of the speed at a strain and a value of `graincrack::near_failure`, m/s.
     [[nodiscard]] double max_speed(double strain, double near_failure) const;

@@ -32,16 +32,8 @@ public:
     void join(std::int32_t node, std::int32_t other) {
         sets_.join(static_cast<std::size_t>(a_.cluster_of_node[node]), static_cast<std::size_t>(a_.cluster_of_node[other]));
         nodes_.insert(nodes_.end(), {node, other});
-        longest_contact_ = std::max(longest_contact_, length(a_.position[node] - a_.position[other]));
     }
-    /// Length of the longest chain over that of a section (m), both less the longest contact, as one contact is no chain.
-    [[nodiscard]] double over(double section) {
-        const double beyond = section - longest_contact_;
-        if (nodes_.empty()) return 0;
-        return beyond > 0 ? (longest() - longest_contact_) / beyond : 1;
-    }
-
-private:
+    /// Length of the longest chain, m.
     [[nodiscard]] double longest() {
         std::vector<Rectangle> rectangles(static_cast<std::size_t>(a_.n_clusters()));
         double longest = 0;
@@ -53,10 +45,10 @@ private:
         return longest;
     }
 
+private:
     const Assemblage& a_;
     UnionFind sets_;
     std::vector<std::int32_t> nodes_;
-    double longest_contact_ = 0;  ///< m
 };
 
 using NodePairs = std::vector<std::array<std::int32_t, 2>>;
@@ -128,7 +120,7 @@ double near_failure(const Assemblage& a, const ContactLaws& laws, const State& s
     const double scattered = std::max(0.5 * std::sqrt(points), scattered_fraction * points);
     const double most = std::lerp(most_scattered, 1.0, std::min(1.0, friction / sliding_section));
     const double points_near_failure = std::min(most, static_cast<double>(intact.front()) / scattered);
-    return std::min(1.0, std::max(points_near_failure, chains.over(involving_share * width)));
+    return std::min(1.0, std::max(points_near_failure, chains.longest() / (involving_share * width)));
 }
 
 }  // namespace graincrack
