@@ -88,7 +88,7 @@ struct CohesiveFrictional {
     }
 
 private:
-    /// The largest integrity that a motion leaves a failed point. Up to the peak load it is 1, which is more than any of them has.
+    /// The largest integrity that a motion leaves a failed point. Up to the peak load it is 1, more than any of them has.
     GRAINCRACK_INLINE static double integrity_at(const ContactLaw& law, double opening, double sliding) {
         const double load = cohesive_load(law, opening, sliding);
         const double open_range = softening_range(law.gf * load * load, cohesive_form(law, opening, sliding));
