@@ -9,8 +9,8 @@
 namespace graincrack {
 
 /// Largest measure of failure that scattered points have while nothing slides: the load may then rise by 1 % in a wave transit at
-/// the default tolerance. Chosen. First peaks of 28 specimens of Augig granite change by +0.2 ± 0.4 % (uniaxial) and −0.1 ± 0.4 %
-/// (8 MPa) against a limit of 1 (share/studies/equilibrium).
+/// the default tolerance. Chosen. First peaks of 28 specimens of Augig granite change by +0.4 ± 0.6 % against a limit of 1
+/// (share/studies/equilibrium).
 inline constexpr double most_scattered = 0.3;
 /// Fraction of the external work that friction dissipates once sliding joins scattered failures to a section. Fitted: with 0.01
 /// uniaxial first peaks are 0.5 ± 0.4 % higher. Measured in two of these specimens: below 0.002 up to 60 % of the strength, 0.005
