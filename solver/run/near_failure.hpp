@@ -19,11 +19,10 @@ inline constexpr double sliding_section = 0.005;
 
 /// Returns how far failure involves a section of the specimen, from 0 to 1. It is the larger of two ratios:
 /// - The length of the longest chain of contacts near sliding or opening, over half the width of the specimen. One joint that
-/// slides, or
-///   one crack that grows, lets the whole specimen move. Closed contacts without cohesion and node–edge contacts count if their
-///   friction lies between half its limit and the limit. Contacts of laws that soften in shear also count while they are open and
-///   lose their cohesion. Contacts at their limit, and those whose cohesion friction replaces, do not count: they do not make
-///   failure sudden. Contacts join into a chain at common vertices of the mesh; the length of a chain is the diagonal of its
+///   slides, or one crack that grows, lets the whole specimen move. Closed contacts without cohesion and node–edge contacts count
+///   if their friction lies between half its limit and the limit. Contacts of laws that soften in shear also count while they are
+///   open and lose their cohesion. Contacts at their limit, and those whose cohesion friction replaces, do not count: they do not
+///   make failure sudden. Contacts join into a chain at common vertices of the mesh; the length of a chain is the diagonal of its
 ///   bounding rectangle in the reference positions.
 /// - The number of intact points that would fail if their jumps grew by a quarter, over 6 % of all points (below 35 grains: over
 ///   half the square root of the number of points). While nothing slides they are scattered over the specimen and fail one by
